@@ -1,0 +1,78 @@
+/// \file
+/// Basis functions of the trigonometric polynomials: products with one factor an unknown. For an angle the factor is
+/// 1, cos(k theta) or sin(k theta); for a plain coordinate it is x^k. These products are linearly independent, so two
+/// expressions of the same function have the same coefficients, and derivatives map factors to single factors.
+#pragma once
+
+#include <array>
+#include <compare>
+#include <cstdint>
+
+namespace equilibria {
+
+/// A product of factors, one an unknown. Unknowns 0 .. Angles-1 are angles, the others plain coordinates.
+///
+/// The code of a factor: 0 for 1; for an angle +k for cos(k theta), -k for sin(k theta); for a coordinate k for x^k.
+/// Codes are packed, one byte each: constant expressions compare and multiply monomials by the ten thousand.
+template <int Angles, int Coordinates>
+class Monomial {
+public:
+    static constexpr int unknowns = Angles + Coordinates;
+
+    constexpr int code(int unknown) const {
+        return static_cast<std::int8_t>(words_[word(unknown)] >> shift(unknown) & 0xff);
+    }
+    constexpr void set_code(int unknown, int code) {
+        auto& w = words_[word(unknown)];
+        w = (w & ~(std::uint64_t{0xff} << shift(unknown))) |
+            (static_cast<std::uint64_t>(static_cast<std::uint8_t>(code)) << shift(unknown));
+    }
+    static constexpr Monomial single(int unknown, int code) {
+        Monomial m;
+        m.set_code(unknown, code);
+        return m;
+    }
+    static constexpr bool is_angle(int unknown) { return unknown < Angles; }
+
+    constexpr bool is_one() const { return *this == Monomial{}; }
+
+    /// Degree in the unknown: of the factor as a polynomial in (cos, sin), or in x.
+    constexpr int degree(int unknown) const {
+        const int c = code(unknown);
+        return c < 0 ? -c : c;
+    }
+    /// Total degree in all (cos, sin) and x.
+    constexpr int degree() const {
+        int d = 0;
+        for (int u = 0; u < unknowns; ++u) d += degree(u);
+        return d;
+    }
+
+    /// Whether some unknown has a factor in both.
+    friend constexpr bool overlap(const Monomial& a, const Monomial& b) {
+        for (std::size_t w = 0; w < a.words_.size(); ++w)
+            if (occupied(a.words_[w]) & occupied(b.words_[w])) return true;
+        return false;
+    }
+    /// Product of monomials that do not overlap.
+    friend constexpr Monomial join(const Monomial& a, const Monomial& b) {
+        Monomial m;
+        for (std::size_t w = 0; w < a.words_.size(); ++w) m.words_[w] = a.words_[w] | b.words_[w];
+        return m;
+    }
+
+    friend constexpr bool operator==(const Monomial&, const Monomial&) = default;
+    friend constexpr auto operator<=>(const Monomial&, const Monomial&) = default;
+
+private:
+    static constexpr std::size_t word(int unknown) { return static_cast<std::size_t>(unknown) / 8; }
+    static constexpr int shift(int unknown) { return 8 * (unknown % 8); }
+    static constexpr std::uint64_t occupied(std::uint64_t w) {  // the top bit of each byte that is not 0
+        constexpr std::uint64_t low = 0x7f7f7f7f7f7f7f7f;
+        return (((w & low) + low) | w) & ~low;
+    }
+
+    std::array<std::uint64_t, static_cast<std::size_t>((unknowns + 7) / 8)> words_{};
+};
+
+}  // namespace equilibria

@@ -1,0 +1,45 @@
+/// \file
+/// A fixed-size array that any integer indexes: std::array asks for std::size_t, and every `theta[k]` of a user's
+/// model with an int would be a sign conversion.
+#pragma once
+
+#include <concepts>
+#include <cstddef>
+
+namespace equilibria {
+
+template <class T, int N>
+struct Array {
+    T elements[static_cast<std::size_t>(N)]{};
+
+    static constexpr int size() { return N; }
+    template <std::convertible_to<int> I>
+    constexpr T& operator[](I i) {
+        return elements[static_cast<std::size_t>(i)];
+    }
+    template <std::convertible_to<int> I>
+    constexpr const T& operator[](I i) const {
+        return elements[static_cast<std::size_t>(i)];
+    }
+    constexpr T* begin() { return elements; }
+    constexpr T* end() { return elements + N; }
+    constexpr const T* begin() const { return elements; }
+    constexpr const T* end() const { return elements + N; }
+
+    friend constexpr bool operator==(const Array&, const Array&) = default;
+};
+
+template <class T>
+struct Array<T, 0> {
+    static constexpr int size() { return 0; }
+    template <std::convertible_to<int> I>
+    constexpr T& operator[](I) const {
+        throw "equilibria: an empty array has no elements";
+    }
+    constexpr T* begin() const { return nullptr; }
+    constexpr T* end() const { return nullptr; }
+
+    friend constexpr bool operator==(const Array&, const Array&) = default;
+};
+
+}  // namespace equilibria

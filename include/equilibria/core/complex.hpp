@@ -1,0 +1,108 @@
+/// \file
+/// Complex numbers over any real type, packs of lanes included (std::complex is specified for float, double and
+/// long double alone, and its product tests for NaN in every call).
+#pragma once
+
+#include <cmath>
+#include <complex>
+#include <type_traits>
+
+#include <equilibria/core/lanes.hpp>
+
+namespace equilibria {
+
+template <class R>
+struct Complex {
+    using Real = R;
+    R re, im;
+
+    friend constexpr Complex operator+(const Complex& a, const Complex& b) { return {a.re + b.re, a.im + b.im}; }
+    friend constexpr Complex operator-(const Complex& a, const Complex& b) { return {a.re - b.re, a.im - b.im}; }
+    friend constexpr Complex operator-(const Complex& a) { return {-a.re, -a.im}; }
+    friend constexpr Complex operator*(const Complex& a, const Complex& b) {
+        return {a.re * b.re - a.im * b.im, a.re * b.im + a.im * b.re};
+    }
+    friend constexpr Complex operator*(const R& a, const Complex& b) { return {a * b.re, a * b.im}; }
+    friend constexpr Complex operator*(const Complex& b, const R& a) { return {a * b.re, a * b.im}; }
+    friend constexpr Complex operator+(const Complex& a, const R& b) { return {a.re + b, a.im}; }
+    friend constexpr Complex operator+(const R& b, const Complex& a) { return {a.re + b, a.im}; }
+    friend constexpr Complex operator-(const Complex& a, const R& b) { return {a.re - b, a.im}; }
+    friend constexpr Complex operator-(const R& b, const Complex& a) { return {b - a.re, -a.im}; }
+    friend constexpr Complex operator/(const Complex& a, const Complex& b) { return a * inverse(b); }
+    friend constexpr Complex operator/(const Complex& a, const R& b) { return {a.re / b, a.im / b}; }
+    friend constexpr Complex operator/(const R& a, const Complex& b) { return a * inverse(b); }
+    constexpr Complex& operator+=(const Complex& b) { return *this = *this + b; }
+    constexpr Complex& operator-=(const Complex& b) { return *this = *this - b; }
+    constexpr Complex& operator*=(const Complex& b) { return *this = *this * b; }
+    constexpr Complex& operator*=(const R& b) { return *this = b * *this; }
+
+    /// 1 / a, without guards against overflow: the values of a path are scaled, and a bad quotient is a failed step.
+    friend constexpr Complex inverse(const Complex& a) {
+        const R d = 1.0 / (a.re * a.re + a.im * a.im);
+        return {a.re * d, -(a.im * d)};
+    }
+    /// |a|^2
+    friend constexpr R norm2(const Complex& a) { return a.re * a.re + a.im * a.im; }
+    friend constexpr Complex conj(const Complex& a) { return {a.re, -a.im}; }
+};
+
+/// double factors for packs of lanes and for multiprecision: 2.0 * z.
+template <class R>
+    requires(!std::is_same_v<R, double>)
+constexpr Complex<R> operator*(double a, const Complex<R>& b) {
+    return {a * b.re, a * b.im};
+}
+template <class R>
+    requires(!std::is_same_v<R, double>)
+constexpr Complex<R> operator*(const Complex<R>& b, double a) {
+    return {a * b.re, a * b.im};
+}
+template <class R>
+    requires(!std::is_same_v<R, double>)
+constexpr Complex<R> operator+(const Complex<R>& a, double b) {
+    return {a.re + b, a.im};
+}
+template <class R>
+    requires(!std::is_same_v<R, double>)
+constexpr Complex<R> operator+(double b, const Complex<R>& a) {
+    return {a.re + b, a.im};
+}
+template <class R>
+    requires(!std::is_same_v<R, double>)
+constexpr Complex<R> operator-(const Complex<R>& a, double b) {
+    return {a.re - b, a.im};
+}
+template <class R>
+    requires(!std::is_same_v<R, double>)
+constexpr Complex<R> operator-(double b, const Complex<R>& a) {
+    return {b - a.re, -a.im};
+}
+template <class R>
+    requires(!std::is_same_v<R, double>)
+constexpr Complex<R> operator/(const Complex<R>& a, double b) {
+    return {a.re / b, a.im / b};
+}
+
+/// The same complex number in every lane.
+template <class R>
+Complex<R> broadcast_complex(const std::complex<double>& z) {
+    return {broadcast<R>(static_cast<typename LaneTraits<R>::Scalar>(z.real())),
+            broadcast<R>(static_cast<typename LaneTraits<R>::Scalar>(z.imag()))};
+}
+
+/// Lane k as a std::complex<double>.
+template <class R>
+std::complex<double> lane(const Complex<R>& z, int k) {
+    return {static_cast<double>(lane(z.re, k)), static_cast<double>(lane(z.im, k))};
+}
+template <class R>
+void set_lane(Complex<R>& z, int k, const std::complex<double>& value) {
+    set_lane(z.re, k, static_cast<typename LaneTraits<R>::Scalar>(value.real()));
+    set_lane(z.im, k, static_cast<typename LaneTraits<R>::Scalar>(value.imag()));
+}
+template <class M, class R>
+Complex<R> select(const M& mask, const Complex<R>& a, const Complex<R>& b) {
+    return {select(mask, a.re, b.re), select(mask, a.im, b.im)};
+}
+
+}  // namespace equilibria

@@ -1,0 +1,112 @@
+/// \file
+/// Forward-mode automatic differentiation: a value and its derivatives along N directions. Nested duals give higher
+/// derivatives, exact to rounding: Dual<Dual<double, 1>, N> holds a Hessian-vector product.
+#pragma once
+
+#include <equilibria/core/array.hpp>
+#include <cmath>
+#include <type_traits>
+
+namespace equilibria {
+
+template <class T, int N>
+struct Dual {
+    T value{};
+    Array<T, N> derivative{};
+
+    constexpr Dual() = default;
+    constexpr Dual(const T& v) : value(v) {}
+    template <class A>
+        requires(std::is_arithmetic_v<A> && !std::is_same_v<A, T>)
+    constexpr Dual(A v) : value(static_cast<double>(v)) {}
+
+    /// The independent variable number k.
+    static constexpr Dual variable(const T& v, int k) {
+        Dual x(v);
+        x.derivative[k] = T(1.0);
+        return x;
+    }
+
+    /// f(x) given the values of f and of f' there.
+    template <class F, class D>
+    constexpr Dual chain(const F& f, const D& slope) const {
+        Dual y(f);
+        for (int k = 0; k < derivative.size(); ++k) y.derivative[k] = slope * derivative[k];
+        return y;
+    }
+
+    friend constexpr Dual operator-(const Dual& a) { return a.chain(-a.value, -1.0); }
+    friend constexpr Dual operator+(const Dual& a, const Dual& b) {
+        Dual y(a.value + b.value);
+        for (int k = 0; k < y.derivative.size(); ++k) y.derivative[k] = a.derivative[k] + b.derivative[k];
+        return y;
+    }
+    friend constexpr Dual operator-(const Dual& a, const Dual& b) {
+        Dual y(a.value - b.value);
+        for (int k = 0; k < y.derivative.size(); ++k) y.derivative[k] = a.derivative[k] - b.derivative[k];
+        return y;
+    }
+    friend constexpr Dual operator*(const Dual& a, const Dual& b) {
+        Dual y(a.value * b.value);
+        for (int k = 0; k < y.derivative.size(); ++k)
+            y.derivative[k] = a.derivative[k] * b.value + a.value * b.derivative[k];
+        return y;
+    }
+    friend constexpr Dual operator/(const Dual& a, const Dual& b) {
+        const T inverse = 1.0 / b.value, quotient = a.value * inverse;
+        Dual y(quotient);
+        for (int k = 0; k < y.derivative.size(); ++k)
+            y.derivative[k] = (a.derivative[k] - quotient * b.derivative[k]) * inverse;
+        return y;
+    }
+    template <class A>
+        requires std::is_arithmetic_v<A>
+    friend constexpr Dual operator*(A a, const Dual& b) {
+        return b.chain(static_cast<double>(a) * b.value, static_cast<double>(a));
+    }
+    template <class A>
+        requires std::is_arithmetic_v<A>
+    friend constexpr Dual operator*(const Dual& b, A a) {
+        return a * b;
+    }
+    template <class A>
+        requires std::is_arithmetic_v<A>
+    friend constexpr Dual operator/(const Dual& b, A a) {
+        return (1.0 / static_cast<double>(a)) * b;
+    }
+    constexpr Dual& operator+=(const Dual& b) { return *this = *this + b; }
+    constexpr Dual& operator-=(const Dual& b) { return *this = *this - b; }
+    constexpr Dual& operator*=(const Dual& b) { return *this = *this * b; }
+    constexpr Dual& operator/=(const Dual& b) { return *this = *this / b; }
+
+    friend Dual sin(const Dual& a) {
+        using std::cos, std::sin;
+        return a.chain(sin(a.value), cos(a.value));
+    }
+    friend Dual cos(const Dual& a) {
+        using std::cos, std::sin;
+        return a.chain(cos(a.value), -sin(a.value));
+    }
+    friend Dual exp(const Dual& a) {
+        using std::exp;
+        const T e = exp(a.value);
+        return a.chain(e, e);
+    }
+    friend Dual log(const Dual& a) {
+        using std::log;
+        return a.chain(log(a.value), 1.0 / a.value);
+    }
+    friend Dual sqrt(const Dual& a) {
+        using std::sqrt;
+        const T root = sqrt(a.value);
+        return a.chain(root, 0.5 / root);
+    }
+    friend constexpr Dual pow(const Dual& a, int power) {
+        if (power < 0) return Dual(1.0) / pow(a, -power);
+        Dual y(1.0);
+        for (int k = 0; k < power; ++k) y *= a;
+        return y;
+    }
+};
+
+}  // namespace equilibria

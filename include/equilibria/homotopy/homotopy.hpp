@@ -1,0 +1,386 @@
+/// \file
+/// The homotopies and their evaluation: H(q, t), its Jacobian in q, and its Taylor coefficients along a path.
+///
+/// From a total-degree start: H = (1-t) G + t F, gamma being a factor of G. From a solved instance: H = F with the
+/// coefficients (1-t) gamma a_start + t a_target, a straight line in the space of coefficients.
+///
+/// Everything is generic over the real type R (double, a pack of lanes, a multiprecision float) and over the type of
+/// the time: real along a path, complex in the loops of an endgame.
+#pragma once
+
+#include <complex>
+#include <cstddef>
+
+#include <equilibria/core/complex.hpp>
+#include <equilibria/core/static_for.hpp>
+#include <equilibria/homotopy/evaluation_plan.hpp>
+#include <equilibria/homotopy/point.hpp>
+#include <equilibria/homotopy/start_system.hpp>
+
+namespace equilibria {
+
+/// The numbers of a homotopy. C: double for real parameters, std::complex<double> for complex ones.
+template <Model M, StartKind Kind, class C = double>
+struct Homotopy {
+    using Plan = detail::EvaluationPlan<M, Kind>;
+    static constexpr StartKind kind = Kind;
+    using Coefficient = std::conditional_t<Kind == StartKind::parameter, std::complex<double>, C>;
+
+    Array<Coefficient, Formulation<M>::terms> target;                ///< a_target
+    Array<std::complex<double>, Formulation<M>::terms> difference;   ///< parameter: a_target - gamma a_start
+    Array<std::complex<double>, Plan::n_groups> start;               ///< total degree: coefficients of G, a group each
+
+    /// H = (1-t) G + t F(., target).
+    static Homotopy total_degree(const Array<C, Formulation<M>::terms>& target, const TotalDegreeStart<M>& start)
+        requires(Kind != StartKind::parameter)
+    {
+        Homotopy h{target, {}, {}};
+        for (int g = 0; g < Plan::n_groups; ++g)
+            if (Plan::groups[g].in_start) h.start[g] = start.coefficient(Plan::groups[g].equation, Plan::groups[g].own_code);
+        return h;
+    }
+    /// H = F with coefficients (1-t) gamma a_start + t a_target.
+    template <class A, class B>
+    static Homotopy parameter(const Array<A, Formulation<M>::terms>& from, const Array<B, Formulation<M>::terms>& to,
+                              std::complex<double> gamma)
+        requires(Kind == StartKind::parameter)
+    {
+        Homotopy h;
+        for (int k = 0; k < Formulation<M>::terms; ++k) h.target[k] = to[k], h.difference[k] = to[k] - gamma * from[k];
+        return h;
+    }
+};
+
+namespace detail {
+
+/// Time as it multiplies complex values: real lanes or a complex number.
+template <class R>
+R complement(const R& t) {
+    return 1.0 - t;
+}
+
+/// Evaluates a homotopy at points of type R. `Order`: how many Taylor coefficients along a path it can find.
+template <Model M, StartKind Kind, class C, class R, class Time, int Order>
+class Evaluation {
+public:
+    using H = Homotopy<M, Kind, C>;
+    using Plan = typename H::Plan;
+    using Z = Complex<R>;
+    static constexpr int n = n_unknowns<M>;
+    static constexpr bool symmetric = Formulation<M>::has_potential;
+
+    explicit Evaluation(const H& h) : h_(&h) {}
+
+    /// H(q, t).
+    void value(const Point<M, R>& q, const Time& t, Z (&f)[n]) {
+        prepare(q, t);
+        for (Z& entry : f) entry = zero();
+        static_for<Plan::n_groups>([&](auto g) {
+            constexpr auto group = Plan::groups[g];
+            accumulate(f[group.equation], own<g>(0), blend_[g][0]);
+        });
+    }
+
+    /// H(q, t) and its Jacobian; with a potential only the entries on and above the diagonal are set.
+    void jacobian(const Point<M, R>& q, const Time& t, Z (&f)[n], Z (&j)[n][n]) {
+        value(q, t, f);
+        for (int r = 0; r < n; ++r)
+            for (int c = symmetric ? r : 0; c < n; ++c) j[r][c] = zero();
+        static_for<Plan::n_groups>([&](auto g) {
+            constexpr auto group = Plan::groups[g];
+            constexpr int i = group.equation;
+            constexpr int own_factor = Plan::factor(i, group.own_code);
+            if constexpr (own_factor >= 0) j[i][i] += derivative<own_factor, i>() * blend_[g][0];
+            if constexpr (group.last > group.first) {
+                Z row[n];
+                bool used[n] = {};
+                static_for<group.last - group.first>([&](auto k) {
+                    constexpr int term = group.first + k, operand = Plan::operand[term];
+                    if constexpr (operand >= 0)
+                        static_for<n>([&](auto c) {
+                            if constexpr (depends(operand, c) && (!symmetric || c > i)) {
+                                const Z d = weighted<term>(derivative<operand, c>());
+                                row[c] = used[c] ? row[c] + d : d;
+                                used[c] = true;
+                            }
+                        });
+                });
+                const Z factor = scaled_own<g>(t);
+                static_for<n>([&](auto c) {
+                    if constexpr (touches(g, c)) {
+                        if constexpr (own_factor >= 0 || Kind != StartKind::parameter)
+                            j[i][c] += factor * row[c];
+                        else
+                            j[i][c] += row[c];
+                    }
+                });
+            }
+        });
+    }
+
+    /// The Taylor coefficient k of -H(q(t), t), given those of q(t) below k and taking its k-th as zero: the
+    /// right-hand side of J q_k = ... Call with k = 1, 2, ... after `jacobian`, and `set_coefficient` in between.
+    void taylor_right_side(int k, Z (&f)[n])
+        requires(Order > 0)
+    {
+        extend_factors(k);
+        for (Z& entry : f) entry = zero();
+        static_for<Plan::n_groups>([&](auto g) {
+            constexpr auto group = Plan::groups[g];
+            constexpr int own_factor = Plan::factor(group.equation, group.own_code);
+            sum_terms<g>(k);
+            blend_[g][k] = blended<g>(k);
+            if constexpr (own_factor < 0)
+                f[group.equation] -= blend_[g][k];
+            else
+                for (int l = 0; l <= k; ++l) f[group.equation] -= factor_[own_factor][l] * blend_[g][k - l];
+        });
+    }
+    /// Tells the k-th Taylor coefficient of q(t), once solved for.
+    void set_coefficient(int k, const Z (&d)[n])
+        requires(Order > 0)
+    {
+        for (int u = 0; u < n; ++u) path_[u][k] = d[u];
+        complete_factors(k);
+    }
+
+private:
+    static Z zero() { return {broadcast<R>(0.0), broadcast<R>(0.0)}; }
+
+    static constexpr bool depends(int operand, int unknown) {
+        if (operand < 0) return false;
+        if (operand < Plan::factors) return Plan::unknown_of(operand) == unknown;
+        const auto node = Plan::nodes[operand - Plan::factors];
+        return depends(node.left, unknown) || depends(node.right, unknown);
+    }
+    static constexpr bool touches(int g, int unknown) {
+        if (symmetric && unknown <= Plan::groups[g].equation) return false;
+        for (int k = Plan::groups[g].first; k < Plan::groups[g].last; ++k)
+            if (depends(Plan::operand[k], unknown)) return true;
+        return false;
+    }
+
+    // --- coefficients -------------------------------------------------------------------------------------------
+    static auto number(double a) { return broadcast<R>(a); }
+    static auto number(const std::complex<double>& a) { return broadcast_complex<R>(a); }
+
+    /// coefficient(t) * v: with a total-degree start without the factor t.
+    template <int Term>
+    Z weighted(const Z& v) const {
+        if constexpr (Kind == StartKind::parameter)
+            return current_[Term] * v;
+        else
+            return number(h_->target[Term]) * v;
+    }
+
+    /// The own factor of a group, times t with a total-degree start.
+    template <int G>
+    Z scaled_own(const Time& t) const {
+        constexpr auto group = Plan::groups[G];
+        constexpr int f = Plan::factor(group.equation, group.own_code);
+        if constexpr (Kind == StartKind::parameter) {
+            if constexpr (f >= 0)
+                return factor_[f][0];
+            else
+                return zero();
+        } else {
+            if constexpr (f >= 0)
+                return t * factor_[f][0];
+            else
+                return zero() + t;
+        }
+    }
+    template <int G>
+    auto own(int order) const {
+        constexpr auto group = Plan::groups[G];
+        constexpr int f = Plan::factor(group.equation, group.own_code);
+        if constexpr (f < 0)
+            return 1;
+        else
+            return factor_[f][order];
+    }
+    static void accumulate(Z& sum, int, const Z& v) { sum += v; }
+    static void accumulate(Z& sum, const Z& factor, const Z& v) { sum += factor * v; }
+
+    // --- values at order 0 --------------------------------------------------------------------------------------
+    void prepare(const Point<M, R>& q, const Time& t) {
+        time_ = t;
+        static_for<n>([&](auto u) {
+            constexpr int first = Plan::factor_offset[u], k_max = Plan::highest(u);
+            if constexpr (u < n_angles<M>) {
+                factor_[first][0] = q.c[u];
+                factor_[first + 1][0] = q.s[u];
+                for (int k = 1; k < k_max; ++k) {
+                    const Z& c = factor_[first + 2 * (k - 1)][0];
+                    const Z& s = factor_[first + 2 * (k - 1) + 1][0];
+                    factor_[first + 2 * k][0] = c * q.c[u] - s * q.s[u];
+                    factor_[first + 2 * k + 1][0] = s * q.c[u] + c * q.s[u];
+                }
+            } else {
+                path_[u][0] = factor_[first][0] = q.x[u - n_angles<M>];
+                for (int k = 1; k < k_max; ++k) factor_[first + k][0] = factor_[first + k - 1][0] * factor_[first][0];
+            }
+        });
+        multiply_nodes(0);
+        if constexpr (Kind == StartKind::parameter)
+            for (int k = 0; k < Formulation<M>::terms; ++k)
+                current_[k] = number(h_->target[k]) - number(h_->difference[k]) * complement(t);
+        static_for<Plan::n_groups>([&](auto g) {
+            sum_terms<g>(0);
+            blend_[g][0] = blended<g>(0);
+        });
+    }
+
+    template <int Operand>
+    const Z& value_of(int order) const {
+        if constexpr (Operand < Plan::factors)
+            return factor_[Operand][order];
+        else
+            return node_[Operand - Plan::factors][order];
+    }
+    void multiply_nodes(int k) {
+        static_for<Plan::n_nodes>([&](auto m) {
+            constexpr auto node = Plan::nodes[m];
+            Z sum = value_of<node.left>(0) * value_of<node.right>(k);
+            for (int l = 1; l <= k; ++l) sum += value_of<node.left>(l) * value_of<node.right>(k - l);
+            node_[m][k] = sum;
+        });
+    }
+
+    /// P of the group, at order k; with a parameter homotopy also its change in time.
+    template <int G>
+    void sum_terms(int k) {
+        constexpr auto group = Plan::groups[G];
+        Z p = zero(), d = zero();
+        static_for<group.last - group.first>([&](auto m) {
+            constexpr int term = group.first + m, operand = Plan::operand[term];
+            if constexpr (operand >= 0) {
+                p += weighted<term>(value_of<operand>(k));
+                if constexpr (Kind == StartKind::parameter && Order > 0)
+                    d += number(h_->difference[term]) * value_of<operand>(k);
+            } else if (k == 0) {
+                if constexpr (Kind == StartKind::parameter) {
+                    p += current_[term];
+                    if constexpr (Order > 0) d += number(h_->difference[term]);
+                } else {
+                    p = p + number(h_->target[term]);
+                }
+            }
+        });
+        sum_[G][k] = p;
+        if constexpr (Kind == StartKind::parameter && Order > 0) change_[G][k] = d;
+    }
+    /// The Taylor coefficient k of (1-t) g + t P, or of P with its moving coefficients.
+    template <int G>
+    Z blended(int k) const {
+        constexpr auto group = Plan::groups[G];
+        if constexpr (Kind == StartKind::parameter) {
+            return k == 0 ? sum_[G][k] : sum_[G][k] + change_[G][k - 1];
+        } else {
+            Z y = time_ * sum_[G][k];
+            if (k > 0) y += sum_[G][k - 1];
+            if constexpr (group.in_start) {
+                const Z g = broadcast_complex<R>(h_->start[G]);
+                if (k == 0) y += complement(time_) * g;
+                if (k == 1) y -= g;
+            }
+            return y;
+        }
+    }
+
+    /// The derivative of an operand by one of its unknowns.
+    template <int Operand, int U>
+    Z derivative() const {
+        if constexpr (Operand < Plan::factors) {
+            constexpr int code = Plan::code_of(Operand);
+            if constexpr (U < n_angles<M>) {
+                constexpr double multiple = -code;  // (cos k)' = -k sin k, (sin k)' = k cos k
+                const Z& other = factor_[Plan::factor(U, -code)][0];
+                if constexpr (multiple == 1)
+                    return other;
+                else if constexpr (multiple == -1)
+                    return -other;
+                else
+                    return multiple * other;
+            } else if constexpr (code == 1) {
+                return zero() + broadcast<R>(1.0);
+            } else {
+                return static_cast<double>(code) * factor_[Plan::factor(U, code - 1)][0];
+            }
+        } else {
+            constexpr auto node = Plan::nodes[Operand - Plan::factors];
+            if constexpr (depends(node.right, U))
+                return value_of<node.left>(0) * derivative<node.right, U>();
+            else
+                return derivative<node.left, U>() * value_of<node.right>(0);
+        }
+    }
+
+    // --- Taylor coefficients ------------------------------------------------------------------------------------
+    /// (cos k theta)' = -k theta' sin k theta and (sin k theta)' = k theta' cos k theta, coefficient by coefficient.
+    void extend_factors(int k) {
+        static_for<n>([&](auto u) {
+            constexpr int first = Plan::factor_offset[u], k_max = Plan::highest(u);
+            path_[u][k] = zero();
+            if constexpr (u < n_angles<M>) {
+                for (int m = 1; m <= k_max; ++m) {
+                    const int c = first + 2 * (m - 1), s = c + 1;
+                    Z cosine = zero(), sine = zero();
+                    for (int l = 1; l < k; ++l) {
+                        const double weight = static_cast<double>(m * l) / k;
+                        cosine -= weight * (path_[u][l] * factor_[s][k - l]);
+                        sine += weight * (path_[u][l] * factor_[c][k - l]);
+                    }
+                    factor_[c][k] = cosine;
+                    factor_[s][k] = sine;
+                }
+            } else {
+                raise_powers<u>(k);
+            }
+        });
+        multiply_nodes(k);
+    }
+    void complete_factors(int k) {
+        static_for<n>([&](auto u) {
+            constexpr int first = Plan::factor_offset[u], k_max = Plan::highest(u);
+            if constexpr (u < n_angles<M>) {
+                for (int m = 1; m <= k_max; ++m) {
+                    const int c = first + 2 * (m - 1), s = c + 1;
+                    const Z step = static_cast<double>(m) * path_[u][k];
+                    factor_[c][k] -= step * factor_[s][0];
+                    factor_[s][k] += step * factor_[c][0];
+                }
+            } else {
+                raise_powers<u>(k);
+            }
+        });
+        multiply_nodes(k);
+        static_for<Plan::n_groups>([&](auto g) {
+            sum_terms<g>(k);
+            blend_[g][k] = blended<g>(k);
+        });
+    }
+    template <int U>
+    void raise_powers(int k) {
+        constexpr int first = Plan::factor_offset[U];
+        factor_[first][k] = path_[U][k];
+        for (int m = 1; m < Plan::highest(U); ++m) {
+            Z sum = factor_[first + m - 1][0] * factor_[first][k];
+            for (int l = 1; l <= k; ++l) sum += factor_[first + m - 1][l] * factor_[first][k - l];
+            factor_[first + m][k] = sum;
+        }
+    }
+
+    const H* h_;
+    Time time_;
+    Z factor_[Plan::factors][Order + 1];
+    Z node_[Plan::n_nodes > 0 ? Plan::n_nodes : 1][Order + 1];
+    Z sum_[Plan::n_groups][Order + 1];
+    Z change_[Kind == StartKind::parameter ? Plan::n_groups : 1][Order + 1];
+    Z blend_[Plan::n_groups][Order + 1];
+    Z path_[n][Order + 1];
+    Z current_[Kind == StartKind::parameter ? Formulation<M>::terms : 1];
+};
+
+}  // namespace detail
+}  // namespace equilibria

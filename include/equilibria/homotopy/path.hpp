@@ -1,0 +1,41 @@
+/// \file
+/// What became of a path.
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+
+namespace equilibria {
+
+enum class PathStatus : std::uint8_t {
+    finite,       ///< a regular solution
+    at_infinity,  ///< a coordinate, or the imaginary part of an angle, diverges: no equilibrium
+    singular,     ///< a finite solution with a singular Jacobian, reached with a winding number or by several paths
+    failed        ///< not finished; the reason says why
+};
+
+enum class FailureReason : std::uint8_t {
+    none,
+    step_too_small,    ///< the step control refused every step
+    too_many_steps,
+    endgame_undecided  ///< near t = 1, neither finite, nor at infinity, nor singular could be shown
+};
+
+constexpr std::string_view name(PathStatus status) {
+    switch (status) {
+        case PathStatus::finite: return "finite";
+        case PathStatus::at_infinity: return "at infinity";
+        case PathStatus::singular: return "singular";
+        default: return "failed";
+    }
+}
+constexpr std::string_view name(FailureReason reason) {
+    switch (reason) {
+        case FailureReason::none: return "none";
+        case FailureReason::step_too_small: return "step too small";
+        case FailureReason::too_many_steps: return "too many steps";
+        default: return "endgame undecided";
+    }
+}
+
+}  // namespace equilibria

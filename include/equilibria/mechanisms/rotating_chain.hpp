@@ -1,0 +1,46 @@
+/// \file
+/// Planar chains of massless links with point masses, hanging in a vertical plane that turns about the vertical axis
+/// through the first joint. Source: Baillieul, section 3, equations (3.1) and (3.2).
+#pragma once
+
+#include <equilibria/model/model.hpp>
+
+namespace equilibria::mechanisms {
+
+/// N links of lengths l_i with mass m_i at the end of each, angular speed omega, gravity g. The angles are measured
+/// from the hanging vertical, in radians. With X_k = sum_{j<=k} l_j sin theta_j and mass m_k at depth
+/// Z_k = sum_{j<=k} l_j cos theta_j, V = -1/2 omega^2 sum m_k X_k^2 - g sum m_k Z_k.
+///
+/// Parameters p: l_0 .. l_{N-1}, m_0 .. m_{N-1}, omega, g.
+template <int N>
+struct RotatingChain {
+    static_assert(N >= 1);
+    static constexpr int n_angles = N;
+    static constexpr int length = 0, mass = N, omega = 2 * N, gravity = 2 * N + 1, n_parameters = 2 * N + 2;
+
+    constexpr auto potential(const auto& theta, const auto& p) const {
+        scalar_of<decltype(theta)> x{}, z{}, v{};
+        for (int k = 0; k < N; ++k) {
+            x += p[length + k] * sin(theta[k]);
+            z += p[length + k] * cos(theta[k]);
+            v -= p[mass + k] * (0.5 * p[omega] * p[omega] * x * x + p[gravity] * z);
+        }
+        return v;
+    }
+};
+
+/// Two links, l_1 = g = 1, in the normal form (3.2): alpha = m_2 / (m_1 + m_2), ratio = l_2 / l_1, omega. The potential
+/// is divided by m_1 + m_2.
+struct TwoLinkChain {
+    static constexpr int n_angles = 2;
+    enum Parameter { alpha, ratio, omega, n_parameters };
+
+    constexpr auto potential(const auto& theta, const auto& p) const {
+        const auto x1 = sin(theta[0]);
+        const auto x2 = x1 + p[ratio] * sin(theta[1]);
+        return -0.5 * p[omega] * p[omega] * ((1 - p[alpha]) * x1 * x1 + p[alpha] * x2 * x2) - cos(theta[0]) -
+               p[alpha] * p[ratio] * cos(theta[1]);
+    }
+};
+
+}  // namespace equilibria::mechanisms

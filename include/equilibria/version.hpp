@@ -1,0 +1,12 @@
+// The version of equilibria. It is written here and nowhere else: CMake reads this file.
+#pragma once
+
+#define EQUILIBRIA_VERSION_MAJOR 0
+#define EQUILIBRIA_VERSION_MINOR 1
+#define EQUILIBRIA_VERSION_PATCH 0
+
+// Two steps, so that the numbers and not the macros' names become text.
+#define EQUILIBRIA_DETAIL_DOTTED(a, b, c) #a "." #b "." #c
+#define EQUILIBRIA_DETAIL_VERSION(a, b, c) EQUILIBRIA_DETAIL_DOTTED(a, b, c)
+#define EQUILIBRIA_VERSION_STRING \
+    EQUILIBRIA_DETAIL_VERSION(EQUILIBRIA_VERSION_MAJOR, EQUILIBRIA_VERSION_MINOR, EQUILIBRIA_VERSION_PATCH)

@@ -1,0 +1,31 @@
+# Configures, builds and runs the project in tests/consumer/WAY against the tree SOURCE, or against a copy installed from
+# the build tree BUILT. BINARY is this script's own. A user who asks for no warning must see none.
+cmake_minimum_required(VERSION 3.25)
+
+file(REMOVE_RECURSE ${BINARY})
+set(prefix ${BINARY}/installed)
+
+if(WAY STREQUAL "find_package")
+    execute_process(COMMAND ${CMAKE_COMMAND} --install ${BUILT} --prefix ${prefix} COMMAND_ERROR_IS_FATAL ANY)
+    file(GLOB_RECURSE files ${prefix}/*.cmake)
+    foreach(file IN LISTS files)
+        file(READ ${file} text)
+        foreach(tree IN ITEMS ${SOURCE} ${BUILT})
+            string(FIND "${text}" "${tree}/" at)
+            if(NOT at EQUAL -1)
+                message(FATAL_ERROR "${file} is not relocatable: it names ${tree}")
+            endif()
+        endforeach()
+    endforeach()
+endif()
+
+execute_process(
+    COMMAND
+        ${CMAKE_COMMAND} -G ${GENERATOR} -S ${SOURCE}/tests/consumer/${WAY} -B ${BINARY}/build
+        -DCMAKE_CXX_COMPILER=${COMPILER} -DCMAKE_CXX_COMPILER_LAUNCHER=${LAUNCHER} -DCMAKE_PREFIX_PATH=${prefix}
+        -DCMAKE_COMPILE_WARNING_AS_ERROR=ON
+        -DEQUILIBRIA_TREE=${SOURCE} -DEQUILIBRIA_EXPECTED_VERSION=${VERSION}
+    COMMAND_ERROR_IS_FATAL ANY
+)
+execute_process(COMMAND ${CMAKE_COMMAND} --build ${BINARY}/build COMMAND_ERROR_IS_FATAL ANY)
+execute_process(COMMAND ${BINARY}/build/consumer COMMAND_ERROR_IS_FATAL ANY)

@@ -8,14 +8,16 @@
 #pragma once
 
 #include <algorithm>
-#include <equilibria/core/array.hpp>
 #include <complex>
 #include <cstddef>
+#include <cstdint>
+#include <limits>
 #include <string>
 #include <vector>
 
 #include <equilibria/algebra/symbolic.hpp>
 #include <equilibria/algebra/trigonometric_polynomial.hpp>
+#include <equilibria/core/array.hpp>
 #include <equilibria/core/error.hpp>
 #include <equilibria/model/model.hpp>
 
@@ -60,15 +62,17 @@ constexpr std::vector<PolynomialOf<M, C>> symbolic_equations(const Parameters<M,
     return f;
 }
 
-/// Generic parameters: positive, different, with no relation; quotients of the golden ratio's multiples.
+/// Generic parameters: in [0.25, 1), 53 random bits each (splitmix64), so that no relation with small integers holds,
+/// as p_0 - 2 p_1 + p_2 = 0 does for any arithmetic sequence.
 template <class M>
 constexpr Parameters<M> generic_parameters() {
     Parameters<M> p;
-    double phase = 0.171;
+    std::uint64_t state = 0;
     for (double& value : p) {
-        phase += 0.6180339887498949;
-        if (phase >= 1) phase -= 1;
-        value = 0.25 + 0.7 * phase;
+        std::uint64_t z = state += 0x9e3779b97f4a7c15;
+        z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9;
+        z = (z ^ (z >> 27)) * 0x94d049bb133111eb;
+        value = 0.25 + 0.75 * (static_cast<double>((z ^ (z >> 31)) >> 11) * 0x1p-53);
     }
     return p;
 }
@@ -90,6 +94,8 @@ constexpr NotPolynomial fault_of_equations() {
 
 template <class M>
 concept ConstantExpression = requires { typename std::integral_constant<NotPolynomial, fault_of_equations<M>()>; };
+template <ConstantExpression M>
+inline constexpr NotPolynomial fault = fault_of_equations<M>();
 
 /// The sentences for a model that cannot be turned into polynomials; true where it can.
 template <class M>
@@ -99,13 +105,15 @@ constexpr bool is_trigonometric() {
                   "equilibria: the model's potential or equations must be declared constexpr, and call only functions "
                   "that are: its algebra is computed at compile time");
     if constexpr (ConstantExpression<M>) {
-        static_assert(fault_of_equations<M>() != NotPolynomial::function_of_angle,
+        static_assert(fault<M> != NotPolynomial::function_of_angle,
                       "equilibria: the model is not a trigonometric polynomial: it takes sqrt, exp, log, sin or cos of "
                       "something that depends on the angles or coordinates");
-        static_assert(fault_of_equations<M>() != NotPolynomial::divisor_not_constant,
+        static_assert(fault<M> != NotPolynomial::divisor_not_constant,
                       "equilibria: the model is not a trigonometric polynomial: it divides by something that depends on "
                       "the angles or coordinates");
-        return fault_of_equations<M>() == NotPolynomial::no;
+        static_assert(fault<M> != NotPolynomial::degree_too_high,
+                      "equilibria: the model has a multiple of an angle, or a power of a coordinate, above 127");
+        return fault<M> == NotPolynomial::no;
     }
     return false;
 }
@@ -211,7 +219,8 @@ struct Formulation {
 };
 
 /// The coefficients of the support's terms for given parameters. C: double, std::complex<double>, or wider.
-/// Throws InvalidArgument if the model has a term at p that it lacks at generic parameters (it branches on values).
+/// Throws InvalidArgument if a coefficient is not finite at p, or if the model has a term at p that it lacks at generic
+/// parameters (it branches on values).
 template <class M, class C>
 Array<C, detail::support_size<M>> coefficients(const Parameters<M, C>& p) {
     using F = Formulation<M>;
@@ -225,6 +234,8 @@ Array<C, detail::support_size<M>> coefficients(const Parameters<M, C>& p) {
             const SupportTerm<M> key{i, t.monomial};
             const auto at = std::lower_bound(F::support.begin(), F::support.end(), key);
             using std::abs;
+            require(static_cast<double>(abs(t.coefficient)) < std::numeric_limits<double>::infinity(), "model",
+                    "equation " + std::to_string(i), "has a coefficient that is not finite at these parameters");
             if (at != F::support.end() && *at == key)
                 y[at - F::support.begin()] = t.coefficient;
             else

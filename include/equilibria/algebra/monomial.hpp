@@ -18,6 +18,7 @@ template <int Angles, int Coordinates>
 class Monomial {
 public:
     static constexpr int unknowns = Angles + Coordinates;
+    static constexpr int highest = 127;  ///< the largest multiple of an angle and power of a coordinate
 
     constexpr int code(int unknown) const {
         return static_cast<std::int8_t>(words_[word(unknown)] >> shift(unknown) & 0xff);

@@ -3,11 +3,11 @@
 /// angles plus a constant phase, whose sin and cos are trigonometric polynomials.
 #pragma once
 
-#include <equilibria/core/array.hpp>
 #include <cstddef>
 #include <type_traits>
 
 #include <equilibria/algebra/trigonometric_polynomial.hpp>
+#include <equilibria/core/array.hpp>
 #include <equilibria/model/angle.hpp>
 
 namespace equilibria {
@@ -33,6 +33,14 @@ struct SymbolicAngle : AngleBase {
         return a;
     }
     friend constexpr SymbolicAngle operator-(const SymbolicAngle& a, const SymbolicAngle& b) { return a + -1 * b; }
+    template <class B>
+    constexpr SymbolicAngle& operator+=(const B& b) {
+        return *this = *this + b;
+    }
+    template <class B>
+    constexpr SymbolicAngle& operator-=(const B& b) {
+        return *this = *this - b;
+    }
     template <detail::Integer I>
     friend constexpr SymbolicAngle operator*(I multiple, SymbolicAngle a) {
         for (int& m : a.multiples) m *= static_cast<int>(multiple);
@@ -85,6 +93,10 @@ private:
         for (int i = 0; i < Angles; ++i) {
             const int m = multiples[i], k = m < 0 ? -m : m;
             if (m == 0) continue;
+            if (k > Basis::highest) {
+                c = s = Polynomial::faulty(NotPolynomial::degree_too_high);
+                return;
+            }
             const Polynomial ci(Basis::single(i, k), C(1)), si(Basis::single(i, -k), C(m < 0 ? -1 : 1));
             const Polynomial cosine = c * ci - s * si;
             s = s * ci + c * si;

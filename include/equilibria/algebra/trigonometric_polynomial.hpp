@@ -7,6 +7,9 @@
 #include <array>
 #include <cmath>
 #include <complex>
+#include <concepts>
+#include <cstddef>
+#include <limits>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -19,9 +22,21 @@ namespace equilibria {
 /// Why an expression is not a trigonometric polynomial. It travels with the value, to become one sentence in the end.
 enum class NotPolynomial {
     no,                  ///< it is one
-    function_of_angle,   ///< sqrt, exp, ... or sin of something that depends on the angles or coordinates
-    divisor_not_constant ///< a quotient whose divisor depends on the angles or coordinates
+    function_of_angle,     ///< sqrt, exp, ... or sin of something that depends on the angles or coordinates
+    divisor_not_constant,  ///< a quotient whose divisor depends on the angles or coordinates
+    degree_too_high        ///< a multiple of an angle or a power of a coordinate that Monomial cannot hold
 };
+
+namespace detail {
+template <class C>
+struct RealPart {
+    using type = C;
+};
+template <class R>
+struct RealPart<std::complex<R>> {
+    using type = R;
+};
+}  // namespace detail
 
 template <int Angles, int Coordinates, class C = double>
 class TrigonometricPolynomial {
@@ -59,7 +74,7 @@ public:
         y.fault_ = fault_;
         const double smallest = 1e-13 * scale();
         for (const Term& t : terms_)
-            if (magnitude(t.coefficient) > smallest) y.terms_.push_back(t);
+            if (!(magnitude(t.coefficient) <= smallest)) y.terms_.push_back(t);  // a NaN stays, to be seen
         return y;
     }
 
@@ -104,26 +119,35 @@ public:
     constexpr TrigonometricPolynomial& operator/=(const TrigonometricPolynomial& b) { return *this = *this / b; }
 
     /// Integer powers; negative ones of constants only.
-    friend constexpr TrigonometricPolynomial pow(const TrigonometricPolynomial& a, int power) {
-        if (power < 0) return TrigonometricPolynomial(1) / pow(a, -power);
+    template <std::integral I>
+    friend constexpr TrigonometricPolynomial pow(const TrigonometricPolynomial& a, I power) {
+        const int k = static_cast<int>(power);
+        if (k < 0) return TrigonometricPolynomial(1) / pow(a, -k);
         TrigonometricPolynomial y(1);
-        for (int k = 0; k < power; ++k) y *= a;
+        for (int j = 0; j < k; ++j) y *= a;
         return y;
     }
+    /// Other powers, of constants only.
+    template <std::floating_point F>
+    friend constexpr TrigonometricPolynomial pow(const TrigonometricPolynomial& a, F power) {
+        const double y = static_cast<double>(power);
+        if (y > -1000 && y < 1000 && y == static_cast<int>(y)) return pow(a, static_cast<int>(y));
+        return a.of_constant([y](const C& x) { return C(constant_math::pow(x, y)); });
+    }
     friend constexpr TrigonometricPolynomial sqrt(const TrigonometricPolynomial& a) {
-        return a.of_constant([](const C& x) { using constant_math::sqrt; return sqrt(x); });
+        return a.of_constant([](const C& x) { return C(constant_math::sqrt(x)); });
     }
     friend constexpr TrigonometricPolynomial exp(const TrigonometricPolynomial& a) {
-        return a.of_constant([](const C& x) { using constant_math::exp; return exp(x); });
+        return a.of_constant([](const C& x) { return C(constant_math::exp(x)); });
     }
     friend constexpr TrigonometricPolynomial log(const TrigonometricPolynomial& a) {
-        return a.of_constant([](const C& x) { using constant_math::log; return log(x); });
+        return a.of_constant([](const C& x) { return C(constant_math::log(x)); });
     }
     friend constexpr TrigonometricPolynomial sin(const TrigonometricPolynomial& a) {
-        return a.of_constant([](const C& x) { using constant_math::sin; return sin(x); });
+        return a.of_constant([](const C& x) { return C(constant_math::sin(x)); });
     }
     friend constexpr TrigonometricPolynomial cos(const TrigonometricPolynomial& a) {
-        return a.of_constant([](const C& x) { using constant_math::cos; return cos(x); });
+        return a.of_constant([](const C& x) { return C(constant_math::cos(x)); });
     }
 
     /// The partial derivative by one unknown.
@@ -149,6 +173,10 @@ public:
     }
 
 private:
+    /// A sum is the rounding error of cancelled summands where it is at most this large beside them.
+    static constexpr double rounding =
+        2 * static_cast<double>(std::numeric_limits<typename detail::RealPart<C>::type>::epsilon());
+
     static constexpr double magnitude(const C& c) {
         if constexpr (std::is_floating_point_v<C>)
             return c < 0 ? static_cast<double>(-c) : static_cast<double>(c);
@@ -180,7 +208,7 @@ private:
                 y.terms_.push_back({j->monomial, sign * j->coefficient}), ++j;
             else {
                 const C sum = i->coefficient + sign * j->coefficient;
-                if (magnitude(sum) > 4e-16 * magnitude(i->coefficient)) y.terms_.push_back({i->monomial, sum});
+                if (!(magnitude(sum) <= rounding * magnitude(i->coefficient))) y.terms_.push_back({i->monomial, sum});
                 ++i, ++j;
             }
         }
@@ -192,6 +220,7 @@ private:
         std::vector<Term> products{{Basis{}, coefficient}};
         for (int u = 0; u < Basis::unknowns; ++u) {
             const int p = a.code(u), q = b.code(u);
+            if (a.degree(u) + b.degree(u) > Basis::highest) fault_ = std::max(fault_, NotPolynomial::degree_too_high);
             if (p == 0 || q == 0 || !Basis::is_angle(u)) {
                 for (Term& t : products) t.monomial.set_code(u, p + q);
                 continue;
@@ -230,7 +259,7 @@ private:
                 sum = sum + terms_[j].coefficient;
                 size += magnitude(terms_[j].coefficient);
             }
-            if (magnitude(sum) > 4e-16 * size) terms_[kept++] = {terms_[i].monomial, sum};
+            if (!(magnitude(sum) <= rounding * size)) terms_[kept++] = {terms_[i].monomial, sum};
             i = j;
         }
         terms_.resize(kept);

@@ -16,6 +16,11 @@ struct Complex {
     using Real = R;
     R re, im;
 
+    constexpr Complex() = default;
+    constexpr Complex(const R& real, const R& imaginary) : re(real), im(imaginary) {}
+    /// A real constant, in every lane.
+    constexpr Complex(double real) : re(broadcast<R>(real)), im(broadcast<R>(0.0)) {}
+
     friend constexpr Complex operator+(const Complex& a, const Complex& b) { return {a.re + b.re, a.im + b.im}; }
     friend constexpr Complex operator-(const Complex& a, const Complex& b) { return {a.re - b.re, a.im - b.im}; }
     friend constexpr Complex operator-(const Complex& a) { return {-a.re, -a.im}; }
@@ -81,6 +86,11 @@ template <class R>
     requires(!std::is_same_v<R, double>)
 constexpr Complex<R> operator/(const Complex<R>& a, double b) {
     return {a.re / b, a.im / b};
+}
+template <class R>
+    requires(!std::is_same_v<R, double>)
+constexpr Complex<R> operator/(double a, const Complex<R>& b) {
+    return a * inverse(b);
 }
 
 /// The same complex number in every lane.

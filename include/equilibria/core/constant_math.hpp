@@ -1,7 +1,8 @@
 /// \file
 /// Elementary functions that also work in constant expressions, where the models' supports are computed at generic
-/// parameter values. At run time they are the standard library's. Accuracy at compile time: about 1e-15 relative,
-/// enough to tell a coefficient that is zero from one that is not.
+/// parameter values. At run time they are the standard library's. Accuracy at compile time: a few 1e-15 relative for
+/// arguments of order 1, enough to tell a coefficient that is zero from one that is not. There, sqrt and log of a
+/// negative number are those of its absolute value: the generic values are not the user's, and the support is the same.
 #pragma once
 
 #include <cmath>
@@ -14,7 +15,8 @@ constexpr double abs(double x) { return x < 0 ? -x : x; }
 
 constexpr double sqrt(double x) {
     if (!std::is_constant_evaluated()) return std::sqrt(x);
-    if (!(x > 0)) return x == 0 ? 0 : throw "equilibria: sqrt of a negative number at the generic parameters";
+    if (x == 0) return 0;
+    x = abs(x);
     double scale = 1;
     while (x >= 4) x /= 4, scale *= 2;
     while (x < 1) x *= 4, scale /= 2;
@@ -35,7 +37,8 @@ constexpr double exp(double x) {
 
 constexpr double log(double x) {
     if (!std::is_constant_evaluated()) return std::log(x);
-    if (!(x > 0)) throw "equilibria: log of a number that is not positive at the generic parameters";
+    if (x == 0) throw "equilibria: log of 0 at the generic parameters";
+    x = abs(x);
     double y = 0;
     while (x > 1.5) x /= 2, y += std::numbers::ln2;
     while (x < 0.75) x *= 2, y -= std::numbers::ln2;
@@ -66,6 +69,50 @@ constexpr double cos(double x) {
     double term = 1, sum = 1;
     for (int k = 1; k < 16; ++k) sum += term *= -x * x / ((2 * k - 1) * (2 * k));
     return sum;
+}
+
+/// x^y, for x > 0.
+constexpr double pow(double x, double y) {
+    if (!std::is_constant_evaluated()) return std::pow(x, y);
+    return exp(y * log(x));
+}
+
+/// Of other scalars: what their own library has. (Without these, a long double would become a double.)
+template <class S>
+    requires(!std::is_integral_v<S>)
+auto sqrt(const S& x) {
+    using std::sqrt;
+    return sqrt(x);
+}
+template <class S>
+    requires(!std::is_integral_v<S>)
+auto exp(const S& x) {
+    using std::exp;
+    return exp(x);
+}
+template <class S>
+    requires(!std::is_integral_v<S>)
+auto log(const S& x) {
+    using std::log;
+    return log(x);
+}
+template <class S>
+    requires(!std::is_integral_v<S>)
+auto sin(const S& x) {
+    using std::sin;
+    return sin(x);
+}
+template <class S>
+    requires(!std::is_integral_v<S>)
+auto cos(const S& x) {
+    using std::cos;
+    return cos(x);
+}
+template <class S>
+    requires(!std::is_integral_v<S>)
+auto pow(const S& x, double y) {
+    using std::pow;
+    return pow(x, y);
 }
 
 }  // namespace equilibria::constant_math

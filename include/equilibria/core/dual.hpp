@@ -3,9 +3,11 @@
 /// derivatives, exact to rounding: Dual<Dual<double, 1>, N> holds a Hessian-vector product.
 #pragma once
 
-#include <equilibria/core/array.hpp>
 #include <cmath>
+#include <concepts>
 #include <type_traits>
+
+#include <equilibria/core/array.hpp>
 
 namespace equilibria {
 
@@ -101,11 +103,18 @@ struct Dual {
         const T root = sqrt(a.value);
         return a.chain(root, 0.5 / root);
     }
-    friend constexpr Dual pow(const Dual& a, int power) {
-        if (power < 0) return Dual(1.0) / pow(a, -power);
+    template <std::integral I>
+    friend constexpr Dual pow(const Dual& a, I power) {
+        const int k = static_cast<int>(power);
+        if (k < 0) return Dual(1.0) / pow(a, -k);
         Dual y(1.0);
-        for (int k = 0; k < power; ++k) y *= a;
+        for (int j = 0; j < k; ++j) y *= a;
         return y;
+    }
+    template <std::floating_point F>
+    friend Dual pow(const Dual& a, F power) {
+        using std::pow;
+        return a.chain(pow(a.value, power), static_cast<double>(power) * pow(a.value, power - 1));
     }
 };
 

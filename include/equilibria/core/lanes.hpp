@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <type_traits>
+#include <utility>
 
 namespace equilibria {
 
@@ -53,7 +54,7 @@ inline constexpr bool is_pack = LaneTraits<R>::width > 1;
 
 /// The same value in every lane.
 template <class R>
-R broadcast(const typename LaneTraits<R>::Scalar& value) {
+constexpr R broadcast(const typename LaneTraits<R>::Scalar& value) {
     if constexpr (is_pack<R>)
         return R{} + value;
     else

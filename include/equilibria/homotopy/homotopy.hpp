@@ -59,14 +59,15 @@ R complement(const R& t) {
     return 1.0 - t;
 }
 
-/// Evaluates a homotopy at points of type R. `Order`: how many Taylor coefficients along a path it can find.
-template <Model M, StartKind Kind, class C, class R, class Time, int Order>
+/// Evaluates a homotopy at points of type R, with Taylor coefficients along a path up to order 3.
+template <Model M, StartKind Kind, class C, class R, class Time>
 class Evaluation {
 public:
     using H = Homotopy<M, Kind, C>;
     using Plan = typename H::Plan;
     using Z = Complex<R>;
     static constexpr int n = n_unknowns<M>;
+    static constexpr int order = 3;
     static constexpr bool symmetric = Formulation<M>::has_potential;
 
     explicit Evaluation(const H& h) : h_(&h) {}
@@ -77,7 +78,7 @@ public:
         for (Z& entry : f) entry = zero();
         static_for<Plan::n_groups>([&](auto g) {
             constexpr auto group = Plan::groups[g];
-            accumulate(f[group.equation], own<g>(0), blend_[g][0]);
+            accumulate(f[group.equation], own<g>(0), blend_[0][g]);
         });
     }
 
@@ -90,7 +91,7 @@ public:
             constexpr auto group = Plan::groups[g];
             constexpr int i = group.equation;
             constexpr int own_factor = Plan::factor(i, group.own_code);
-            if constexpr (own_factor >= 0) j[i][i] += derivative<own_factor, i>() * blend_[g][0];
+            if constexpr (own_factor >= 0) j[i][i] += derivative<own_factor, i>() * blend_[0][g];
             if constexpr (group.last > group.first) {
                 Z row[n];
                 bool used[n] = {};
@@ -120,27 +121,23 @@ public:
 
     /// The Taylor coefficient k of -H(q(t), t), given those of q(t) below k and taking its k-th as zero: the
     /// right-hand side of J q_k = ... Call with k = 1, 2, ... after `jacobian`, and `set_coefficient` in between.
-    void taylor_right_side(int k, Z (&f)[n])
-        requires(Order > 0)
-    {
+    void taylor_right_side(int k, Z (&f)[n]) {
         extend_factors(k);
         for (Z& entry : f) entry = zero();
         static_for<Plan::n_groups>([&](auto g) {
             constexpr auto group = Plan::groups[g];
             constexpr int own_factor = Plan::factor(group.equation, group.own_code);
             sum_terms<g>(k);
-            blend_[g][k] = blended<g>(k);
+            blend_[k][g] = blended<g>(k);
             if constexpr (own_factor < 0)
-                f[group.equation] -= blend_[g][k];
+                f[group.equation] -= blend_[k][g];
             else
-                for (int l = 0; l <= k; ++l) f[group.equation] -= factor_[own_factor][l] * blend_[g][k - l];
+                for (int l = 0; l <= k; ++l) f[group.equation] -= factor_[l][own_factor] * blend_[k - l][g];
         });
     }
     /// Tells the k-th Taylor coefficient of q(t), once solved for.
-    void set_coefficient(int k, const Z (&d)[n])
-        requires(Order > 0)
-    {
-        for (int u = 0; u < n; ++u) path_[u][k] = d[u];
+    void set_coefficient(int k, const Z (&d)[n]) {
+        for (int u = 0; u < n; ++u) path_[k][u] = d[u];
         complete_factors(k);
     }
 
@@ -180,24 +177,24 @@ private:
         constexpr int f = Plan::factor(group.equation, group.own_code);
         if constexpr (Kind == StartKind::parameter) {
             if constexpr (f >= 0)
-                return factor_[f][0];
+                return factor_[0][f];
             else
                 return zero();
         } else {
             if constexpr (f >= 0)
-                return t * factor_[f][0];
+                return t * factor_[0][f];
             else
                 return zero() + t;
         }
     }
     template <int G>
-    auto own(int order) const {
+    auto own(int k) const {
         constexpr auto group = Plan::groups[G];
         constexpr int f = Plan::factor(group.equation, group.own_code);
         if constexpr (f < 0)
             return 1;
         else
-            return factor_[f][order];
+            return factor_[k][f];
     }
     static void accumulate(Z& sum, int, const Z& v) { sum += v; }
     static void accumulate(Z& sum, const Z& factor, const Z& v) { sum += factor * v; }
@@ -208,17 +205,17 @@ private:
         static_for<n>([&](auto u) {
             constexpr int first = Plan::factor_offset[u], k_max = Plan::highest(u);
             if constexpr (u < n_angles<M>) {
-                factor_[first][0] = q.c[u];
-                factor_[first + 1][0] = q.s[u];
+                factor_[0][first] = q.c[u];
+                factor_[0][first + 1] = q.s[u];
                 for (int k = 1; k < k_max; ++k) {
-                    const Z& c = factor_[first + 2 * (k - 1)][0];
-                    const Z& s = factor_[first + 2 * (k - 1) + 1][0];
-                    factor_[first + 2 * k][0] = c * q.c[u] - s * q.s[u];
-                    factor_[first + 2 * k + 1][0] = s * q.c[u] + c * q.s[u];
+                    const Z& c = factor_[0][first + 2 * (k - 1)];
+                    const Z& s = factor_[0][first + 2 * (k - 1) + 1];
+                    factor_[0][first + 2 * k] = c * q.c[u] - s * q.s[u];
+                    factor_[0][first + 2 * k + 1] = s * q.c[u] + c * q.s[u];
                 }
             } else {
-                path_[u][0] = factor_[first][0] = q.x[u - n_angles<M>];
-                for (int k = 1; k < k_max; ++k) factor_[first + k][0] = factor_[first + k - 1][0] * factor_[first][0];
+                path_[0][u] = factor_[0][first] = q.x[u - n_angles<M>];
+                for (int k = 1; k < k_max; ++k) factor_[0][first + k] = factor_[0][first + k - 1] * factor_[0][first];
             }
         });
         multiply_nodes(0);
@@ -227,23 +224,23 @@ private:
                 current_[k] = number(h_->target[k]) - number(h_->difference[k]) * complement(t);
         static_for<Plan::n_groups>([&](auto g) {
             sum_terms<g>(0);
-            blend_[g][0] = blended<g>(0);
+            blend_[0][g] = blended<g>(0);
         });
     }
 
     template <int Operand>
-    const Z& value_of(int order) const {
+    const Z& value_of(int k) const {
         if constexpr (Operand < Plan::factors)
-            return factor_[Operand][order];
+            return factor_[k][Operand];
         else
-            return node_[Operand - Plan::factors][order];
+            return node_[k][Operand - Plan::factors];
     }
     void multiply_nodes(int k) {
         static_for<Plan::n_nodes>([&](auto m) {
             constexpr auto node = Plan::nodes[m];
             Z sum = value_of<node.left>(0) * value_of<node.right>(k);
             for (int l = 1; l <= k; ++l) sum += value_of<node.left>(l) * value_of<node.right>(k - l);
-            node_[m][k] = sum;
+            node_[k][m] = sum;
         });
     }
 
@@ -256,29 +253,29 @@ private:
             constexpr int term = group.first + m, operand = Plan::operand[term];
             if constexpr (operand >= 0) {
                 p += weighted<term>(value_of<operand>(k));
-                if constexpr (Kind == StartKind::parameter && Order > 0)
+                if constexpr (Kind == StartKind::parameter)
                     d += number(h_->difference[term]) * value_of<operand>(k);
             } else if (k == 0) {
                 if constexpr (Kind == StartKind::parameter) {
                     p += current_[term];
-                    if constexpr (Order > 0) d += number(h_->difference[term]);
+                    d += number(h_->difference[term]);
                 } else {
                     p = p + number(h_->target[term]);
                 }
             }
         });
-        sum_[G][k] = p;
-        if constexpr (Kind == StartKind::parameter && Order > 0) change_[G][k] = d;
+        sum_[k][G] = p;
+        if constexpr (Kind == StartKind::parameter) change_[k][G] = d;
     }
     /// The Taylor coefficient k of (1-t) g + t P, or of P with its moving coefficients.
     template <int G>
     Z blended(int k) const {
         constexpr auto group = Plan::groups[G];
         if constexpr (Kind == StartKind::parameter) {
-            return k == 0 ? sum_[G][k] : sum_[G][k] + change_[G][k - 1];
+            return k == 0 ? sum_[k][G] : sum_[k][G] + change_[k - 1][G];
         } else {
-            Z y = time_ * sum_[G][k];
-            if (k > 0) y += sum_[G][k - 1];
+            Z y = time_ * sum_[k][G];
+            if (k > 0) y += sum_[k - 1][G];
             if constexpr (group.in_start) {
                 const Z g = broadcast_complex<R>(h_->start[G]);
                 if (k == 0) y += complement(time_) * g;
@@ -295,7 +292,7 @@ private:
             constexpr int code = Plan::code_of(Operand);
             if constexpr (U < n_angles<M>) {
                 constexpr double multiple = -code;  // (cos k)' = -k sin k, (sin k)' = k cos k
-                const Z& other = factor_[Plan::factor(U, -code)][0];
+                const Z& other = factor_[0][Plan::factor(U, -code)];
                 if constexpr (multiple == 1)
                     return other;
                 else if constexpr (multiple == -1)
@@ -305,7 +302,7 @@ private:
             } else if constexpr (code == 1) {
                 return zero() + broadcast<R>(1.0);
             } else {
-                return static_cast<double>(code) * factor_[Plan::factor(U, code - 1)][0];
+                return static_cast<double>(code) * factor_[0][Plan::factor(U, code - 1)];
             }
         } else {
             constexpr auto node = Plan::nodes[Operand - Plan::factors];
@@ -321,18 +318,18 @@ private:
     void extend_factors(int k) {
         static_for<n>([&](auto u) {
             constexpr int first = Plan::factor_offset[u], k_max = Plan::highest(u);
-            path_[u][k] = zero();
+            path_[k][u] = zero();
             if constexpr (u < n_angles<M>) {
                 for (int m = 1; m <= k_max; ++m) {
                     const int c = first + 2 * (m - 1), s = c + 1;
                     Z cosine = zero(), sine = zero();
                     for (int l = 1; l < k; ++l) {
                         const double weight = static_cast<double>(m * l) / k;
-                        cosine -= weight * (path_[u][l] * factor_[s][k - l]);
-                        sine += weight * (path_[u][l] * factor_[c][k - l]);
+                        cosine -= weight * (path_[l][u] * factor_[k - l][s]);
+                        sine += weight * (path_[l][u] * factor_[k - l][c]);
                     }
-                    factor_[c][k] = cosine;
-                    factor_[s][k] = sine;
+                    factor_[k][c] = cosine;
+                    factor_[k][s] = sine;
                 }
             } else {
                 raise_powers<u>(k);
@@ -346,9 +343,9 @@ private:
             if constexpr (u < n_angles<M>) {
                 for (int m = 1; m <= k_max; ++m) {
                     const int c = first + 2 * (m - 1), s = c + 1;
-                    const Z step = static_cast<double>(m) * path_[u][k];
-                    factor_[c][k] -= step * factor_[s][0];
-                    factor_[s][k] += step * factor_[c][0];
+                    const Z step = static_cast<double>(m) * path_[k][u];
+                    factor_[k][c] -= step * factor_[0][s];
+                    factor_[k][s] += step * factor_[0][c];
                 }
             } else {
                 raise_powers<u>(k);
@@ -357,28 +354,28 @@ private:
         multiply_nodes(k);
         static_for<Plan::n_groups>([&](auto g) {
             sum_terms<g>(k);
-            blend_[g][k] = blended<g>(k);
+            blend_[k][g] = blended<g>(k);
         });
     }
     template <int U>
     void raise_powers(int k) {
         constexpr int first = Plan::factor_offset[U];
-        factor_[first][k] = path_[U][k];
+        factor_[k][first] = path_[k][U];
         for (int m = 1; m < Plan::highest(U); ++m) {
-            Z sum = factor_[first + m - 1][0] * factor_[first][k];
-            for (int l = 1; l <= k; ++l) sum += factor_[first + m - 1][l] * factor_[first][k - l];
-            factor_[first + m][k] = sum;
+            Z sum = factor_[0][first + m - 1] * factor_[k][first];
+            for (int l = 1; l <= k; ++l) sum += factor_[l][first + m - 1] * factor_[k - l][first];
+            factor_[k][first + m] = sum;
         }
     }
 
     const H* h_;
     Time time_;
-    Z factor_[Plan::factors][Order + 1];
-    Z node_[Plan::n_nodes > 0 ? Plan::n_nodes : 1][Order + 1];
-    Z sum_[Plan::n_groups][Order + 1];
-    Z change_[Kind == StartKind::parameter ? Plan::n_groups : 1][Order + 1];
-    Z blend_[Plan::n_groups][Order + 1];
-    Z path_[n][Order + 1];
+    Z factor_[order + 1][Plan::factors];
+    Z node_[order + 1][Plan::n_nodes > 0 ? Plan::n_nodes : 1];
+    Z sum_[order + 1][Plan::n_groups];
+    Z change_[order + 1][Kind == StartKind::parameter ? Plan::n_groups : 1];
+    Z blend_[order + 1][Plan::n_groups];
+    Z path_[order + 1][n];
     Z current_[Kind == StartKind::parameter ? Formulation<M>::terms : 1];
 };
 

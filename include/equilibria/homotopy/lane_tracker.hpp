@@ -17,21 +17,24 @@ enum class Arrival : std::uint8_t {
     stuck     ///< the step control gave up, or the steps ran out
 };
 
-/// The state in which a path was left.
+/// What became of a path, with the evidence.
 template <Model M>
-struct PathEnd {
+struct Endpoint {
     Point<M, double> q;
-    double t = 0;
-    std::int32_t steps = 0;
+    double t = 0;               ///< where the lane tracker left it
+    std::int32_t steps = 0;     ///< predictor-corrector steps, refused ones included
     Arrival arrival = Arrival::stuck;
+    PathStatus status = PathStatus::failed;
     FailureReason reason = FailureReason::none;
+    std::int16_t winding_number = 1;  ///< of the path at t = 1; more than 1 only at a singular endpoint
+    PolishedEvidence evidence;
 };
 
-/// Tracks from t = 0 the paths that start at `start(path)`, a Point<M, double>, for each of `paths`; the state in which
-/// paths[k] was left goes to ends[k]. R: the pack of lanes, or a scalar type.
+/// Tracks from t = 0 the paths that start at `start(path)`, a Point<M, double>, for each of `paths`; where
+/// paths[k] was left goes to ends[k] (q, t, steps, arrival, reason). R: the pack of lanes, or a scalar type.
 template <class R, bool Pivoted, Model M, StartKind Kind, class C, class Start>
 void track_lanes(const Homotopy<M, Kind, C>& homotopy, const TrackerOptions& options,
-                 std::span<const std::uint64_t> paths, Start&& start, std::span<PathEnd<M>> ends) {
+                 std::span<const std::uint64_t> paths, Start&& start, std::span<Endpoint<M>> ends) {
     constexpr int width = LaneTraits<R>::width;
     detail::Stepper<M, Kind, C, R, R, Pivoted> stepper(homotopy, options);
     Point<M, R> q{};
@@ -54,7 +57,7 @@ void track_lanes(const Homotopy<M, Kind, C>& homotopy, const TrackerOptions& opt
         }
     };
     const auto finish = [&](int k, Arrival arrival, FailureReason reason) {
-        PathEnd<M>& end = ends[static_cast<std::size_t>(path[k])];
+        Endpoint<M>& end = ends[static_cast<std::size_t>(path[k])];
         copy_lane(q, k, end.q, 0);
         end.t = static_cast<double>(lane(t, k));
         end.steps = steps[k];

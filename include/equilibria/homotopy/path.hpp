@@ -21,6 +21,13 @@ enum class FailureReason : std::uint8_t {
     endgame_undecided  ///< near t = 1, neither finite, nor at infinity, nor singular could be shown
 };
 
+/// What polishing tells of an endpoint.
+struct PolishedEvidence {
+    double residual = 0;    ///< max_i |F_i| / (largest coefficient of F_i)
+    double condition = 0;   ///< of the Jacobian with its rows scaled to 1, infinity norm
+    double correction = 0;  ///< the last Newton correction, largest change of an unknown
+};
+
 constexpr std::string_view name(PathStatus status) {
     switch (status) {
         case PathStatus::finite: return "finite";

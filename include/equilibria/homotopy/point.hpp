@@ -40,42 +40,59 @@ Point<M, R> select(const Mask& mask, const Point<M, R>& a, const Point<M, R>& b)
     return y;
 }
 
+namespace detail {
+
+/// Turns (c, s) by the angle whose cosine and sine are nearly (co, si), and goes back onto the circle by one Newton
+/// step; not where |c| is large (an angle on its way to infinity), since 1 - c^2 - s^2 is all rounding there.
+template <class R>
+void turn(Complex<R>& c, Complex<R>& s, const Complex<R>& co, const Complex<R>& si) {
+    const Complex<R> cosine = c * co - s * si, sine = s * co + c * si;
+    const Complex<R> back = 1.5 - 0.5 * (cosine * cosine + sine * sine);
+    const auto near = norm2(cosine) < R{} + 1e4;
+    c = select(near, cosine * back, cosine);
+    s = select(near, sine * back, sine);
+}
+
+}  // namespace detail
+
 /// The point moved by d: angles turned by the small complex angle d_i, coordinates shifted by d_j.
 ///
-/// sin d and cos d by their series to d^8 and d^9 (|d| < 0.5: error below 1e-9, absorbed by the corrector), then one
-/// Newton step back onto the circle: no transcendental function is called.
+/// sin d and cos d by their series to d^8 and d^9 (|d| < 0.5: error below 1e-9, absorbed by the corrector): no
+/// transcendental function is called.
 template <class M, class R>
-Point<M, R> moved(const Point<M, R>& a, const Complex<R> (&d)[n_unknowns<M>]) {
-    Point<M, R> y;
+Point<M, R> moved(Point<M, R> q, const Complex<R> (&d)[n_unknowns<M>]) {
     for (int i = 0; i < n_angles<M>; ++i) {
         const Complex<R> d2 = d[i] * d[i];
         const Complex<R> co = 1.0 - 0.5 * (d2 * (1.0 - 1 / 12. * (d2 * (1.0 - 1 / 30. * (d2 * (1.0 - 1 / 56. * d2))))));
         const Complex<R> si =
             d[i] * (1.0 - 1 / 6. * (d2 * (1.0 - 1 / 20. * (d2 * (1.0 - 1 / 42. * (d2 * (1.0 - 1 / 72. * d2)))))));
-        const Complex<R> c = a.c[i] * co - a.s[i] * si, s = a.s[i] * co + a.c[i] * si;
-        const Complex<R> back = 1.5 - 0.5 * (c * c + s * s);
-        y.c[i] = c * back;
-        y.s[i] = s * back;
+        detail::turn(q.c[i], q.s[i], co, si);
     }
-    for (int j = 0; j < n_coordinates<M>; ++j) y.x[j] = a.x[j] + d[n_angles<M> + j];
-    return y;
+    for (int j = 0; j < n_coordinates<M>; ++j) q.x[j] += d[n_angles<M> + j];
+    return q;
 }
 
-/// The same for the tiny steps of a corrector (|d| < 0.01: error below 1e-12).
+/// The square of the largest change in d: of angles in radians, of coordinates against 1 + |x|.
 template <class M, class R>
-Point<M, R> corrected(const Point<M, R>& a, const Complex<R> (&d)[n_unknowns<M>]) {
-    Point<M, R> y;
+R correction_size(const Point<M, R>& q, const Complex<R> (&d)[n_unknowns<M>]) {
+    R largest = broadcast<R>(0.0);
+    for (int u = 0; u < n_angles<M>; ++u) largest = lane_max(largest, norm2(d[u]));
+    for (int j = 0; j < n_coordinates<M>; ++j)
+        largest = lane_max(largest, norm2(d[n_angles<M> + j]) / (1.0 + norm2(q.x[j])));
+    return largest;
+}
+
+/// `moved` for the tiny steps of a corrector (|d| < 0.01: error below 1e-12).
+template <class M, class R>
+Point<M, R> corrected(Point<M, R> q, const Complex<R> (&d)[n_unknowns<M>]) {
     for (int i = 0; i < n_angles<M>; ++i) {
         const Complex<R> d2 = d[i] * d[i];
         const Complex<R> co = 1.0 - 0.5 * (d2 * (1.0 - 1 / 12. * d2));
         const Complex<R> si = d[i] * (1.0 - 1 / 6. * d2);
-        const Complex<R> c = a.c[i] * co - a.s[i] * si, s = a.s[i] * co + a.c[i] * si;
-        const Complex<R> back = 1.5 - 0.5 * (c * c + s * s);
-        y.c[i] = c * back;
-        y.s[i] = s * back;
+        detail::turn(q.c[i], q.s[i], co, si);
     }
-    for (int j = 0; j < n_coordinates<M>; ++j) y.x[j] = a.x[j] + d[n_angles<M> + j];
-    return y;
+    for (int j = 0; j < n_coordinates<M>; ++j) q.x[j] += d[n_angles<M> + j];
+    return q;
 }
 
 }  // namespace equilibria

@@ -79,7 +79,7 @@ public:
     using Factorization = std::conditional_t<Pivoted, PivotedFactorization<R, n>, SymmetricFactorization<R, n>>;
 
     Stepper(const Homotopy<M, Kind, C>& h, const TrackerOptions& options)
-        : options_(options), local_(h), ahead_(h), origin_(Time{}), direction_(Time{} + 1.0) {}
+        : options_(options), evaluation_(h), origin_(Time{}), direction_(Time{} + 1.0) {}
 
     /// The segment that tau in [0, 1] runs along.
     void set_segment(const Time& origin, const Time& direction) {
@@ -97,19 +97,19 @@ public:
     /// Taylor coefficients at (q, tau), which is first corrected by one Newton step for free.
     void expand(Point<M, R>& q, const R& tau) {
         Z f[n], j[n][n];
-        local_.jacobian(q, time(tau), f, j);
+        evaluation_.jacobian(q, time(tau), f, j);
         complete(j);
         lu_.factor(j);
         for (Z& entry : f) entry = -entry;
         lu_.solve(f);
         q = corrected<M, R>(q, f);
-        local_.taylor_right_side(1, taylor_[0]);
+        evaluation_.taylor_right_side(1, taylor_[0]);
         for (Z& entry : taylor_[0]) entry = scaled(entry);
         solve_order(1);
-        local_.taylor_right_side(2, taylor_[1]);
+        evaluation_.taylor_right_side(2, taylor_[1]);
         for (Z& entry : taylor_[1]) entry = scaled(scaled(entry));
         solve_order(2);
-        local_.taylor_right_side(3, taylor_[2]);
+        evaluation_.taylor_right_side(3, taylor_[2]);
         for (Z& entry : taylor_[2]) entry = scaled(scaled(scaled(entry)));
         lu_.solve(taylor_[2]);
         find_pole(q);
@@ -134,17 +134,17 @@ public:
         const Mask short_enough = turn < largest;
         y.q = moved<M, R>(q, d);
         Z f[n], j[n][n];
-        ahead_.jacobian(y.q, time(tau + h), f, j);
+        evaluation_.jacobian(y.q, time(tau + h), f, j);
         complete(j);
         lu_.factor(j);
         for (Z& entry : f) entry = -entry;
         lu_.solve(f);
-        const R first = size(y.q, f);
+        const R first = correction_size(y.q, f);
         y.q = corrected<M, R>(y.q, f);
-        ahead_.value(y.q, time(tau + h), f);
+        evaluation_.value(y.q, time(tau + h), f);
         for (Z& entry : f) entry = -entry;
         lu_.solve(f);
-        const R second = size(y.q, f);
+        const R second = correction_size(y.q, f);
         y.q = corrected<M, R>(y.q, f);
         // Theta^2; below a first correction of 1e-9 it measures rounding
         const R theta2 = second / (first + 1e-18);
@@ -164,15 +164,6 @@ public:
 
     /// q_k of unknown u, k = 1, 2, 3.
     const Z& coefficient(int k, int u) const { return taylor_[k - 1][u]; }
-
-    /// The square of the largest change, coordinates measured against 1 + |x|.
-    static R size(const Point<M, R>& q, const Z (&d)[n]) {
-        R m = broadcast<R>(0.0);
-        for (int u = 0; u < n_angles<M>; ++u) m = lane_max(m, norm2(d[u]));
-        for (int j = 0; j < n_coordinates<M>; ++j)
-            m = lane_max(m, norm2(d[n_angles<M> + j]) / (1.0 + norm2(q.x[j])));
-        return m;
-    }
 
 private:
     static Mask both(const Mask& a, const Mask& b) {
@@ -203,7 +194,7 @@ private:
     void solve_order(int k) {
         lu_.solve(taylor_[k - 1]);
         if constexpr (std::is_same_v<Time, R>) {
-            local_.set_coefficient(k, taylor_[k - 1]);
+            evaluation_.set_coefficient(k, taylor_[k - 1]);
         } else {  // the evaluation works in t
             Z d[n];
             const Z by = inverse(direction_);
@@ -211,7 +202,7 @@ private:
                 d[u] = taylor_[k - 1][u];
                 for (int m = 0; m < k; ++m) d[u] *= by;
             }
-            local_.set_coefficient(k, d);
+            evaluation_.set_coefficient(k, d);
         }
     }
 
@@ -239,8 +230,7 @@ private:
     }
 
     TrackerOptions options_;
-    Evaluation<M, Kind, C, R, Time, 3> local_;
-    Evaluation<M, Kind, C, R, Time, 0> ahead_;
+    Evaluation<M, Kind, C, R, Time> evaluation_;
     Factorization lu_;
     Time origin_, direction_;
     Z taylor_[3][n];

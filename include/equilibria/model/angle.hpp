@@ -31,7 +31,8 @@ concept AngleLike = std::is_base_of_v<AngleBase, std::remove_cvref_t<A>>;
     static_assert(detail::never<A>,                                                                                 \
         "equilibria: an angle may enter a model only inside sin and cos, as a sum of angles, integer multiples "    \
         "of angles and constant phases: this expression is not a trigonometric polynomial (for a half angle take "  \
-        "the half angle as the unknown, for a torsion spring use its potential in sin and cos or a coordinate)")
+        "the half angle as the unknown, for a torsion spring use its potential in sin and cos or a coordinate, for "  \
+        "a constant torque give equations instead of a potential)")
 // clang-format on
 template <AngleLike A, class B>
     requires(!detail::Integer<std::remove_cvref_t<B>>)
@@ -90,6 +91,14 @@ struct CircleAngle : AngleBase {
         return {a.c * b.c - a.s * b.s, a.s * b.c + a.c * b.s};
     }
     friend constexpr CircleAngle operator-(const CircleAngle& a, const CircleAngle& b) { return a + (-b); }
+    template <class B>
+    constexpr CircleAngle& operator+=(const B& b) {
+        return *this = *this + b;
+    }
+    template <class B>
+    constexpr CircleAngle& operator-=(const B& b) {
+        return *this = *this - b;
+    }
     template <detail::Integer I>
     friend constexpr CircleAngle operator*(I multiple, const CircleAngle& a) {
         CircleAngle y(S(1.0) + 0.0 * a.c, 0.0 * a.s);

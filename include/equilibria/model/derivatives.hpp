@@ -5,12 +5,12 @@
 /// float, a complex number with sin and cos, a dual.
 #pragma once
 
-#include <equilibria/core/array.hpp>
 #include <cmath>
 #include <cstddef>
 
 #include <Eigen/Core>
 
+#include <equilibria/core/array.hpp>
 #include <equilibria/core/dual.hpp>
 #include <equilibria/model/model.hpp>
 

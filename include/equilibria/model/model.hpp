@@ -22,11 +22,12 @@
 /// duals, with packs of complex numbers. `equilibria::scalar_of<decltype(theta)>` names the type to start a sum with.
 #pragma once
 
-#include <equilibria/core/array.hpp>
+#include <array>
 #include <concepts>
 #include <type_traits>
 #include <utility>
 
+#include <equilibria/core/array.hpp>
 #include <equilibria/model/angle.hpp>
 
 namespace equilibria {
@@ -93,10 +94,26 @@ concept EquationsOf = requires(const M& m, const Theta& theta, const X& x, const
 
 template <class M, class Theta, class X, class P>
 constexpr auto call_potential(const M& model, const Theta& theta, const X& x, const P& p) {
-    if constexpr (n_coordinates<M> == 0)
-        return model.potential(theta, p);
-    else
-        return model.potential(theta, x, p);
+    const auto value = [&] {
+        if constexpr (n_coordinates<M> == 0)
+            return model.potential(theta, p);
+        else
+            return model.potential(theta, x, p);
+    }();
+    static_assert(!AngleLike<decltype(value)>,
+                  "equilibria: potential must return a scalar, and angles enter it only inside sin and cos: this one "
+                  "returns an angle");
+    return value;
+}
+
+/// The number of entries of a std::array or of an Array; -1 of anything else.
+template <class A>
+constexpr int entries_of() {
+    if constexpr (requires { std::tuple_size<A>::value; std::declval<A>()[0]; })
+        return static_cast<int>(std::tuple_size<A>::value);
+    else if constexpr (requires { std::integral_constant<int, A::size()>::value; })
+        return A::size();
+    return -1;
 }
 template <class M, class Theta, class X, class P>
 constexpr auto call_equations(const M& model, const Theta& theta, const X& x, const P& p) {
@@ -106,7 +123,7 @@ constexpr auto call_equations(const M& model, const Theta& theta, const X& x, co
         else
             return model.equations(theta, x, p);
     }();
-    static_assert(requires { values.size(); } && sizeof(values) == n_unknowns<M> * sizeof(values[0]),
+    static_assert(entries_of<std::remove_cvref_t<decltype(values)>>() == n_unknowns<M>,
                   "equilibria: equations must return a std::array with one entry for each unknown angle and coordinate");
     return values;
 }

@@ -1,0 +1,145 @@
+/// \file
+/// From endpoints to roots, from roots to equilibria: merged, filtered to real ones, classified.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <limits>
+#include <tuple>
+#include <vector>
+
+#include <Eigen/Core>
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+
+#include <equilibria/enumerate/path_solver.hpp>
+#include <equilibria/enumerate/root_set.hpp>
+#include <equilibria/model/derivatives.hpp>
+#include <equilibria/stability/inertia.hpp>
+
+namespace equilibria::detail {
+
+/// The complex angle of the point (c, s): c + i s = exp(i theta).
+inline std::complex<double> angle_of(const Complex<double>& c, const Complex<double>& s) {
+    const std::complex<double> z(c.re - s.im, c.im + s.re), w(c.re + s.im, c.im - s.re);  // exp(i theta), exp(-i theta)
+    // the larger of the two has the digits
+    return std::norm(z) >= std::norm(w) ? std::complex<double>(std::arg(z), -std::log(std::abs(z)))
+                                        : std::complex<double>(-std::arg(w), std::log(std::abs(w)));
+}
+
+template <Model M>
+Root<M> root_of(const Endpoint<M>& end, std::uint64_t path) {
+    Root<M> root;
+    for (int i = 0; i < n_angles<M>; ++i) root.q[i] = angle_of(end.q.c[i], end.q.s[i]);
+    for (int j = 0; j < n_coordinates<M>; ++j) root.q[n_angles<M> + j] = {end.q.x[j].re, end.q.x[j].im};
+    root.residual = end.evidence.residual;
+    root.condition = end.evidence.condition;
+    root.path = path;
+    root.winding_number = end.winding_number;
+    root.status = end.status;
+    return root;
+}
+
+/// theta -> -theta.
+template <Model M>
+Root<M> reflected(Root<M> root, std::uint64_t path) {
+    for (int i = 0; i < n_angles<M>; ++i) {
+        const double angle = -root.q[i].real();
+        root.q[i] = {angle <= -std::numbers::pi ? std::numbers::pi : angle, -root.q[i].imag()};
+    }
+    root.path = path;
+    return root;
+}
+
+template <Model M>
+double largest_imaginary(const Root<M>& root) {
+    double y = 0;
+    for (const auto& q : root.q) y = std::max(y, std::abs(q.imag()));
+    return y;
+}
+
+/// Whether a root is real, by Newton's method in real arithmetic from its real part: a regular root whose imaginary
+/// part is rounding is reached again. On success q is the real root.
+template <Model M>
+bool is_real(const Root<M>& root, const Parameters<M>& p, Unknowns<M>& q) {
+    const double imaginary = largest_imaginary(root);
+    if (!(imaginary < 1e-5)) return false;
+    for (int u = 0; u < n_unknowns<M>; ++u) q[u] = root.q[u].real();
+    if (root.status == PathStatus::singular) return true;
+    double moved = 0;
+    for (int round = 0; round < 3; ++round) {
+        const auto f = equations<M, double>(q, p);
+        const auto j = jacobian<M, double>(q, p);
+        Eigen::Matrix<double, n_unknowns<M>, 1> right;
+        for (int u = 0; u < n_unknowns<M>; ++u) right(u) = f[u];
+        const Eigen::Matrix<double, n_unknowns<M>, 1> step = j.partialPivLu().solve(right);
+        if (!step.allFinite()) return imaginary < 1e-12;
+        for (int u = 0; u < n_unknowns<M>; ++u) q[u] -= step(u);
+        moved += step.template lpNorm<Eigen::Infinity>();
+        if (moved > 1e-4) return false;
+    }
+    for (int u = 0; u < n_angles<M>; ++u) q[u] = std::remainder(q[u], 2 * std::numbers::pi);
+    for (int u = 0; u < n_angles<M>; ++u)
+        if (q[u] <= -std::numbers::pi) q[u] = std::numbers::pi;
+    // the real Newton iteration moves by the size of the imaginary part if root and conjugate are two, and by rounding
+    // if they are one
+    return imaginary <= 1e-13 * root.condition + 1e-12;
+}
+
+template <Model M>
+Equilibrium<M> classified(const Root<M>& root, const Unknowns<M>& q, const Parameters<M>& p) {
+    Equilibrium<M> e;
+    e.q = q;
+    e.residual = root.residual;
+    e.condition = root.condition;
+    e.path = root.path;
+    e.multiplicity = root.paths;
+    const UnknownMatrix<M> j = jacobian<M, double>(q, p);
+    if constexpr (PotentialModel<M>) {
+        e.energy = potential<M, double>(q, p);
+        const Inertia inertia_of_hessian = inertia(j);
+        e.index = inertia_of_hessian.negative;
+        e.nullity = inertia_of_hessian.zero;
+        e.margin = inertia_of_hessian.margin;
+    } else {
+        e.energy = std::numeric_limits<double>::quiet_NaN();
+        const Eigen::EigenSolver<UnknownMatrix<M>> solver(j, false);
+        const auto values = solver.eigenvalues();
+        const double largest = values.cwiseAbs().maxCoeff(), smallest = values.cwiseAbs().minCoeff();
+        for (int k = 0; k < values.size(); ++k) {
+            if (!(std::abs(values[k]) > zero_eigenvalue * largest))
+                ++e.nullity;
+            else
+                e.index += values[k].real() < 0;
+        }
+        e.margin = largest > 0 ? smallest / largest : 0;
+    }
+    if (root.status == PathStatus::singular && e.nullity == 0) e.nullity = 1;
+    return e;
+}
+
+/// Fills in the equilibria of a set of roots, in parallel, and sorts them.
+template <Model M>
+void find_equilibria(RootSet<M>& set, unsigned threads) {
+    std::vector<std::uint8_t> real(set.roots.size());
+    std::vector<Unknowns<M>> at(set.roots.size());
+    parallel_blocks(set.roots.size(), 4096, threads, [&](std::size_t first, std::size_t last) {
+        for (std::size_t k = first; k < last; ++k) real[k] = is_real(set.roots[k], set.parameters, at[k]);
+    });
+    set.smallest_nonreal_imaginary = std::numeric_limits<double>::infinity();
+    for (std::size_t k = 0; k < set.roots.size(); ++k) {
+        const double imaginary = largest_imaginary(set.roots[k]);
+        if (real[k]) {
+            set.equilibria.push_back(classified(set.roots[k], at[k], set.parameters));
+            set.largest_real_imaginary = std::max(set.largest_real_imaginary, imaginary);
+        } else {
+            set.smallest_nonreal_imaginary = std::min(set.smallest_nonreal_imaginary, imaginary);
+        }
+    }
+    const auto order = [](const Equilibrium<M>& e) { return std::tuple(e.index, e.nullity, e.path); };
+    std::sort(set.equilibria.begin(), set.equilibria.end(),
+              [&](const auto& a, const auto& b) { return order(a) < order(b); });
+}
+
+}  // namespace equilibria::detail

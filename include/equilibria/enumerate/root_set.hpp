@@ -1,0 +1,119 @@
+/// \file
+/// What an enumeration returns: every path accounted for, every root and equilibrium with its evidence.
+#pragma once
+
+#include <algorithm>
+#include <complex>
+#include <cstdint>
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include <equilibria/algebra/formulation.hpp>
+#include <equilibria/homotopy/path.hpp>
+#include <equilibria/model/derivatives.hpp>
+#include <equilibria/stability/inertia.hpp>
+#include <equilibria/stability/morse.hpp>
+
+namespace equilibria {
+
+/// A solution of the equilibrium equations, real or not.
+template <Model M>
+struct Root {
+    /// Angles in radians, real parts in (-pi, pi], imaginary parts any; then the plain coordinates.
+    Array<std::complex<double>, n_unknowns<M>> q;
+    double residual = 0;      ///< max_i |F_i(q)| / (largest coefficient of F_i), F being the model's own function
+    double condition = 0;     ///< of the Jacobian with rows scaled to 1, infinity norm
+    std::uint64_t path = 0;   ///< the first path that ended here
+    std::int32_t paths = 1;   ///< how many did: the multiplicity of an isolated root
+    std::int32_t winding_number = 1;
+    PathStatus status = PathStatus::finite;  ///< finite (regular) or singular
+};
+
+/// A real root, classified.
+template <Model M>
+struct Equilibrium {
+    Unknowns<M> q;          ///< angles in (-pi, pi], radians; then the plain coordinates
+    double energy = 0;      ///< the potential there; NaN for models without one
+    int index = 0;          ///< negative eigenvalues of the Hessian (of dF/dq: eigenvalues with negative real part)
+    int nullity = 0;        ///< eigenvalues that count as zero: above 0 the equilibrium is degenerate
+    double margin = 0;      ///< the smallest |eigenvalue| over the largest
+    double residual = 0;    ///< as of the root
+    double condition = 0;   ///< as of the root
+    std::uint64_t path = 0;
+    std::int32_t multiplicity = 1;
+
+    bool degenerate() const { return nullity > 0; }
+    /// A strict minimum of the potential (Lagrange-Dirichlet).
+    bool stable() const { return index == 0 && nullity == 0; }
+};
+
+/// The paths of an enumeration. finite + at_infinity + singular + failed == total, always.
+struct PathCounts {
+    std::uint64_t total = 0;        ///< the bound: all paths, those known by symmetry included
+    std::uint64_t finite = 0, at_infinity = 0, singular = 0, failed = 0;
+    std::uint64_t tracked = 0;      ///< paths that were computed; the others are their mirror images, or rest
+    std::uint64_t retracked = 0;    ///< paths tracked again, more carefully
+    std::uint64_t crossed = 0;      ///< among those: paths that had run into another one's endpoint
+    std::uint64_t steps = 0;
+    bool accounted_for() const { return finite + at_infinity + singular + failed == total; }
+};
+
+/// A path that failed, and why.
+struct FailedPath {
+    std::uint64_t path = 0;
+    FailureReason reason = FailureReason::none;
+};
+
+template <Model M>
+struct RootSet {
+    Parameters<M> parameters;
+    std::uint64_t seed = 0;
+    PathCounts paths;
+    std::vector<Root<M>> roots;               ///< distinct, by path number
+    std::vector<Equilibrium<M>> equilibria;   ///< the real ones, by index, then energy, then angles
+    std::vector<FailedPath> failures;
+    /// The imaginary parts that separated real from not: the largest among the real roots, the smallest among the
+    /// others (infinity where there are none).
+    double largest_real_imaginary = 0, smallest_nonreal_imaginary = 0;
+    double tracking_seconds = 0, seconds = 0;
+
+    std::uint64_t distinct() const { return roots.size(); }
+    std::uint64_t real() const { return equilibria.size(); }
+    std::uint64_t degenerate() const {
+        return static_cast<std::uint64_t>(
+            std::count_if(equilibria.begin(), equilibria.end(), [](const auto& e) { return e.degenerate(); }));
+    }
+    /// Whether nothing speaks against the count of equilibria: no path failed, every root is regular and its own.
+    bool clean() const {
+        return paths.failed == 0 && paths.singular == 0 && degenerate() == 0 && paths.finite == distinct();
+    }
+
+    /// Nondegenerate equilibria of each index 0 .. n.
+    std::vector<std::int64_t> by_index() const {
+        std::vector<std::int64_t> counts(static_cast<std::size_t>(n_unknowns<M>) + 1);
+        for (const auto& e : equilibria)
+            if (!e.degenerate()) ++counts[static_cast<std::size_t>(e.index)];
+        return counts;
+    }
+    /// Whether the Morse relations of the n-torus apply: only angles, a potential, nothing degenerate.
+    bool morse_applies() const { return n_coordinates<M> == 0 && PotentialModel<M> && degenerate() == 0; }
+    /// The Morse relations hold. False where they do not apply.
+    bool morse() const { return morse_applies() && morse_relations(by_index()).all(); }
+
+    friend std::ostream& operator<<(std::ostream& out, const RootSet& r) {
+        out << r.paths.total << " paths: " << r.paths.finite << " finite, " << r.paths.at_infinity << " at infinity, "
+            << r.paths.singular << " singular, " << r.paths.failed << " failed; " << r.distinct() << " distinct roots, "
+            << r.real() << " real";
+        const auto counts = r.by_index();
+        for (std::size_t k = 0; k < counts.size(); ++k)
+            out << (k == 0 ? ": index " : ", ") << k << ": " << counts[k];
+        if (r.degenerate() > 0) out << ", degenerate: " << r.degenerate();
+        if (r.morse_applies()) out << (r.morse() ? "; Morse relations hold" : "; MORSE RELATIONS VIOLATED: roots are missing");
+        if (r.paths.finite > 0 && r.paths.singular == 0 && r.paths.finite != r.distinct())
+            out << "; " << r.paths.finite - r.distinct() << " paths ended on another's root: roots may be missing";
+        return out;
+    }
+};
+
+}  // namespace equilibria

@@ -1,0 +1,198 @@
+/// \file
+/// Paths near t = 1: finite, at infinity or singular, told apart by two-sided tests; and single paths tracked carefully.
+///
+/// Valuation: nu_u = |(1-t) q_u'(t)| of an angle, |(1-t) x'/x| of a coordinate. On a path to a finite point it tends to
+/// 0 like (1-t)^(1/m); on one to infinity it settles at a positive rational (theta ~ -+ i nu log(1-t)).
+/// Cauchy: on the circle |1-t| = r the path closes after m turns, m the winding number; the mean of its points is the
+/// endpoint, to the accuracy of the tracking even where Newton's method would crawl. It is accepted when two radii agree.
+/// Sources: Morgan, Sommese, Wampler, power-series and Cauchy endgames; Timme (valuation test).
+#pragma once
+
+#include <cmath>
+#include <complex>
+
+#include <equilibria/homotopy/lane_tracker.hpp>
+#include <equilibria/homotopy/polish.hpp>
+
+namespace equilibria {
+
+/// The largest condition number (see PolishedEvidence) of an endpoint that counts as regular.
+inline constexpr double regular_condition = 1e8;
+
+namespace detail {
+
+template <Model M, StartKind Kind, class C>
+class Endgame {
+public:
+    using Z = Complex<double>;
+    static constexpr int n = n_unknowns<M>;
+
+    Endgame(const Homotopy<M, Kind, C>& h, const Polisher<M, Kind, C>& polisher, const TrackerOptions& options)
+        : options_(options), stepper_(h, options), polisher_(&polisher) {}
+
+    /// Tracks the path from its start, slowly, and ends it with the endgame wherever it leads.
+    Endpoint<M> from_start(const Point<M, double>& start) {
+        Endpoint<M> end;
+        end.q = start;
+        if (!track(end.q, {0, 0}, {1 - 1e-3, 0}, end.steps)) {
+            end.reason = end.steps >= options_.most_steps ? FailureReason::too_many_steps : FailureReason::step_too_small;
+            return end;
+        }
+        finish(end, 1e-3);
+        return end;
+    }
+
+    /// Ends a path that has come to t = 1 - r.
+    void finish(Endpoint<M>& end, double r) {
+        Array<double, n> before;
+        bool have_estimate = false;
+        Point<M, double> estimate;
+        for (double& nu : before) nu = -1;
+        for (; r > 1e-13; r /= 10) {
+            const Array<double, n> nu = valuations(end.q, r);
+            if (diverges(end.q, nu, before)) {
+                end.status = PathStatus::at_infinity;
+                return;
+            }
+            before = nu;
+            Point<M, double> mean;
+            const int winding = loop(end.q, r, mean, end.steps);
+            if (winding > 0) {
+                if (have_estimate && distance(mean, estimate) < 1e-7 && settle(end, mean, winding)) return;
+                estimate = mean;
+                have_estimate = true;
+            } else {
+                have_estimate = false;
+            }
+            if (!track(end.q, {1 - r, 0}, {1 - r / 10, 0}, end.steps)) break;
+        }
+        // no singularity on any scale: the path is regular there, only badly conditioned
+        if (r <= 1e-12) {
+            Point<M, double> q = end.q;
+            if (track(q, {1 - r, 0}, {1, 0}, end.steps)) {
+                polisher_->run(q, &end.evidence);
+                if (end.evidence.condition < regular_condition && end.evidence.correction < 1e-8) {
+                    end.q = q;
+                    end.status = PathStatus::finite;
+                    return;
+                }
+            }
+        }
+        end.status = PathStatus::failed;
+        end.reason = FailureReason::endgame_undecided;
+    }
+
+    /// Moves q along the segment from t = a to t = b.
+    bool track(Point<M, double>& q, std::complex<double> a, std::complex<double> b, std::int32_t& steps) {
+        stepper_.set_segment({a.real(), a.imag()}, {b.real() - a.real(), b.imag() - a.imag()});
+        double tau = 0, h = 0;
+        while (tau < 1) {
+            if (++steps > options_.most_steps) return false;
+            stepper_.expand(q, tau);
+            if (h == 0) h = stepper_.first_step();
+            const auto outcome = stepper_.step(q, tau, std::min(h, 1 - tau));
+            h = outcome.next_step;
+            if (outcome.accepted) {
+                q = outcome.q;
+                tau = outcome.step >= 1 - tau ? 1 : tau + outcome.step;
+            } else if (!(h > 1e-9)) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    /// The largest difference of two points: of (c, s) relative to their size, of coordinates against 1 + |x|.
+    static double distance(const Point<M, double>& a, const Point<M, double>& b) {
+        double largest = 0;
+        const auto take = [&](double difference2, double size2) {
+            largest = std::max(largest, std::sqrt(difference2 / size2));
+            if (!(difference2 < 1e300)) largest = 1e300;
+        };
+        for (int i = 0; i < n_angles<M>; ++i)
+            take(norm2(a.c[i] - b.c[i]) + norm2(a.s[i] - b.s[i]), norm2(a.c[i]) + norm2(a.s[i]));
+        for (int j = 0; j < n_coordinates<M>; ++j) take(norm2(a.x[j] - b.x[j]), 1 + norm2(a.x[j]));
+        return largest;
+    }
+
+private:
+    Array<double, n> valuations(Point<M, double>& q, double r) {
+        stepper_.set_segment({1 - r, 0}, {r, 0});
+        stepper_.expand(q, 0.0);
+        Array<double, n> nu;
+        for (int u = 0; u < n; ++u) {
+            nu[u] = std::sqrt(norm2(stepper_.coefficient(1, u)));
+            if (u >= n_angles<M>) nu[u] /= 1e-30 + std::sqrt(norm2(q.x[u - n_angles<M>]));
+        }
+        return nu;
+    }
+    /// Some unknown is far out, and its valuation is positive and the same on two scales.
+    static bool diverges(const Point<M, double>& q, const Array<double, n>& nu, const Array<double, n>& before) {
+        for (int u = 0; u < n; ++u) {
+            const double size2 = u < n_angles<M> ? norm2(q.c[u]) + norm2(q.s[u]) : norm2(q.x[u - n_angles<M>]);
+            if (size2 > 100 && nu[u] > 0.05 && before[u] > 0 && std::abs(nu[u] - before[u]) < 0.05 * nu[u]) return true;
+        }
+        return false;
+    }
+
+    /// Turns around t = 1 at radius r until the path closes: the winding number and the mean of the points, 0 if it
+    /// does not within 12 turns. q is moved once around and stays on the path.
+    int loop(Point<M, double>& q, double r, Point<M, double>& mean, std::int32_t& steps) {
+        constexpr int samples = 8;
+        const Point<M, double> first = q;
+        mean = Point<M, double>{};
+        double excursion = 0;
+        Point<M, double> at = q;
+        for (int turn = 1; turn <= 12; ++turn) {
+            for (int k = 0; k < samples; ++k) {
+                for (int i = 0; i < n_angles<M>; ++i) mean.c[i] += at.c[i], mean.s[i] += at.s[i];
+                for (int j = 0; j < n_coordinates<M>; ++j) mean.x[j] += at.x[j];
+                const auto point = [&](int m) {
+                    return m % samples == 0 ? std::complex<double>(1 - r)
+                                            : 1.0 - std::polar(r, 2 * std::numbers::pi * m / samples);
+                };
+                if (!track(at, point(k), point(k + 1), steps)) return 0;
+                excursion = std::max(excursion, distance(first, at));
+            }
+            if (distance(first, at) < 1e-3 * excursion + 1e-11) {
+                const double by = 1.0 / (samples * turn);
+                for (int i = 0; i < n_angles<M>; ++i) {
+                    mean.c[i] *= by;
+                    mean.s[i] *= by;
+                    const Z back = 1.5 - 0.5 * (mean.c[i] * mean.c[i] + mean.s[i] * mean.s[i]);
+                    mean.c[i] *= back;
+                    mean.s[i] *= back;
+                }
+                for (int j = 0; j < n_coordinates<M>; ++j) mean.x[j] *= by;
+                return turn;
+            }
+        }
+        return 0;
+    }
+
+    /// Decides at a settled estimate of the endpoint; false if the radius is still too large to tell.
+    bool settle(Endpoint<M>& end, const Point<M, double>& estimate, int winding) {
+        Point<M, double> q = estimate;
+        polisher_->run(q, &end.evidence);
+        if (end.evidence.condition < regular_condition && end.evidence.correction < 1e-8) {
+            if (winding > 1 || distance(q, estimate) > 1e-6) return false;  // a branch point near t = 1, not at it
+            end.q = q;
+            end.status = PathStatus::finite;
+            return true;
+        }
+        q = estimate;
+        polisher_->assess(q, &end.evidence);
+        if (!(end.evidence.residual < 1e-10)) return false;
+        end.q = estimate;
+        end.status = PathStatus::singular;
+        end.winding_number = static_cast<std::int16_t>(winding);
+        return true;
+    }
+
+    TrackerOptions options_;
+    Stepper<M, Kind, C, double, Complex<double>, true> stepper_;
+    const Polisher<M, Kind, C>* polisher_;
+};
+
+}  // namespace detail
+}  // namespace equilibria

@@ -1,0 +1,122 @@
+/// \file
+/// Newton's method at t = 1, on all lanes at once, and the condition number of the Jacobian there.
+///
+/// The residual is the model's own function, not its polynomial form: what is polished is a solution of the equations
+/// that the user wrote. (With complex parameters, which only generic instances have, the polynomials serve.)
+#pragma once
+
+#include <algorithm>
+#include <complex>
+
+#include <equilibria/core/linear_solve.hpp>
+#include <equilibria/homotopy/homotopy.hpp>
+#include <equilibria/homotopy/tracker.hpp>
+#include <equilibria/model/derivatives.hpp>
+
+namespace equilibria {
+
+namespace detail {
+
+template <Model M, StartKind Kind, class C>
+class Polisher {
+public:
+    static constexpr int n = n_unknowns<M>;
+
+    /// p: the target's real parameters (ignored where C is complex); scale: of each equation.
+    Polisher(const Homotopy<M, Kind, C>& h, const Parameters<M, C>& p, const Array<double, n>& scale)
+        : h_(&h), p_(p), scale_(scale) {}
+
+    /// Polishes the points q in place, one a lane.
+    template <class R>
+    void run(Point<M, R>& q, PolishedEvidence* evidence) const {
+        using Z = Complex<R>;
+        Evaluation<M, Kind, C, R, Time<R>> evaluation(*h_);
+        PivotedFactorization<R, n> lu;
+        Z f[n], j[n][n];
+        R last = broadcast<R>(0.0);
+        for (int round = 0; round < 3; ++round) {
+            evaluation.jacobian(q, Time<R>{} + 1.0, f, j);
+            residual(q, f);
+            complete(j);
+            lu.factor(j);
+            for (Z& entry : f) entry = -entry;
+            lu.solve(f);
+            last = correction_size(q, f);
+            const Point<M, R> next = corrected<M, R>(q, f);
+            const auto small = last < R{} + 1e-4;  // otherwise this is not polishing: keep the point, tell the size
+            q = select(small, next, q);
+        }
+        assess(q, evidence);
+        for (int k = 0; k < LaneTraits<R>::width; ++k)
+            evidence[k].correction = std::sqrt(static_cast<double>(lane(last, k)));
+    }
+
+    /// The evidence at the points q as they are.
+    template <class R>
+    void assess(const Point<M, R>& q, PolishedEvidence* evidence) const {
+        Evaluation<M, Kind, C, R, Time<R>> evaluation(*h_);
+        Complex<R> f[n], j[n][n];
+        evaluation.jacobian(q, Time<R>{} + 1.0, f, j);
+        residual(q, f);
+        complete(j);
+        const R condition = row_scaled_condition(j);
+        for (int k = 0; k < LaneTraits<R>::width; ++k) {
+            evidence[k] = {0, static_cast<double>(lane(condition, k)), 0};
+            for (int i = 0; i < n; ++i)
+                evidence[k].residual = std::max(evidence[k].residual, std::abs(lane(f[i], k)) / scale_[i]);
+            if (!(evidence[k].condition < 1e300)) evidence[k].condition = 1e300;
+        }
+    }
+
+private:
+    /// Of the evaluations that the trackers use anyway.
+    template <class R>
+    using Time = std::conditional_t<is_pack<R>, R, Complex<R>>;
+
+    template <class R>
+    void residual(const Point<M, R>& q, Complex<R> (&f)[n]) const {
+        if constexpr (std::is_same_v<C, double>) {
+            AnglesOf<M, Complex<R>> theta;
+            CoordinatesOf<M, Complex<R>> x;
+            for (int i = 0; i < n_angles<M>; ++i) theta[i] = {q.c[i], q.s[i]};
+            for (int i = 0; i < n_coordinates<M>; ++i) x[i] = q.x[i];
+            const auto own = equations_at<M, Complex<R>>(theta, x, p_);
+            for (int i = 0; i < n; ++i) f[i] = own[i];
+        }
+    }
+    template <class R>
+    static void complete(Complex<R> (&j)[n][n]) {
+        if constexpr (Formulation<M>::has_potential)
+            for (int r = 0; r < n; ++r)
+                for (int c = 0; c < r; ++c) j[r][c] = j[c][r];
+    }
+    /// || (D J)^-1 || || D J || in the infinity norm, D making each row's sum of absolute values 1.
+    template <class R>
+    static R row_scaled_condition(Complex<R> (&j)[n][n]) {
+        for (int r = 0; r < n; ++r) {
+            R sum = broadcast<R>(0.0);
+            for (int c = 0; c < n; ++c) sum = sum + square_root(norm2(j[r][c]));
+            for (int c = 0; c < n; ++c) j[r][c] = (1.0 / sum) * j[r][c];
+        }
+        PivotedFactorization<R, n> lu;
+        lu.factor(j);
+        R row_sum[n];
+        for (R& sum : row_sum) sum = broadcast<R>(0.0);
+        for (int c = 0; c < n; ++c) {
+            Complex<R> e[n];
+            for (int r = 0; r < n; ++r) e[r] = {broadcast<R>(r == c ? 1.0 : 0.0), broadcast<R>(0.0)};
+            lu.solve(e);
+            for (int r = 0; r < n; ++r) row_sum[r] = row_sum[r] + square_root(norm2(e[r]));
+        }
+        R largest = broadcast<R>(0.0);
+        for (int r = 0; r < n; ++r) largest = select(largest > row_sum[r], largest, row_sum[r]);  // keeps a NaN
+        return largest;
+    }
+
+    const Homotopy<M, Kind, C>* h_;
+    Parameters<M, C> p_;
+    Array<double, n> scale_;
+};
+
+}  // namespace detail
+}  // namespace equilibria

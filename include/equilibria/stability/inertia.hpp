@@ -1,0 +1,39 @@
+/// \file
+/// The inertia of a symmetric matrix, and with it the index of an equilibrium.
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/Eigenvalues>
+
+namespace equilibria {
+
+/// Numbers of negative, zero and positive eigenvalues, and how safe they are.
+struct Inertia {
+    int negative = 0, zero = 0, positive = 0;
+    /// The smallest |eigenvalue| over the largest: what decided. 0 for the zero matrix.
+    double margin = 0;
+};
+
+/// An eigenvalue counts as zero when its size is below this share of the largest one.
+inline constexpr double zero_eigenvalue = 1e-7;
+
+/// The inertia by the eigenvalues, in which backward stability makes `margin` honest: an eigenvalue is wrong by a few
+/// roundings of the largest one at most.
+template <class Matrix>
+Inertia inertia(const Matrix& symmetric) {
+    const Eigen::SelfAdjointEigenSolver<Matrix> solver(symmetric, Eigen::EigenvaluesOnly);
+    const auto& values = solver.eigenvalues();
+    const double largest = static_cast<double>(values.cwiseAbs().maxCoeff());
+    Inertia y;
+    for (int k = 0; k < values.size(); ++k) {
+        const double v = static_cast<double>(values[k]);
+        if (!(std::abs(v) > zero_eigenvalue * largest))
+            ++y.zero;
+        else
+            ++(v < 0 ? y.negative : y.positive);
+    }
+    if (largest > 0) y.margin = static_cast<double>(values.cwiseAbs().minCoeff()) / largest;
+    return y;
+}
+
+}  // namespace equilibria

@@ -28,36 +28,29 @@ using PolynomialOf = TrigonometricPolynomial<n_angles<M>, n_coordinates<M>, C>;
 
 namespace detail {
 
-template <class M, class C>
-using SymbolicAngles = Array<SymbolicAngle<n_angles<M>, n_coordinates<M>, C>, n_angles<M>>;
-template <class M, class C>
-using SymbolicCoordinates = Array<PolynomialOf<M, C>, n_coordinates<M>>;
-
-template <class M, class C>
-constexpr void symbolic_unknowns(SymbolicAngles<M, C>& theta, SymbolicCoordinates<M, C>& x) {
-    for (int i = 0; i < n_angles<M>; ++i)
-        theta[i] = SymbolicAngle<n_angles<M>, n_coordinates<M>, C>::unknown(i);
-    for (int j = 0; j < n_coordinates<M>; ++j)
-        x[j] =
-            PolynomialOf<M, C>(PolynomialOf<M, C>::Basis::single(n_angles<M> + j, 1), C(1));
-}
-
-/// The equations as polynomials, their coefficients for the parameters p.
+/// The equations as polynomials, their coefficients for the parameters p. A model derived from another one may give
+/// them itself, by a static `polynomials<C>(p)`.
 template <class M, class C>
 constexpr std::vector<PolynomialOf<M, C>> symbolic_equations(const Parameters<M, C>& p) {
+    if constexpr (requires { M::template polynomials<C>(p); }) return M::template polynomials<C>(p);
     using Polynomial = PolynomialOf<M, C>;
-    SymbolicAngles<M, C> theta;
-    SymbolicCoordinates<M, C> x;
-    symbolic_unknowns<M, C>(theta, x);
-    Parameters<M, Polynomial> q;
-    for (int k = 0; k < p.size(); ++k) q[k] = Polynomial(p[k]);
+    using Scalar = SymbolicScalar<n_angles<M>, n_coordinates<M>, C>;
+    using Angle = SymbolicAngle<n_angles<M>, n_coordinates<M>, C>;
+    typename Scalar::Pool pool;
+    Array<Angle, n_angles<M>> theta;
+    Array<Scalar, n_coordinates<M>> x;
+    Parameters<M, Scalar> q;
+    for (int i = 0; i < theta.size(); ++i) theta[i] = Angle(&pool, i);
+    for (int j = 0; j < x.size(); ++j)
+        x[j] = Scalar(&pool, Polynomial(Polynomial::Basis::single(n_angles<M> + j, 1), C(1)));
+    for (int k = 0; k < q.size(); ++k) q[k] = Scalar(p[k]);
     std::vector<Polynomial> f;
     if constexpr (PotentialModel<M>) {
-        const Polynomial v = call_potential(M{}, theta, x, q);
+        const Polynomial v = Scalar(call_potential(M{}, theta, x, q)).polynomial();
         for (int i = 0; i < n_unknowns<M>; ++i) f.push_back(derivative(v, i));
     } else {
         const auto values = call_equations(M{}, theta, x, q);
-        for (const auto& value : values) f.push_back(Polynomial(value));
+        for (const auto& value : values) f.push_back(Scalar(value).polynomial());
     }
     return f;
 }
@@ -103,7 +96,8 @@ constexpr bool is_trigonometric() {
     check_model<M>();
     static_assert(ConstantExpression<M>,
                   "equilibria: the model's potential or equations must be declared constexpr, and call only functions "
-                  "that are: its algebra is computed at compile time");
+                  "that are: its algebra is computed at compile time (if it is large: within the compiler's limit, "
+                  "-fconstexpr-ops-limit of g++, -fconstexpr-steps of clang)");
     if constexpr (ConstantExpression<M>) {
         static_assert(fault<M> != NotPolynomial::function_of_angle,
                       "equilibria: the model is not a trigonometric polynomial: it takes sqrt, exp, log, sin or cos of "

@@ -4,8 +4,7 @@
 /// expressions of the same function have the same coefficients, and derivatives map factors to single factors.
 #pragma once
 
-#include <array>
-#include <compare>
+#include <cstddef>
 #include <cstdint>
 
 namespace equilibria {
@@ -51,19 +50,23 @@ public:
 
     /// Whether some unknown has a factor in both.
     friend constexpr bool overlap(const Monomial& a, const Monomial& b) {
-        for (std::size_t w = 0; w < a.words_.size(); ++w)
+        for (std::size_t w = 0; w < words; ++w)
             if (occupied(a.words_[w]) & occupied(b.words_[w])) return true;
         return false;
     }
     /// Product of monomials that do not overlap.
     friend constexpr Monomial join(const Monomial& a, const Monomial& b) {
         Monomial m;
-        for (std::size_t w = 0; w < a.words_.size(); ++w) m.words_[w] = a.words_[w] | b.words_[w];
+        for (std::size_t w = 0; w < words; ++w) m.words_[w] = a.words_[w] | b.words_[w];
         return m;
     }
 
     friend constexpr bool operator==(const Monomial&, const Monomial&) = default;
-    friend constexpr auto operator<=>(const Monomial&, const Monomial&) = default;
+    friend constexpr bool operator<(const Monomial& a, const Monomial& b) {
+        for (std::size_t w = 0; w + 1 < words; ++w)
+            if (a.words_[w] != b.words_[w]) return a.words_[w] < b.words_[w];
+        return a.words_[words - 1] < b.words_[words - 1];
+    }
 
 private:
     static constexpr std::size_t word(int unknown) { return static_cast<std::size_t>(unknown) / 8; }
@@ -73,7 +76,8 @@ private:
         return (((w & low) + low) | w) & ~low;
     }
 
-    std::array<std::uint64_t, static_cast<std::size_t>((unknowns + 7) / 8)> words_{};
+    static constexpr std::size_t words = static_cast<std::size_t>((unknowns + 7) / 8);
+    std::uint64_t words_[words]{};
 };
 
 }  // namespace equilibria

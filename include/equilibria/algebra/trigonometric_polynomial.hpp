@@ -93,6 +93,12 @@ public:
     friend constexpr TrigonometricPolynomial operator*(const TrigonometricPolynomial& a,
                                                        const TrigonometricPolynomial& b) {
         TrigonometricPolynomial y;
+        if (a.is_constant() || b.is_constant()) {
+            y = a.is_constant() ? b : a;
+            y.scale_by(a.is_constant() ? a.constant() : b.constant());
+            y.fault_ = std::max(a.fault_, b.fault_);
+            return y;
+        }
         y.fault_ = std::max(a.fault_, b.fault_);
         y.terms_.reserve(a.terms_.size() * b.terms_.size());
         for (const Term& s : a.terms_)
@@ -184,6 +190,11 @@ private:
             using std::abs;
             return static_cast<double>(abs(c));
         }
+    }
+
+    constexpr void scale_by(const C& factor) {
+        if (factor == C(0)) terms_.clear();
+        for (Term& t : terms_) t.coefficient = t.coefficient * factor;
     }
 
     template <class F>

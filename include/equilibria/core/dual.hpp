@@ -81,24 +81,24 @@ struct Dual {
     constexpr Dual& operator*=(const Dual& b) { return *this = *this * b; }
     constexpr Dual& operator/=(const Dual& b) { return *this = *this / b; }
 
-    friend Dual sin(const Dual& a) {
+    friend constexpr Dual sin(const Dual& a) {
         using std::cos, std::sin;
         return a.chain(sin(a.value), cos(a.value));
     }
-    friend Dual cos(const Dual& a) {
+    friend constexpr Dual cos(const Dual& a) {
         using std::cos, std::sin;
         return a.chain(cos(a.value), -sin(a.value));
     }
-    friend Dual exp(const Dual& a) {
+    friend constexpr Dual exp(const Dual& a) {
         using std::exp;
         const T e = exp(a.value);
         return a.chain(e, e);
     }
-    friend Dual log(const Dual& a) {
+    friend constexpr Dual log(const Dual& a) {
         using std::log;
         return a.chain(log(a.value), 1.0 / a.value);
     }
-    friend Dual sqrt(const Dual& a) {
+    friend constexpr Dual sqrt(const Dual& a) {
         using std::sqrt;
         const T root = sqrt(a.value);
         return a.chain(root, 0.5 / root);
@@ -112,7 +112,7 @@ struct Dual {
         return y;
     }
     template <std::floating_point F>
-    friend Dual pow(const Dual& a, F power) {
+    friend constexpr Dual pow(const Dual& a, F power) {
         using std::pow;
         return a.chain(pow(a.value, power), static_cast<double>(power) * pow(a.value, power - 1));
     }

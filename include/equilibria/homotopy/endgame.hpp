@@ -34,42 +34,51 @@ public:
     Endpoint<M> from_start(const Point<M, double>& start) {
         Endpoint<M> end;
         end.q = start;
-        if (!track(end.q, {0, 0}, {1 - 1e-3, 0}, end.steps)) {
+        double reached = 0;
+        const Progress progress = track(end.q, {0, 0}, {1 - 1e-3, 0}, end.steps, &reached);
+        if (progress == Progress::stuck) {
             end.reason = end.steps >= options_.most_steps ? FailureReason::too_many_steps : FailureReason::step_too_small;
             return end;
         }
-        finish(end, 1e-3);
+        finish(end, 1 - reached * (1 - 1e-3));
         return end;
     }
 
     /// Ends a path that has come to t = 1 - r.
     void finish(Endpoint<M>& end, double r) {
         Array<double, n> before;
-        bool have_estimate = false;
+        bool have_estimate = false, diverging = false;
         Point<M, double> estimate;
         for (double& nu : before) nu = -1;
-        for (; r > 1e-13; r /= 10) {
+        while (r > 1e-13) {
             const Array<double, n> nu = valuations(end.q, r);
-            if (diverges(end.q, nu, before)) {
-                end.status = PathStatus::at_infinity;
-                return;
-            }
+            diverging = diverges(end.q, nu, before);
+            // a finite solution that is merely far away looks the same down to r = 1 / (its size): go on
+            if (diverging && (r < 2e-9 || farthest2(end.q) > far_away2)) break;
             before = nu;
             Point<M, double> mean;
-            const int winding = loop(end.q, r, mean, end.steps);
+            const int winding = diverging || farthest2(end.q) > far_away2 ? 0 : loop(end.q, r, mean, end.steps);
             if (winding > 0) {
                 if (have_estimate && distance(mean, estimate) < 1e-7 && settle(end, mean, winding)) return;
                 estimate = mean;
-                have_estimate = true;
-            } else {
-                have_estimate = false;
             }
-            if (!track(end.q, {1 - r, 0}, {1 - r / 10, 0}, end.steps)) break;
+            have_estimate = winding > 0;
+            // the next scale: where the fastest unknown has grown e^3 times, a tenth at the most
+            double fastest = 0;
+            for (const double v : nu) fastest = std::max(fastest, v);
+            const double smaller = r * std::max(0.1, std::exp(-3 / (fastest + 1e-3)));
+            double reached = 0;
+            if (track(end.q, {1 - r, 0}, {1 - smaller, 0}, end.steps, &reached) == Progress::stuck) break;
+            r -= reached * (r - smaller);
+        }
+        if (diverging) {
+            end.status = PathStatus::at_infinity;
+            return;
         }
         // no singularity on any scale: the path is regular there, only badly conditioned
         if (r <= 1e-12) {
             Point<M, double> q = end.q;
-            if (track(q, {1 - r, 0}, {1, 0}, end.steps)) {
+            if (track(q, {1 - r, 0}, {1, 0}, end.steps) == Progress::arrived) {
                 polisher_->run(q, &end.evidence);
                 if (end.evidence.condition < regular_condition && end.evidence.correction < 1e-8) {
                     end.q = q;
@@ -82,12 +91,16 @@ public:
         end.reason = FailureReason::endgame_undecided;
     }
 
-    /// Moves q along the segment from t = a to t = b.
-    bool track(Point<M, double>& q, std::complex<double> a, std::complex<double> b, std::int32_t& steps) {
+    enum class Progress { arrived, far, stuck };
+
+    /// Moves q along the segment from t = a to t = b; stops where q is far away. `reached`: the part of the way.
+    Progress track(Point<M, double>& q, std::complex<double> a, std::complex<double> b, std::int32_t& steps,
+                   double* reached = nullptr) {
         stepper_.set_segment({a.real(), a.imag()}, {b.real() - a.real(), b.imag() - a.imag()});
         double tau = 0, h = 0;
+        const bool was_far = farthest2(q) > far_away2;
         while (tau < 1) {
-            if (++steps > options_.most_steps) return false;
+            if (++steps > options_.most_steps) return Progress::stuck;
             stepper_.expand(q, tau);
             if (h == 0) h = stepper_.first_step();
             const auto outcome = stepper_.step(q, tau, std::min(h, 1 - tau));
@@ -95,11 +108,13 @@ public:
             if (outcome.accepted) {
                 q = outcome.q;
                 tau = outcome.step >= 1 - tau ? 1 : tau + outcome.step;
+                if (reached) *reached = tau;
+                if (!was_far && reached && farthest2(q) > far_away2) return Progress::far;
             } else if (!(h > 1e-9)) {
-                return false;
+                return Progress::stuck;
             }
         }
-        return true;
+        return Progress::arrived;
     }
 
     /// The largest difference of two points: of (c, s) relative to their size, of coordinates against 1 + |x|.
@@ -128,10 +143,9 @@ private:
     }
     /// Some unknown is far out, and its valuation is positive and the same on two scales.
     static bool diverges(const Point<M, double>& q, const Array<double, n>& nu, const Array<double, n>& before) {
-        for (int u = 0; u < n; ++u) {
-            const double size2 = u < n_angles<M> ? norm2(q.c[u]) + norm2(q.s[u]) : norm2(q.x[u - n_angles<M>]);
-            if (size2 > 100 && nu[u] > 0.05 && before[u] > 0 && std::abs(nu[u] - before[u]) < 0.05 * nu[u]) return true;
-        }
+        for (int u = 0; u < n; ++u)
+            if (unknown_size2(q, u) > 100 && nu[u] > 0.05 && before[u] > 0 && std::abs(nu[u] - before[u]) < 0.05 * nu[u])
+                return true;
         return false;
     }
 
@@ -151,7 +165,7 @@ private:
                     return m % samples == 0 ? std::complex<double>(1 - r)
                                             : 1.0 - std::polar(r, 2 * std::numbers::pi * m / samples);
                 };
-                if (!track(at, point(k), point(k + 1), steps)) return 0;
+                if (track(at, point(k), point(k + 1), steps) != Progress::arrived) return 0;
                 excursion = std::max(excursion, distance(first, at));
             }
             if (distance(first, at) < 1e-3 * excursion + 1e-11) {

@@ -13,7 +13,7 @@ namespace equilibria {
 /// Where the tracker left a path.
 enum class Arrival : std::uint8_t {
     end,      ///< t = 1
-    endgame,  ///< close to t = 1, which no regular step reaches
+    endgame,  ///< close to t = 1, which no regular step reaches, or far away
     stuck     ///< the step control gave up, or the steps ran out
 };
 
@@ -29,6 +29,9 @@ struct Endpoint {
     std::int16_t winding_number = 1;  ///< of the path at t = 1; more than 1 only at a singular endpoint
     PolishedEvidence evidence;
 };
+
+/// The square of the size beyond which a path is left to the endgame, which asks whether it goes to infinity.
+inline constexpr double far_away2 = 1e16;
 
 /// Tracks from t = 0 the paths that start at `start(path)`, a Point<M, double>, for each of `paths`; where
 /// paths[k] was left goes to ends[k] (q, t, steps, arrival, reason). R: the pack of lanes, or a scalar type.
@@ -80,6 +83,7 @@ void track_lanes(const Homotopy<M, Kind, C>& homotopy, const TrackerOptions& opt
         const R before = t;
         t = select(outcome.accepted, t + outcome.step, t);
         h = lane_min(outcome.next_step, 1.0 - t);
+        const R far = farthest2(q);
         const R reached = outcome.step - (1.0 - before);  // 0 where the step went to the end
         for (int k = 0; k < width; ++k) {
             if (path[k] < 0) continue;
@@ -89,6 +93,8 @@ void track_lanes(const Homotopy<M, Kind, C>& homotopy, const TrackerOptions& opt
             if (accepted && (left <= 1e-15 || static_cast<double>(lane(reached, k)) >= 0)) {
                 set_lane(t, k, 1.0);
                 finish(k, Arrival::end, FailureReason::none);
+            } else if (static_cast<double>(lane(far, k)) > far_away2) {
+                finish(k, Arrival::endgame, FailureReason::none);
             } else if (left < options.endgame_start && static_cast<double>(lane(h, k)) < 0.9 * left) {
                 finish(k, Arrival::endgame, FailureReason::none);
             } else if (!(static_cast<double>(lane(outcome.next_step, k)) > options.smallest_step)) {

@@ -40,6 +40,19 @@ Point<M, R> select(const Mask& mask, const Point<M, R>& a, const Point<M, R>& b)
     return y;
 }
 
+/// |c|^2 + |s|^2 of an angle, |x|^2 of a coordinate.
+template <class M, class R>
+R unknown_size2(const Point<M, R>& q, int u) {
+    return u < n_angles<M> ? norm2(q.c[u]) + norm2(q.s[u]) : norm2(q.x[u - n_angles<M>]);
+}
+/// The square of the size of the unknown that is farthest out.
+template <class M, class R>
+R farthest2(const Point<M, R>& q) {
+    R y = broadcast<R>(0.0);
+    for (int u = 0; u < n_unknowns<M>; ++u) y = lane_max(y, unknown_size2(q, u));
+    return y;
+}
+
 namespace detail {
 
 /// Turns (c, s) by the angle whose cosine and sine are nearly (co, si), and goes back onto the circle by one Newton

@@ -30,7 +30,7 @@ struct TrackerOptions {
     double pole_fraction = 0.4;      ///< largest step over the distance to the nearest pole of the path, in (0, 1)
     double smallest_step = 1e-12;    ///< a path that needs a smaller one fails
     double endgame_start = 1e-5;     ///< a path that can't reach t = 1 in one step from 1 - this goes to the endgame
-    int most_steps = 10000;          ///< steps of one path, refused ones included
+    int most_steps = 3000;           ///< steps of one path, refused ones included
 
     void validate() const {
         require(contraction > 0 && contraction <= 0.05, "contraction", contraction, "must be in (0, 0.05]");
@@ -146,8 +146,8 @@ public:
         lu_.solve(f);
         const R second = correction_size(y.q, f);
         y.q = corrected<M, R>(y.q, f);
-        // Theta^2; below a first correction of 1e-9 it measures rounding
-        const R theta2 = second / (first + 1e-18);
+        // Theta^2; a first correction below 1e-7 is no cause for concern, and its quotient may be rounding
+        const R theta2 = second / (first + 1e-14);
         const R most = options_.largest_contraction * options_.largest_contraction + R{};
         const R largest_first = R{} + 1e-2;
         y.accepted = both(both(short_enough, theta2 < most), first < largest_first);

@@ -1,0 +1,159 @@
+/// \file
+/// Curves g(y) = 0, g: R^N -> R^(N-1), followed by pseudo-arclength: the stepper of one step. The driver, who owns the
+/// loop, the window and the events, is the caller.
+///
+///     predictor  y + h t,    corrector  [ g(y)                ]
+///                                       [ t . (y - (y0 + h t)) ] = 0,    t the unit tangent, from a QR of g_y^T.
+///
+/// Folds in any unknown are ordinary points of the curve. The method fails where g_y loses rank: branch points.
+/// Sources: Keller 1977; Allgower and Georg, Numerical Continuation Methods.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <concepts>
+#include <optional>
+
+#include <Eigen/Core>
+#include <Eigen/LU>
+#include <Eigen/QR>
+
+#include <equilibria/core/error.hpp>
+
+namespace equilibria {
+
+/// A curve: N unknowns, N - 1 equations and their Jacobian.
+template <class S>
+concept CurveSystem = requires(const S& system, const Eigen::Matrix<double, S::unknowns, 1>& y) {
+    { system.residual(y) } -> std::convertible_to<Eigen::Matrix<double, S::unknowns - 1, 1>>;
+    { system.jacobian(y) } -> std::convertible_to<Eigen::Matrix<double, S::unknowns - 1, S::unknowns>>;
+};
+
+struct ArcLengthOptions {
+    double first_step = 1e-3;     ///< in scaled arc length (each unknown over its scale)
+    double smallest_step = 1e-10; ///< a curve that needs a smaller one ends there
+    double largest_step = 0.02;   ///< also the resolution of the result
+    double largest_angle = 0.15;  ///< between the tangents of neighbouring points, radians
+    int most_corrections = 6;     ///< Newton steps of one corrector
+    double tolerance = 1e-12;     ///< of the last Newton step, scaled
+
+    void validate() const {
+        require(smallest_step > 0, "smallest_step", smallest_step, "must be positive");
+        require(first_step >= smallest_step, "first_step", first_step, "must be at least smallest_step");
+        require(largest_step >= first_step, "largest_step", largest_step, "must be at least first_step");
+        require(largest_angle > 0 && largest_angle < 1, "largest_angle", largest_angle, "must be in (0, 1)");
+        require(most_corrections >= 2, "most_corrections", most_corrections, "must be at least 2");
+        require(tolerance > 0, "tolerance", tolerance, "must be positive");
+    }
+};
+
+template <CurveSystem S>
+class ArcLengthStepper {
+public:
+    static constexpr int N = S::unknowns;
+    using Vector = Eigen::Matrix<double, N, 1>;
+
+    /// A point of the curve. The tangent has length 1 in scaled unknowns.
+    struct State {
+        Vector y;
+        Vector tangent;
+        double step;  ///< the step that the control proposes next
+    };
+
+    /// scale: the typical size of each unknown, all positive.
+    ArcLengthStepper(const S& system, const Vector& scale, const ArcLengthOptions& options)
+        : system_(&system), scale_(scale), options_(options) {}
+
+    /// The point of the curve nearest to y0 in the tangent's normal plane, with the tangent in direction +1 or -1; none
+    /// where Newton's method does not converge.
+    std::optional<State> start(const Vector& y0, int direction) const {
+        Vector y = y0;
+        const Vector t = tangent(y);
+        if (!correct(y, t)) return std::nullopt;
+        return State{y, direction * tangent(y), options_.first_step};
+    }
+
+    /// The next point; none where the step would be smaller than the smallest. The step control: by the number of
+    /// corrections and by the angle of the tangents.
+    std::optional<State> advance(const State& from) const {
+        for (double h = std::min(from.step, options_.largest_step); h >= options_.smallest_step; h /= 2) {
+            const std::optional<Vector> y = at(from, h);
+            if (!y) continue;
+            Vector t = tangent(*y);
+            const double cosine = t.dot(from.tangent);
+            if (cosine < 0) t = -t;
+            const double angle = std::acos(std::min(1.0, std::abs(cosine)));
+            if (!(angle <= options_.largest_angle)) continue;
+            return State{*y, t, h * std::clamp(0.5 * options_.largest_angle / (angle + 1e-9), 0.5, 2.0)};
+        }
+        return std::nullopt;
+    }
+
+    /// The point of the curve in the hyperplane at arc length h along the tangent of `from`; none where Newton's
+    /// method does not converge.
+    std::optional<Vector> at(const State& from, double h) const {
+        Vector y = from.y + h * scale_.cwiseProduct(from.tangent);
+        if (!correct(y, from.tangent)) return std::nullopt;
+        return y;
+    }
+
+    /// The point of the curve near y at which the unknown number k has the value `value`.
+    std::optional<Vector> where(Vector y, int k, double value) const {
+        Vector normal = Vector::Zero();
+        normal(k) = 1;
+        y(k) = value;
+        if (!correct(y, normal)) return std::nullopt;
+        return y;
+    }
+
+    /// The unit tangent at y, scaled unknowns; its sign is arbitrary.
+    Vector tangent(const Vector& y) const {
+        const Eigen::Matrix<double, N, N - 1> transposed = scaled_jacobian(y).transpose();
+        const Eigen::HouseholderQR<Eigen::Matrix<double, N, N - 1>> qr(transposed);
+        Vector last = Vector::Zero();
+        last(N - 1) = 1;
+        return (qr.householderQ() * last).normalized();
+    }
+
+private:
+    /// Columns scaled by the unknowns' sizes, rows to length 1.
+    Eigen::Matrix<double, N - 1, N> scaled_jacobian(const Vector& y) const {
+        Eigen::Matrix<double, N - 1, N> j = system_->jacobian(y) * scale_.asDiagonal();
+        for (int r = 0; r < N - 1; ++r) {
+            const double norm = j.row(r).norm();
+            if (norm > 0) j.row(r) /= norm;
+        }
+        return j;
+    }
+
+    /// Newton's method in the hyperplane through y with the given normal.
+    bool correct(Vector& y, const Vector& normal) const {
+        double before = 1e300;
+        for (int k = 0; k < options_.most_corrections; ++k) {
+            Eigen::Matrix<double, N, N> bordered;
+            Vector right = Vector::Zero();
+            bordered.template topRows<N - 1>() = system_->jacobian(y) * scale_.asDiagonal();
+            right.template head<N - 1>() = system_->residual(y);
+            for (int r = 0; r < N - 1; ++r) {
+                const double norm = bordered.row(r).norm();
+                if (!(norm > 0)) return false;
+                bordered.row(r) /= norm;
+                right(r) /= norm;
+            }
+            bordered.row(N - 1) = normal.transpose();
+            const Vector step = bordered.partialPivLu().solve(right);
+            const double size = step.norm();
+            if (!(size < 0.3) || (k > 0 && size > 0.5 * before && size > options_.tolerance)) return false;
+            y -= scale_.cwiseProduct(step);
+            if (size <= options_.tolerance) return true;
+            before = size;
+        }
+        return before < 1e3 * options_.tolerance;
+    }
+
+    const S* system_;
+    Vector scale_;
+    ArcLengthOptions options_;
+};
+
+}  // namespace equilibria

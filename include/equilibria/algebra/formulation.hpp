@@ -94,23 +94,27 @@ inline constexpr NotPolynomial fault = fault_of_equations<M>();
 template <class M>
 constexpr bool is_trigonometric() {
     check_model<M>();
-    static_assert(ConstantExpression<M>,
-                  "equilibria: the model's potential or equations must be declared constexpr, and call only functions "
-                  "that are: its algebra is computed at compile time (if it is large: within the compiler's limit, "
-                  "-fconstexpr-ops-limit of g++, -fconstexpr-steps of clang)");
-    if constexpr (ConstantExpression<M>) {
-        static_assert(fault<M> != NotPolynomial::function_of_angle,
-                      "equilibria: the model is not a trigonometric polynomial: it takes sqrt, exp, log, sin or cos of "
-                      "something that depends on the angles or coordinates");
-        static_assert(fault<M> != NotPolynomial::divisor_not_constant,
-                      "equilibria: the model is not a trigonometric polynomial: it divides by something that depends on "
-                      "the angles or coordinates");
-        static_assert(fault<M> != NotPolynomial::degree_too_high,
-                      "equilibria: the model has a multiple of an angle, or a power of a coordinate, above 127");
-        return fault<M> == NotPolynomial::no;
+    if constexpr (Model<M>) {
+        static_assert(ConstantExpression<M>,
+                      "equilibria: the model's potential or equations must be declared constexpr, and call only "
+                      "functions that are: its algebra is computed at compile time (if it is large: within the "
+                      "compiler's limit, -fconstexpr-ops-limit of g++, -fconstexpr-steps of clang)");
+        if constexpr (ConstantExpression<M>) {
+            static_assert(fault<M> != NotPolynomial::function_of_angle,
+                          "equilibria: the model is not a trigonometric polynomial: it takes sqrt, exp, log, sin or "
+                          "cos of something that depends on the angles or coordinates");
+            static_assert(fault<M> != NotPolynomial::divisor_not_constant,
+                          "equilibria: the model is not a trigonometric polynomial: it divides by something that "
+                          "depends on the angles or coordinates");
+            static_assert(fault<M> != NotPolynomial::degree_too_high,
+                          "equilibria: the model has a multiple of an angle, or a power of a coordinate, above 127");
+            return fault<M> == NotPolynomial::no;
+        }
     }
     return false;
 }
+template <class M>
+inline constexpr bool usable = is_trigonometric<M>();
 
 }  // namespace detail
 
@@ -133,16 +137,19 @@ struct SupportTerm {
 
 namespace detail {
 
+/// Without terms where the model was refused: one sentence says why, and no other error should follow.
 template <class M>
 constexpr std::vector<SupportTerm<M>> support_terms() {
     std::vector<SupportTerm<M>> terms;
-    int equation = 0;
-    const auto equations = generic_equations<M>();
-    for (const auto& f : equations) {
-        for (const auto& t : f.terms()) terms.push_back({equation, t.monomial});
-        ++equation;
+    if constexpr (usable<M>) {
+        int equation = 0;
+        const auto equations = generic_equations<M>();
+        for (const auto& f : equations) {
+            for (const auto& t : f.terms()) terms.push_back({equation, t.monomial});
+            ++equation;
+        }
+        std::sort(terms.begin(), terms.end());
     }
-    std::sort(terms.begin(), terms.end());
     return terms;
 }
 template <class M>
@@ -153,8 +160,6 @@ inline constexpr int support_size = static_cast<int>(support_terms<M>().size());
 /// The support of a model's equations and what follows from it, all at compile time.
 template <class M>
 struct Formulation {
-    static_assert(detail::is_trigonometric<M>());
-
     static constexpr int unknowns = n_unknowns<M>;
     static constexpr int angles = n_angles<M>;
     static constexpr int terms = detail::support_size<M>;
@@ -206,7 +211,7 @@ struct Formulation {
 
     static_assert([] {
         for (int d : degrees)
-            if (d == 0) return false;
+            if (d == 0 && detail::usable<M>) return false;
         return true;
     }(), "equilibria: one of the model's equations does not depend on its unknowns (with a potential: the potential "
          "does not depend on one of them)");
@@ -215,7 +220,7 @@ struct Formulation {
 /// The coefficients of the support's terms for given parameters. C: double, std::complex<double>, or wider.
 /// Throws InvalidArgument if a coefficient is not finite at p, or if the model has a term at p that it lacks at generic
 /// parameters (it branches on values).
-template <class M, class C>
+template <class M, class C = double>
 Array<C, detail::support_size<M>> coefficients(const Parameters<M, C>& p) {
     using F = Formulation<M>;
     Array<C, detail::support_size<M>> y;

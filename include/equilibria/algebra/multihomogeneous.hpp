@@ -3,10 +3,10 @@
 ///
 /// They count the solutions of the polynomial system in the (cos, sin) of the angles and the coordinates, with a circle
 /// equation an angle. With the variables in groups g of d_g variables, equation i of degree d_ig in group g, the number
-/// is the coefficient of prod_g a_g^d_g in prod_i sum_g d_ig a_g (Morgan, Sommese, A
-/// homotopy for solving general polynomial systems that respects m-homogeneous structures, 1987). An angle brings two
-/// variables and its circle equation, which is of degree 2 in their group alone: it takes one a_g and gives a factor 2.
-/// Degrees say nothing of which coefficients there are: the mixed volume does, and may be far smaller.
+/// is the coefficient of prod_g a_g^d_g in prod_i sum_g d_ig a_g (Morgan, Sommese, A homotopy for solving general
+/// polynomial systems that respects m-homogeneous structures, 1987). An angle brings two variables and its circle
+/// equation, which is of degree 2 in their group alone: it takes one a_g and gives a factor 2. Degrees say nothing of
+/// which terms there are: the mixed volume does, and may be far smaller.
 #pragma once
 
 #include <algorithm>
@@ -20,6 +20,7 @@
 
 #include <equilibria/algebra/formulation.hpp>
 #include <equilibria/core/array.hpp>
+#include <equilibria/core/error.hpp>
 #include <equilibria/model/model.hpp>
 
 namespace equilibria {
@@ -132,16 +133,21 @@ constexpr std::int64_t total_degree() {
 }
 
 /// The multihomogeneous number of Bezout for one grouping of the unknowns. Needs time and memory of the order of
-/// prod_g (size of g + 1), 2^n for one group each: throws std::invalid_argument where that exceeds 2^22.
+/// prod_g (size of g + 1), 2^n for one group each. Throws InvalidArgument where that exceeds 2^22, and for a group
+/// number that is not in [0, n).
 template <Model M>
 constexpr PathCount multihomogeneous_number(const Grouping<M>& grouping) {
     constexpr int n = n_unknowns<M>;
-    const int groups = detail::n_groups(grouping);
     Array<int, n> size{};
-    for (int g : grouping) ++size[g];
+    for (int g : grouping) {
+        if (g < 0 || g >= n) throw InvalidArgument("grouping", to_text(g), "must number the groups from 0");
+        ++size[g];
+    }
+    const int groups = detail::n_groups(grouping);
     double states = 1;
     for (int g = 0; g < groups; ++g) states *= size[g] + 1;
-    if (states > 1 << 22) throw std::invalid_argument("equilibria: too many groups for a multihomogeneous number");
+    if (states > 1 << 22)
+        throw InvalidArgument("grouping", to_text(groups) + " groups", "must not be that many for so many unknowns");
     Array<Array<int, n>, n> degree{};
     for (const auto& t : Formulation<M>::support) {
         Array<int, n> d{};

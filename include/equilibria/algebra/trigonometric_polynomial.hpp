@@ -74,7 +74,7 @@ public:
         y.fault_ = fault_;
         const double smallest = 1e-13 * scale();
         for (const Term& t : terms_)
-            if (!(magnitude(t.coefficient) <= smallest)) y.terms_.push_back(t);  // a NaN stays, to be seen
+            if (!(magnitude(t.coefficient) < smallest)) y.terms_.push_back(t);  // a NaN stays, to be seen
         return y;
     }
 
@@ -179,9 +179,11 @@ public:
     }
 
 private:
-    /// A sum is the rounding error of cancelled summands where it is at most this large beside them.
-    static constexpr double rounding =
-        2 * static_cast<double>(std::numeric_limits<typename detail::RealPart<C>::type>::epsilon());
+    /// Whether a sum is but the rounding error of cancelled summands. Neither NaN nor infinity is.
+    static constexpr bool negligible(double sum, double summands) {
+        using Real = typename detail::RealPart<C>::type;
+        return sum == 0 || sum < 2 * static_cast<double>(std::numeric_limits<Real>::epsilon()) * summands;
+    }
 
     static constexpr double magnitude(const C& c) {
         if constexpr (std::is_floating_point_v<C>)
@@ -219,7 +221,7 @@ private:
                 y.terms_.push_back({j->monomial, sign * j->coefficient}), ++j;
             else {
                 const C sum = i->coefficient + sign * j->coefficient;
-                if (!(magnitude(sum) <= rounding * magnitude(i->coefficient))) y.terms_.push_back({i->monomial, sum});
+                if (!negligible(magnitude(sum), magnitude(i->coefficient))) y.terms_.push_back({i->monomial, sum});
                 ++i, ++j;
             }
         }
@@ -270,7 +272,7 @@ private:
                 sum = sum + terms_[j].coefficient;
                 size += magnitude(terms_[j].coefficient);
             }
-            if (!(magnitude(sum) <= rounding * size)) terms_[kept++] = {terms_[i].monomial, sum};
+            if (!negligible(magnitude(sum), size)) terms_[kept++] = {terms_[i].monomial, sum};
             i = j;
         }
         terms_.resize(kept);

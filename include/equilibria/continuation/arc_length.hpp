@@ -3,7 +3,7 @@
 /// loop, the window and the events, is the caller.
 ///
 ///     predictor  y + h t,    corrector  [ g(y)                ]
-///                                       [ t . (y - (y0 + h t)) ] = 0,    t the unit tangent, from a QR of g_y^T.
+///                                       [ t . (y - (y0 + h t)) ] = 0,    t the unit tangent: g_y t = 0.
 ///
 /// Folds in any unknown are ordinary points of the curve. The method fails where g_y loses rank: branch points.
 /// Sources: Keller 1977; Allgower and Georg, Numerical Continuation Methods.
@@ -16,7 +16,6 @@
 
 #include <Eigen/Core>
 #include <Eigen/LU>
-#include <Eigen/QR>
 
 #include <equilibria/core/error.hpp>
 
@@ -68,9 +67,11 @@ public:
     /// where Newton's method does not converge.
     std::optional<State> start(const Vector& y0, int direction) const {
         Vector y = y0;
-        const Vector t = tangent(y);
+        Vector t;  // the first guess has no tangent before it: a generic normal will do, then its own
+        for (int k = 0; k < N; ++k) t(k) = std::cos(1 + k * k);
+        t = tangent(y, t);
         if (!correct(y, t)) return std::nullopt;
-        return State{y, direction * tangent(y), options_.first_step};
+        return State{y, direction * tangent(y, t), options_.first_step};
     }
 
     /// The next point; none where the step would be smaller than the smallest. The step control: by the number of
@@ -79,10 +80,8 @@ public:
         for (double h = std::min(from.step, options_.largest_step); h >= options_.smallest_step; h /= 2) {
             const std::optional<Vector> y = at(from, h);
             if (!y) continue;
-            Vector t = tangent(*y);
-            const double cosine = t.dot(from.tangent);
-            if (cosine < 0) t = -t;
-            const double angle = std::acos(std::min(1.0, std::abs(cosine)));
+            const Vector t = tangent(*y, from.tangent);
+            const double angle = std::acos(std::min(1.0, t.dot(from.tangent)));
             if (!(angle <= options_.largest_angle)) continue;
             return State{*y, t, h * std::clamp(0.5 * options_.largest_angle / (angle + 1e-9), 0.5, 2.0)};
         }
@@ -106,42 +105,37 @@ public:
         return y;
     }
 
-    /// The unit tangent at y, scaled unknowns; its sign is arbitrary.
-    Vector tangent(const Vector& y) const {
-        const Eigen::Matrix<double, N, N - 1> transposed = scaled_jacobian(y).transpose();
-        const Eigen::HouseholderQR<Eigen::Matrix<double, N, N - 1>> qr(transposed);
-        Vector last = Vector::Zero();
-        last(N - 1) = 1;
-        return (qr.householderQ() * last).normalized();
+    /// The unit tangent at y, scaled unknowns, on the side of `before`; NaN where it is orthogonal to that.
+    Vector tangent(const Vector& y, const Vector& before) const {
+        Vector right = Vector::Zero();
+        right(N - 1) = 1;
+        return bordered(y, before, nullptr).partialPivLu().solve(right).normalized();
     }
 
 private:
-    /// Columns scaled by the unknowns' sizes, rows to length 1.
-    Eigen::Matrix<double, N - 1, N> scaled_jacobian(const Vector& y) const {
-        Eigen::Matrix<double, N - 1, N> j = system_->jacobian(y) * scale_.asDiagonal();
+    using Square = Eigen::Matrix<double, N, N>;
+
+    /// [g_y; normal], columns scaled by the unknowns' sizes, rows of g_y to length 1 and with them those of `right`.
+    Square bordered(const Vector& y, const Vector& normal, Vector* right) const {
+        Square m;
+        m.template topRows<N - 1>() = system_->jacobian(y) * scale_.asDiagonal();
         for (int r = 0; r < N - 1; ++r) {
-            const double norm = j.row(r).norm();
-            if (norm > 0) j.row(r) /= norm;
+            const double norm = m.row(r).norm();  // of a vanishing row: the solution will be refused as not finite
+            m.row(r) /= norm;
+            if (right) (*right)(r) /= norm;
         }
-        return j;
+        m.row(N - 1) = normal.transpose();
+        return m;
     }
 
     /// Newton's method in the hyperplane through y with the given normal.
     bool correct(Vector& y, const Vector& normal) const {
         double before = 1e300;
         for (int k = 0; k < options_.most_corrections; ++k) {
-            Eigen::Matrix<double, N, N> bordered;
             Vector right = Vector::Zero();
-            bordered.template topRows<N - 1>() = system_->jacobian(y) * scale_.asDiagonal();
             right.template head<N - 1>() = system_->residual(y);
-            for (int r = 0; r < N - 1; ++r) {
-                const double norm = bordered.row(r).norm();
-                if (!(norm > 0)) return false;
-                bordered.row(r) /= norm;
-                right(r) /= norm;
-            }
-            bordered.row(N - 1) = normal.transpose();
-            const Vector step = bordered.partialPivLu().solve(right);
+            const Square m = bordered(y, normal, &right);
+            const Vector step = m.partialPivLu().solve(right);
             const double size = step.norm();
             if (!(size < 0.3) || (k > 0 && size > 0.5 * before && size > options_.tolerance)) return false;
             y -= scale_.cwiseProduct(step);

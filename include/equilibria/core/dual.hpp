@@ -11,6 +11,17 @@
 
 namespace equilibria {
 
+namespace detail {
+/// Plain numbers meet any scalar as doubles, but for long doubles, which would lose digits.
+template <class A>
+constexpr auto plain(A a) {
+    if constexpr (std::is_same_v<A, long double>)
+        return a;
+    else
+        return static_cast<double>(a);
+}
+}  // namespace detail
+
 template <class T, int N>
 struct Dual {
     T value{};
@@ -20,7 +31,7 @@ struct Dual {
     constexpr Dual(const T& v) : value(v) {}
     template <class A>
         requires(std::is_arithmetic_v<A> && !std::is_same_v<A, T>)
-    constexpr Dual(A v) : value(static_cast<double>(v)) {}
+    constexpr Dual(A v) : value(static_cast<T>(detail::plain(v))) {}
 
     /// The independent variable number k.
     static constexpr Dual variable(const T& v, int k) {
@@ -64,7 +75,7 @@ struct Dual {
     template <class A>
         requires std::is_arithmetic_v<A>
     friend constexpr Dual operator*(A a, const Dual& b) {
-        return b.chain(static_cast<double>(a) * b.value, static_cast<double>(a));
+        return b.chain(detail::plain(a) * b.value, detail::plain(a));
     }
     template <class A>
         requires std::is_arithmetic_v<A>
@@ -74,7 +85,7 @@ struct Dual {
     template <class A>
         requires std::is_arithmetic_v<A>
     friend constexpr Dual operator/(const Dual& b, A a) {
-        return (1.0 / static_cast<double>(a)) * b;
+        return (1.0 / detail::plain(a)) * b;
     }
     constexpr Dual& operator+=(const Dual& b) { return *this = *this + b; }
     constexpr Dual& operator-=(const Dual& b) { return *this = *this - b; }
@@ -114,7 +125,7 @@ struct Dual {
     template <std::floating_point F>
     friend constexpr Dual pow(const Dual& a, F power) {
         using std::pow;
-        return a.chain(pow(a.value, power), static_cast<double>(power) * pow(a.value, power - 1));
+        return a.chain(pow(a.value, power), detail::plain(power) * pow(a.value, power - 1));
     }
 };
 

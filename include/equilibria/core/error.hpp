@@ -20,7 +20,7 @@ public:
 
 /// Writes a value for an error message, with every digit of a floating-point number.
 template <class T>
-std::string quoted(const T& value) {
+std::string to_text(const T& value) {
     std::ostringstream out;
     out.precision(17);
     out << value;
@@ -30,7 +30,7 @@ std::string quoted(const T& value) {
 /// Throws InvalidArgument unless `holds`.
 template <class T>
 void require(bool holds, std::string_view argument, const T& value, std::string_view allowed) {
-    if (!holds) throw InvalidArgument(argument, quoted(value), allowed);
+    if (!holds) throw InvalidArgument(argument, to_text(value), allowed);
 }
 
 /// Throws InvalidArgument unless every entry of `values` is finite; names the entry as argument[k].

@@ -147,6 +147,40 @@ RootSet<M> enumerate_total_degree(const Parameters<M>& p, const EnumerateOptions
     return set;
 }
 
+/// Follows regular roots at parameters `from` to the roots at p, along a line in the space of coefficients.
+template <Model M>
+RootSet<M> enumerate_from(const std::vector<Root<M>>& roots, const Parameters<M>& from, const Parameters<M>& p,
+                          const EnumerateOptions& options) {
+    const auto begin = std::chrono::steady_clock::now();
+    RootSet<M> set;
+    set.parameters = p;
+    set.seed = options.seed;
+    Generator generator(options.seed);
+    const auto target = coefficients<M, double>(p);
+    const auto scale = equation_scales<M, double>(target);
+    using H = Homotopy<M, StartKind::parameter, double>;
+    PathSolver<M, StartKind::parameter, double> solver(
+        H::parameter(coefficients<M, double>(from), target, unit_complex(generator)), p, scale, options);
+    std::vector<std::uint64_t> paths(roots.size());
+    for (std::size_t k = 0; k < paths.size(); ++k) paths[k] = k;
+    const auto start = [&](std::uint64_t path) {
+        Point<M, double> q;
+        const auto& root = roots[path].q;
+        for (int i = 0; i < n_angles<M>; ++i) {
+            set_lane(q.c[i], 0, std::cos(root[i]));
+            set_lane(q.s[i], 0, std::sin(root[i]));
+        }
+        for (int j = 0; j < n_coordinates<M>; ++j) set_lane(q.x[j], 0, root[n_angles<M> + j]);
+        return q;
+    };
+    const auto ends = solver.run(paths, start, {}, false, set.paths);
+    set.tracking_seconds = solver.tracking_seconds();
+    collect<M>(set, paths, ends, {}, {}, false, [](std::uint64_t path) { return path; });
+    find_equilibria(set, options.threads);
+    set.seconds = seconds_since(begin);
+    return set;
+}
+
 }  // namespace detail
 
 /// The start system that suits the model: reflected where it has the symmetry theta -> -theta (a model may decline
@@ -165,12 +199,12 @@ constexpr StartKind natural_start() {
 /// Every isolated equilibrium of the model at the parameters p, from a total-degree start.
 ///
 /// Reaches every isolated solution of the polynomial system with probability one over the seed; paths at infinity,
-/// singular and failed ones are counted, not hidden. Kind: the start system, if not the natural one.
+/// singular and failed ones are counted, not hidden. Kind: the start system, if not the natural one (`parameter`: the
+/// general one, compiled together with the parameter homotopies).
 /// Throws InvalidArgument for parameters that are not finite and for options out of range.
 template <Model M, StartKind Kind = natural_start<M>()>
-    requires(Kind != StartKind::parameter)
 RootSet<M> enumerate(const Parameters<M>& p, const EnumerateOptions& options = {}) {
-    static_assert(Kind == StartKind::general || Formulation<M>::reflection_symmetric,
+    static_assert(Kind != StartKind::reflected || Formulation<M>::reflection_symmetric,
                   "equilibria: the reflected start needs equations that are odd under theta -> -theta");
     require_finite(p, "parameters");
     options.validate();
@@ -182,41 +216,14 @@ RootSet<M> enumerate(const Parameters<M>& p, const EnumerateOptions& options = {
 /// The homotopy is a line in the space of coefficients. Complete if `solved` has as many regular roots as a generic
 /// instance: certainly where it reaches the bound, as the chain does. Throws InvalidArgument where `solved` has failed
 /// or singular paths.
-template <class M>
+template <Model M>
 RootSet<M> enumerate(const RootSet<M>& solved, const Parameters<M>& p, const EnumerateOptions& options = {}) {
     require_finite(p, "parameters");
     options.validate();
     require(solved.paths.failed == 0 && solved.paths.singular == 0, "solved.paths",
             std::to_string(solved.paths.failed) + " failed, " + std::to_string(solved.paths.singular) + " singular",
             "a start instance must have regular roots only");
-    const auto begin = std::chrono::steady_clock::now();
-    RootSet<M> set;
-    set.parameters = p;
-    set.seed = options.seed;
-    Generator generator(options.seed);
-    const auto target = coefficients<M, double>(p);
-    const auto scale = detail::equation_scales<M, double>(target);
-    using H = Homotopy<M, StartKind::parameter, double>;
-    const auto h = H::parameter(coefficients<M, double>(solved.parameters), target, unit_complex(generator));
-    detail::PathSolver<M, StartKind::parameter, double> solver(h, p, scale, options);
-    std::vector<std::uint64_t> paths(solved.roots.size());
-    for (std::size_t k = 0; k < paths.size(); ++k) paths[k] = k;
-    const auto start = [&](std::uint64_t path) {
-        Point<M, double> q;
-        const auto& root = solved.roots[path].q;
-        for (int i = 0; i < n_angles<M>; ++i) {
-            set_lane(q.c[i], 0, std::cos(root[i]));
-            set_lane(q.s[i], 0, std::sin(root[i]));
-        }
-        for (int j = 0; j < n_coordinates<M>; ++j) set_lane(q.x[j], 0, root[n_angles<M> + j]);
-        return q;
-    };
-    const auto ends = solver.run(paths, start, {}, false, set.paths);
-    set.tracking_seconds = solver.tracking_seconds();
-    detail::collect<M>(set, paths, ends, {}, {}, false, [](std::uint64_t path) { return path; });
-    detail::find_equilibria(set, options.threads);
-    set.seconds = detail::seconds_since(begin);
-    return set;
+    return detail::enumerate_from<M>(solved.roots, solved.parameters, p, options);
 }
 
 }  // namespace equilibria

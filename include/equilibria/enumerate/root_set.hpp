@@ -23,7 +23,7 @@ struct Root {
     /// Angles in radians, real parts in (-pi, pi], imaginary parts any; then the plain coordinates.
     Array<std::complex<double>, n_unknowns<M>> q;
     double residual = 0;      ///< max_i |F_i(q)| / (largest coefficient of F_i), F being the model's own function
-    double condition = 0;     ///< of the Jacobian with rows scaled to 1, infinity norm
+    double condition = 0;     ///< of the Jacobian, each row scaled to 1 unless it is small beside its equation
     std::uint64_t path = 0;   ///< the first path that ended here
     std::int32_t paths = 1;   ///< how many did: the multiplicity of an isolated root
     std::int32_t winding_number = 1;
@@ -71,7 +71,7 @@ struct RootSet {
     std::uint64_t seed = 0;
     PathCounts paths;
     std::vector<Root<M>> roots;               ///< distinct, by path number
-    std::vector<Equilibrium<M>> equilibria;   ///< the real ones, by index, then energy, then angles
+    std::vector<Equilibrium<M>> equilibria;   ///< the real ones, by index, then nullity, then path
     std::vector<FailedPath> failures;
     /// The imaginary parts that separated real from not: the largest among the real roots, the smallest among the
     /// others (infinity where there are none).
@@ -84,9 +84,11 @@ struct RootSet {
         return static_cast<std::uint64_t>(
             std::count_if(equilibria.begin(), equilibria.end(), [](const auto& e) { return e.degenerate(); }));
     }
-    /// Whether nothing speaks against the count of equilibria: no path failed, every root is regular and its own.
+    /// Whether nothing speaks against the count of equilibria: no path failed, every root is regular and reached by a
+    /// path of its own, and the Morse relations hold where they apply.
     bool clean() const {
-        return paths.failed == 0 && paths.singular == 0 && degenerate() == 0 && paths.finite == distinct();
+        return paths.failed == 0 && paths.singular == 0 && degenerate() == 0 && paths.finite == distinct() &&
+               (!morse_applies() || morse());
     }
 
     /// Nondegenerate equilibria of each index 0 .. n.
@@ -96,8 +98,11 @@ struct RootSet {
             if (!e.degenerate()) ++counts[static_cast<std::size_t>(e.index)];
         return counts;
     }
-    /// Whether the Morse relations of the n-torus apply: only angles, a potential, nothing degenerate.
-    bool morse_applies() const { return n_coordinates<M> == 0 && PotentialModel<M> && degenerate() == 0; }
+    /// Whether the Morse relations of the n-torus apply: only angles, a potential, nothing degenerate. (Singular endpoints
+    /// that are not real may lie on curves of equilibria.)
+    bool morse_applies() const {
+        return n_coordinates<M> == 0 && PotentialModel<M> && degenerate() == 0 && paths.singular == 0;
+    }
     /// The Morse relations hold. False where they do not apply.
     bool morse() const { return morse_applies() && morse_relations(by_index()).all(); }
 
@@ -110,6 +115,7 @@ struct RootSet {
             out << (k == 0 ? ": index " : ", ") << k << ": " << counts[k];
         if (r.degenerate() > 0) out << ", degenerate: " << r.degenerate();
         if (r.morse_applies()) out << (r.morse() ? "; Morse relations hold" : "; MORSE RELATIONS VIOLATED: roots are missing");
+        if (r.paths.singular > 0) out << "; SINGULAR: equilibria coincide, or form curves";
         if (r.paths.finite > 0 && r.paths.singular == 0 && r.paths.finite != r.distinct())
             out << "; " << r.paths.finite - r.distinct() << " paths ended on another's root: roots may be missing";
         return out;

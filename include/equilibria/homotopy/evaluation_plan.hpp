@@ -24,7 +24,7 @@ struct EvaluationPlan {
 
     /// The highest multiple or power of unknown u that is needed.
     static constexpr int highest(int u) {
-        return std::max({F::degree_in(u), Kind == StartKind::parameter ? 0 : F::degrees[u], 1});
+        return std::max({F::degree_in(u), F::degrees[u], 1});
     }
     static constexpr Array<int, n + 1> factor_offset = [] {
         Array<int, n + 1> y;
@@ -101,9 +101,9 @@ struct EvaluationPlan {
         bool in_start;
     };
     static constexpr bool start_has(int i, int code) {
-        if (Kind == StartKind::parameter || code > F::degrees[i] || code < -F::degrees[i]) return false;
+        if (code > F::degrees[i] || code < -F::degrees[i]) return false;
         if (i >= n_angles<M>) return code == 0 || code == F::degrees[i];
-        return Kind == StartKind::general || code < 0;
+        return Kind != StartKind::reflected || code < 0;
     }
     static constexpr std::vector<Group> find_groups() {
         std::vector<Group> y;

@@ -2,7 +2,8 @@
 /// The homotopies and their evaluation: H(q, t), its Jacobian in q, and its Taylor coefficients along a path.
 ///
 /// From a total-degree start: H = (1-t) G + t F, gamma being a factor of G. From a solved instance: H = F with the
-/// coefficients (1-t) gamma a_start + t a_target, a straight line in the space of coefficients.
+/// coefficients (1-t) gamma a_start + t a_target, a straight line in the space of coefficients. The second kind contains
+/// the first (a_start = 0, plus G): a model that needs both is compiled once, for some loss of speed.
 ///
 /// Everything is generic over the real type R (double, a pack of lanes, a multiprecision float) and over the type of
 /// the time: real along a path, complex in the loops of an endgame.
@@ -28,13 +29,12 @@ struct Homotopy {
 
     Array<Coefficient, Formulation<M>::terms> target;                ///< a_target
     Array<std::complex<double>, Formulation<M>::terms> difference;   ///< parameter: a_target - gamma a_start
-    Array<std::complex<double>, Plan::n_groups> start;               ///< total degree: coefficients of G, a group each
+    Array<std::complex<double>, Plan::n_groups> start;               ///< coefficients of G, a group each; else 0
 
     /// H = (1-t) G + t F(., target).
-    static Homotopy total_degree(const Array<C, Formulation<M>::terms>& target, const TotalDegreeStart<M>& start)
-        requires(Kind != StartKind::parameter)
-    {
-        Homotopy h{target, {}, {}};
+    static Homotopy total_degree(const Array<C, Formulation<M>::terms>& target, const TotalDegreeStart<M>& start) {
+        Homotopy h;
+        for (int k = 0; k < Formulation<M>::terms; ++k) h.target[k] = target[k], h.difference[k] = target[k];
         for (int g = 0; g < Plan::n_groups; ++g)
             if (Plan::groups[g].in_start) h.start[g] = start.coefficient(Plan::groups[g].equation, Plan::groups[g].own_code);
         return h;
@@ -271,18 +271,20 @@ private:
     template <int G>
     Z blended(int k) const {
         constexpr auto group = Plan::groups[G];
+        Z y;
         if constexpr (Kind == StartKind::parameter) {
-            return k == 0 ? sum_[k][G] : sum_[k][G] + change_[k - 1][G];
+            y = sum_[k][G];
+            if (k > 0) y += change_[k - 1][G];
         } else {
-            Z y = time_ * sum_[k][G];
+            y = time_ * sum_[k][G];
             if (k > 0) y += sum_[k - 1][G];
-            if constexpr (group.in_start) {
-                const Z g = broadcast_complex<R>(h_->start[G]);
-                if (k == 0) y += complement(time_) * g;
-                if (k == 1) y -= g;
-            }
-            return y;
         }
+        if constexpr (group.in_start) {
+            const Z g = broadcast_complex<R>(h_->start[G]);
+            if (k == 0) y += complement(time_) * g;
+            if (k == 1) y -= g;
+        }
+        return y;
     }
 
     /// The derivative of an operand by one of its unknowns.

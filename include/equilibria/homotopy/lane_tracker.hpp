@@ -95,7 +95,9 @@ void track_lanes(const Homotopy<M, Kind, C>& homotopy, const TrackerOptions& opt
                 finish(k, Arrival::end, FailureReason::none);
             } else if (static_cast<double>(lane(far, k)) > far_away2) {
                 finish(k, Arrival::endgame, FailureReason::none);
-            } else if (left < options.endgame_start && static_cast<double>(lane(h, k)) < 0.9 * left) {
+            } else if (left < options.endgame_start &&
+                       (static_cast<double>(lane(h, k)) < 0.9 * left ||  // the next step falls short of t = 1, or this one did
+                        static_cast<double>(lane(reached, k)) < -0.1 * static_cast<double>(1 - lane(before, k)))) {
                 finish(k, Arrival::endgame, FailureReason::none);
             } else if (!(static_cast<double>(lane(outcome.next_step, k)) > options.smallest_step)) {
                 finish(k, Arrival::stuck, FailureReason::step_too_small);

@@ -90,13 +90,16 @@ private:
             for (int r = 0; r < n; ++r)
                 for (int c = 0; c < r; ++c) j[r][c] = j[c][r];
     }
-    /// || (D J)^-1 || || D J || in the infinity norm, D making each row's sum of absolute values 1.
+    /// || (D J)^-1 || in the infinity norm, D making each row's sum of absolute values 1. A row that is small beside
+    /// the coefficients of its equation stays small: scaled up, a row of rounding errors would look regular.
     template <class R>
-    static R row_scaled_condition(Complex<R> (&j)[n][n]) {
+    R row_scaled_condition(Complex<R> (&j)[n][n]) const {
         for (int r = 0; r < n; ++r) {
             R sum = broadcast<R>(0.0);
             for (int c = 0; c < n; ++c) sum = sum + square_root(norm2(j[r][c]));
-            for (int c = 0; c < n; ++c) j[r][c] = (1.0 / sum) * j[r][c];
+            const R least = R{} + scale_[r];
+            const R by = 1.0 / select(sum < least, least, sum);  // a NaN stays
+            for (int c = 0; c < n; ++c) j[r][c] = by * j[r][c];
         }
         PivotedFactorization<R, n> lu;
         lu.factor(j);

@@ -23,7 +23,7 @@ namespace equilibria {
 enum class StartKind {
     general,    ///< total degree, random lines
     reflected,  ///< total degree, odd under theta -> -theta
-    parameter   ///< the solutions of the same model at other parameters
+    parameter   ///< the solutions of the same model at other parameters, or as general
 };
 
 /// The total degree of the model's polynomial system: the number of paths, a bound on the isolated equilibria.

@@ -66,7 +66,7 @@ Parameters<M, Dual<S, N>> lifted(const Parameters<M, S>& p) {
 }  // namespace detail
 
 /// V(q, p).
-template <PotentialModel M, class S>
+template <PotentialModel M, class S = double>
 S potential(const Unknowns<M, S>& q, const Parameters<M, S>& p) {
     detail::AnglesOf<M, S> theta;
     detail::CoordinatesOf<M, S> x;
@@ -75,7 +75,7 @@ S potential(const Unknowns<M, S>& q, const Parameters<M, S>& p) {
 }
 
 /// F(q, p): the equilibrium equations, one entry an unknown.
-template <Model M, class S>
+template <Model M, class S = double>
 Unknowns<M, S> equations(const Unknowns<M, S>& q, const Parameters<M, S>& p) {
     detail::AnglesOf<M, S> theta;
     detail::CoordinatesOf<M, S> x;
@@ -84,7 +84,7 @@ Unknowns<M, S> equations(const Unknowns<M, S>& q, const Parameters<M, S>& p) {
 }
 
 /// J(q, p) = dF/dq, n x n: the Hessian of the potential where there is one.
-template <Model M, class S>
+template <Model M, class S = double>
 UnknownMatrix<M, S> jacobian(const Unknowns<M, S>& q, const Parameters<M, S>& p) {
     constexpr int n = n_unknowns<M>;
     Unknowns<M, Dual<S, n>> y;
@@ -97,7 +97,7 @@ UnknownMatrix<M, S> jacobian(const Unknowns<M, S>& q, const Parameters<M, S>& p)
 }
 
 /// dF/dp_k, one entry an unknown.
-template <Model M, class S>
+template <Model M, class S = double>
 Unknowns<M, S> parameter_derivative(const Unknowns<M, S>& q, const Parameters<M, S>& p, int k) {
     Unknowns<M, Dual<S, 1>> y;
     for (int i = 0; i < q.size(); ++i) y[i] = q[i];
@@ -111,7 +111,7 @@ Unknowns<M, S> parameter_derivative(const Unknowns<M, S>& q, const Parameters<M,
 
 /// Derivatives of F along one direction v of the unknowns and one direction w of the parameters:
 /// d^k/de^k F(q + e v, p + e w) at e = 0, for k = Order.
-template <int Order, Model M, class S>
+template <int Order, Model M, class S = double>
 Unknowns<M, S> directional_derivative(const Unknowns<M, S>& q, const Unknowns<M, S>& v, const Parameters<M, S>& p,
                                       const Parameters<M, S>& w = {}) {
     if constexpr (Order == 0) {
@@ -130,7 +130,7 @@ Unknowns<M, S> directional_derivative(const Unknowns<M, S>& q, const Unknowns<M,
 }
 
 /// F'' contracted with v: the n x n matrix d/de J(q + e v, p). With a potential, V'''[v, ., .].
-template <Model M, class S>
+template <Model M, class S = double>
 UnknownMatrix<M, S> jacobian_derivative(const Unknowns<M, S>& q, const Unknowns<M, S>& v, const Parameters<M, S>& p) {
     using D = Dual<S, 1>;
     Unknowns<M, D> y;
@@ -140,7 +140,7 @@ UnknownMatrix<M, S> jacobian_derivative(const Unknowns<M, S>& q, const Unknowns<
 }
 
 /// dJ/dp_k, n x n.
-template <Model M, class S>
+template <Model M, class S = double>
 UnknownMatrix<M, S> jacobian_parameter_derivative(const Unknowns<M, S>& q, const Parameters<M, S>& p, int k) {
     using D = Dual<S, 1>;
     Unknowns<M, D> y;
@@ -152,14 +152,14 @@ UnknownMatrix<M, S> jacobian_parameter_derivative(const Unknowns<M, S>& q, const
 }
 
 /// V'''[v, v, v] and V''''[v, v, v, v], the third and fourth directional derivatives of the potential.
-template <PotentialModel M, class S>
+template <PotentialModel M, class S = double>
 S third_derivative(const Unknowns<M, S>& q, const Unknowns<M, S>& v, const Parameters<M, S>& p) {
     const auto f = directional_derivative<2, M, S>(q, v, p);
     S sum(0.0);
     for (int i = 0; i < v.size(); ++i) sum = sum + f[i] * v[i];
     return sum;
 }
-template <PotentialModel M, class S>
+template <PotentialModel M, class S = double>
 S fourth_derivative(const Unknowns<M, S>& q, const Unknowns<M, S>& v, const Parameters<M, S>& p) {
     const auto f = directional_derivative<3, M, S>(q, v, p);
     S sum(0.0);

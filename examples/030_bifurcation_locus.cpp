@@ -1,0 +1,235 @@
+// The bifurcation locus of the rotating chain of two links: Baillieul's Figure 3.2 and his tables 3.3.
+//
+//   bifurcation_locus --ratio 1.5 --alpha 0:1 --omega 0:5 --svg figure.svg --table tables
+#include <cstdio>
+#include <equilibria/io/gnuplot.hpp>
+#include <equilibria/locus/locus.hpp>
+#include <equilibria/mechanisms/rotating_chain.hpp>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <sstream>
+
+#include "support/command_line.hpp"
+#include "support/numbers.hpp"
+#include "support/output_file.hpp"
+
+namespace {
+
+using Chain = equilibria::mechanisms::TwoLinkChain;
+using Locus = equilibria::Locus<Chain>;
+using Json = nlohmann::ordered_json;
+
+std::string_view name(equilibria::LocusKind kind) {
+    return kind == equilibria::LocusKind::fold ? "fold" : "pitchfork";
+}
+
+std::string json(const Locus& locus, double ratio) {
+    Json out{{"ratio", ratio},
+             {"alpha", {locus.window.x_low, locus.window.x_high}},
+             {"omega", {locus.window.y_low, locus.window.y_high}},
+             {"cusps", Json::array()},
+             {"degenerate_pitchforks", Json::array()},
+             {"curves", Json::array()},
+             {"regions", Json::array()}};
+    for (const auto& c : locus.cusps)
+        out["cusps"].push_back({{"alpha", c.at.x},
+                                {"omega", c.at.y},
+                                {"residual", c.residual},
+                                {"angles", {c.at.q[0], c.at.q[1]}},
+                                {"fourth_derivative", c.fourth}});
+    for (const auto& p : locus.degenerate_pitchforks)
+        out["degenerate_pitchforks"].push_back({{"alpha", p.x}, {"omega", p.y}, {"angles", {p.q[0], p.q[1]}}});
+    for (const auto& curve : locus.curves) {
+        Json points = Json::array();
+        for (const auto& p : curve.points) points.push_back({p.x, p.y});
+        out["curves"].push_back({{"kind", name(curve.kind)}, {"points", std::move(points)}});
+    }
+    for (const auto& r : locus.regions)
+        out["regions"].push_back({{"count", r.count},
+                                  {"by_index", r.by_index},
+                                  {"point", {r.point.x, r.point.y}},
+                                  {"area", r.area},
+                                  {"confirmed", r.confirmed && r.clean}});
+    const auto& e = locus.evidence;
+    out["evidence"] = {{"lines", e.lines},
+                       {"seeds", e.seeds},
+                       {"failed_paths", e.failed_paths},
+                       {"untraced_seeds", e.untraced_seeds},
+                       {"unseeded_crossings", e.unseeded_crossings},
+                       {"broken_curves", e.broken_curves},
+                       {"checked_points", e.checked_points},
+                       {"wrong_counts", e.wrong_counts},
+                       {"complete", e.complete()},
+                       {"seconds", e.seconds}};
+    return out.dump(1) + "\n";
+}
+
+void print(const Locus& locus) {
+    for (const auto& c : locus.cusps)
+        std::printf("cusp       alpha %.14f  omega %.14f  residual %.1e\n", c.at.x, c.at.y, c.residual);
+    for (const auto& p : locus.degenerate_pitchforks)
+        std::printf("degenerate pitchfork  alpha %.12f  omega %.12f\n", p.x, p.y);
+    for (const auto& c : locus.curves)
+        std::printf("%-9s  %4zu points  (%.6f, %.6f) to (%.6f, %.6f)\n", std::string(name(c.kind)).c_str(),
+                    c.points.size(), c.points.front().x, c.points.front().y, c.points.back().x, c.points.back().y);
+    for (const auto& r : locus.regions) {
+        std::printf("region     %2llu equilibria, by index", static_cast<unsigned long long>(r.count));
+        for (const auto k : r.by_index) std::printf(" %lld", static_cast<long long>(k));
+        std::printf("  around (%.4f, %.4f)%s\n", r.point.x, r.point.y, r.clean && r.confirmed ? "" : "  NOT CONFIRMED");
+    }
+    const auto& e = locus.evidence;
+    std::printf("%llu lines solved, %llu events on them, %llu counts checked: %s\n",
+                static_cast<unsigned long long>(e.lines), static_cast<unsigned long long>(e.seeds),
+                static_cast<unsigned long long>(e.checked_points), e.complete() ? "all explained" : "NOT ALL EXPLAINED");
+    if (!e.complete())
+        std::printf("  failed paths %llu, untraced events %llu, crossings without event %llu, broken curves %llu, wrong "
+                    "counts %llu\n",
+                    static_cast<unsigned long long>(e.failed_paths), static_cast<unsigned long long>(e.untraced_seeds),
+                    static_cast<unsigned long long>(e.unseeded_crossings),
+                    static_cast<unsigned long long>(e.broken_curves), static_cast<unsigned long long>(e.wrong_counts));
+    std::printf("%.2f s\n", e.seconds);
+}
+
+/// The figure: curves, cusps, regions with their counts, and an inset around the first cusp.
+std::string script(const Locus& locus, double ratio) {
+    std::ostringstream folds, pitchforks, cusps, out;
+    out.precision(10);
+    for (auto* s : {&folds, &pitchforks, &cusps}) s->precision(12);
+    for (const auto& curve : locus.curves) {
+        auto& rows = curve.kind == equilibria::LocusKind::fold ? folds : pitchforks;
+        for (const auto& p : curve.points) rows << p.x << ' ' << p.y << '\n';
+        rows << "\n\n";
+    }
+    for (const auto& c : locus.cusps) cusps << c.at.x << ' ' << c.at.y << '\n';
+    using equilibria::gnuplot_block;
+    for (const auto& [block, rows] : {std::pair{"folds", folds.str()}, std::pair{"pitchforks", pitchforks.str()},
+                                      std::pair{"cusps", cusps.str()}})
+        out << gnuplot_block(block, rows.empty() ? "nan nan\n" : rows);
+    const auto& w = locus.window;
+    const bool inset = !locus.cusps.empty();
+    const char* curves =
+        "$pitchforks with lines lw 1.8 lc rgb '#0072b2' title 'pitchforks', "
+        "$folds with lines lw 2.2 lc rgb '#d55e00' title 'folds', "
+        "$cusps with points pt 7 ps 0.9 lc rgb 'black' title 'cusps'\n";
+    out << "set multiplot title 'Bifurcation locus of the rotating two-link chain, {/:Italic l}_2 / {/:Italic l}_1 = " << ratio
+        << "'\nset tics out nomirror\nset border 31 lw 0.8\n"
+        << "set key at screen 0.5,0.02 center bottom horizontal samplen 2.5\n"
+        << "set xlabel '{/:Italic α} = {/:Italic m}_2 / ({/:Italic m}_1 + {/:Italic m}_2)'\n"
+        << "set ylabel '{/:Italic ω}' rotate by 0\n"
+        << "set lmargin at screen 0.09\nset rmargin at screen " << (inset ? 0.66 : 0.96)
+        << "\nset bmargin at screen 0.16\nset tmargin at screen 0.92\n";
+    for (const auto& r : locus.regions)
+        if (r.area > 1e-3 * w.width() * w.height())
+            out << "set label '" << r.count << "' at " << r.point.x << ',' << r.point.y << " center font ',17'\n";
+    double box[4] = {};
+    if (inset) {
+        const auto& c = locus.cusps.front().at;
+        const double dx = 0.008 * w.width(), dy = 0.04 * w.height();
+        box[0] = c.x - 0.7 * dx, box[1] = c.x + 1.3 * dx, box[2] = c.y - 0.5 * dy, box[3] = c.y + 1.5 * dy;
+        out << "set object 1 rectangle from " << box[0] - dx << ',' << box[2] << " to " << box[1] + dx << ',' << box[3]
+            << " front fillstyle empty border lc rgb 'gray40' lw 0.8\n";
+    }
+    out << "plot [" << w.x_low << ':' << w.x_high << "][" << w.y_low << ':' << w.y_high << "] " << curves;
+    if (inset) {
+        out << "unset object\nunset label\nunset xlabel\nunset ylabel\nunset key\n"
+            << "set lmargin at screen 0.74\nset rmargin at screen 0.97\nset bmargin at screen 0.36\nset tmargin at screen 0.72\n"
+            << "set tics font ',11'\nset format x '%.3f'\nset xtics " << 0.008 * w.width() << "\n"
+            << "set label 1 'around the cusp' at graph 0.5,1.06 center font ',12'\n";
+        out << "plot [" << box[0] << ':' << box[1] << "][" << box[2] << ':' << box[3] << "] " << curves;
+    }
+    out << "unset multiplot\n";
+    return out.str();
+}
+
+/// Tables 3.3: the numbers of equilibria by index wherever they differ, for alpha ratio > 1 and below.
+struct Tables {
+    std::string markdown, csv;
+};
+Tables tables(const Locus& locus, double ratio) {
+    std::map<std::uint64_t, std::vector<std::int64_t>> found[2];  // above, below
+    const auto& w = locus.window;
+    for (const auto& r : locus.regions) found[r.point.x * ratio > 1 ? 0 : 1][r.count] = r.by_index;
+    for (int i = 0; i < 12; ++i)
+        for (int j = 0; j < 60; ++j) {
+            const double alpha = w.x_low + w.width() * (i + 0.5) / 12, omega = w.y_low + w.height() * (j + 0.5) / 60;
+            const auto set = equilibria::enumerate<Chain>({alpha, ratio, omega});
+            if (set.clean()) found[alpha * ratio > 1 ? 0 : 1][set.real()] = set.by_index();
+        }
+    std::ostringstream markdown, csv;
+    csv << "table,count,index_0,index_1,index_2\n";
+    markdown << "# The rotating chain of two links, l2/l1 = " << ratio
+             << ": equilibria by index\n\nAs in Baillieul's Figure 3.3; each column is a number of equilibria that occurs "
+                "in the window alpha "
+             << w.x_low << " to " << w.x_high << ", omega " << w.y_low << " to " << w.y_high << ".\n";
+    for (int t = 0; t < 2; ++t) {
+        if (found[t].empty()) continue;
+        const char letter = t == 0 ? 'a' : 'b';
+        markdown << "\n## Table 3.3(" << letter << "): alpha r " << (t == 0 ? "> 1" : "< 1") << "\n\n| index |";
+        for (std::size_t k = 1; k <= found[t].size(); ++k) markdown << " C" << k << " |";
+        markdown << "\n|---|";
+        for (std::size_t k = 0; k < found[t].size(); ++k) markdown << "---|";
+        for (std::size_t index = 0; index < 3; ++index) {
+            markdown << "\n| " << index << " |";
+            for (const auto& [count, by_index] : found[t]) markdown << ' ' << by_index[index] << " |";
+        }
+        markdown << "\n| total |";
+        for (const auto& [count, by_index] : found[t]) markdown << ' ' << count << " |";
+        markdown << '\n';
+        for (const auto& [count, by_index] : found[t])
+            csv << "3.3(" << letter << ")," << count << ',' << by_index[0] << ',' << by_index[1] << ',' << by_index[2] << '\n';
+    }
+    return {markdown.str(), csv.str()};
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    std::string ratio_text = "1.5", alpha_text = "0:1", omega_text = "0:5", lines_text = "12", seed_text = "1";
+    std::string json_name, svg_name, png_name, table_name;
+    CLI::App app{
+        "Folds, pitchforks and cusps of the rotating chain of two links in the plane of alpha = m2 / (m1 + m2) and omega, "
+        "and the regions between them with their equilibria by index (Baillieul, Figures 3.2 and 3.3)."};
+    app.add_option("--ratio", ratio_text, "l2 / l1, positive (default 1.5)");
+    app.add_option("--alpha", alpha_text, "the window's range of alpha, within 0:1 (default 0:1)");
+    app.add_option("--omega", omega_text, "the window's range of omega (default 0:5)");
+    app.add_option("--lines", lines_text, "lines in each direction that are solved for seeds, 2 to 1000 (default 12)");
+    app.add_option("--seed", seed_text, "of the random start systems, an integer (default 1)");
+    app.add_option("--json", json_name, "write JSON to this file, or to stdout for -");
+    app.add_option("--svg", svg_name, "draw the figure to this SVG file (needs gnuplot)");
+    app.add_option("--png", png_name, "draw the figure to this PNG file (needs gnuplot)");
+    app.add_option("--table", table_name, "write tables 3.3 to NAME.md and NAME.csv");
+    support::parse(app, "bifurcation_locus", argc, argv);
+
+    const double ratio = support::number("--ratio", ratio_text, "must be a positive number", [](double r) { return r > 0; });
+    const auto alpha = support::range("--alpha", alpha_text, "must be LOW:HIGH with 0 <= LOW < HIGH <= 1", 0, 1);
+    const auto omega = support::range("--omega", omega_text, "must be LOW:HIGH, finite, with 0 <= LOW < HIGH", 0, 1e6);
+    equilibria::LocusOptions options;
+    options.lines = support::integer("--lines", lines_text, 2, 1000);
+    options.seed = support::integer<std::uint64_t>("--seed", seed_text, 0, UINT64_MAX);
+    std::optional<support::OutputFile> json_file, svg_file, png_file, markdown_file, csv_file;
+    if (app.count("--json") > 0) json_file.emplace("--json", json_name);
+    if (app.count("--svg") > 0) svg_file.emplace("--svg", svg_name);
+    if (app.count("--png") > 0) png_file.emplace("--png", png_name);
+    if (app.count("--table") > 0) {
+        markdown_file.emplace("--table", table_name + ".md");
+        csv_file.emplace("--table", table_name + ".csv");
+    }
+    try {
+        const Locus locus = equilibria::trace_locus<Chain, Chain::alpha, Chain::omega>(
+            {0.5, ratio, 1}, {alpha.low, alpha.high, omega.low, omega.high}, options);
+        if (svg_file)
+            svg_file->write(equilibria::gnuplot("svg size 1000,760 font 'Helvetica,14' background 'white'", script(locus, ratio)));
+        if (png_file) png_file->write(equilibria::gnuplot("pngcairo size 2000,1520 fontscale 1.8 linewidth 2 pointscale 2", script(locus, ratio)));
+        if (markdown_file) {
+            const Tables t = tables(locus, ratio);
+            markdown_file->write(t.markdown);
+            csv_file->write(t.csv);
+        }
+        if (json_file) json_file->write(json(locus, ratio));
+        if (!json_file || !json_file->to_stdout()) print(locus);
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "bifurcation_locus: %s\n", error.what());
+        return 1;
+    }
+}

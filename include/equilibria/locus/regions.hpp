@@ -1,0 +1,206 @@
+/// \file
+/// The regions into which curves cut a window of the plane: a vertical decomposition. Curves are split into pieces that
+/// are monotone in x; between neighbouring critical abscissae (ends and vertical tangents of pieces, crossings) the
+/// pieces are ordered and bound cells; cells that share a vertical segment belong to one region. No raster: a sliver
+/// beside a cusp is found however thin it is, down to the resolution of the curves' points.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <numeric>
+#include <vector>
+
+#include <equilibria/core/error.hpp>
+
+namespace equilibria {
+
+struct PlanePoint {
+    double x = 0, y = 0;
+};
+
+/// A rectangle of the plane of two parameters.
+struct PlaneWindow {
+    double x_low = 0, x_high = 1, y_low = 0, y_high = 1;
+
+    double width() const { return x_high - x_low; }
+    double height() const { return y_high - y_low; }
+    bool contains(double x, double y) const { return x >= x_low && x <= x_high && y >= y_low && y <= y_high; }
+    void validate() const {
+        require(std::isfinite(x_low) && std::isfinite(x_high) && x_low < x_high, "window x",
+                to_text(x_low) + ":" + to_text(x_high), "must be finite and run from the smaller to the larger value");
+        require(std::isfinite(y_low) && std::isfinite(y_high) && y_low < y_high, "window y",
+                to_text(y_low) + ":" + to_text(y_high), "must be finite and run from the smaller to the larger value");
+    }
+};
+
+class PlaneDecomposition {
+public:
+    /// A cell: bounded left and right by x_low and x_high, below and above by pieces, or the window.
+    struct Cell {
+        double x_low, x_high;
+        PlanePoint center;
+        double height;  ///< at the centre
+        int region;
+    };
+
+    PlaneDecomposition(const PlaneWindow& window, const std::vector<std::vector<PlanePoint>>& curves)
+        : window_(window) {
+        for (const auto& curve : curves) split(curve);
+        find_abscissae();
+        build_cells();
+    }
+
+    int regions() const { return regions_; }
+    const std::vector<Cell>& cells() const { return cells_; }
+
+    /// The region of a point of the window; -1 where it lies on a boundary to within rounding.
+    int region_of(double x, double y) const {
+        for (const Slab& slab : slabs_) {
+            if (x < slab.low || x > slab.high) continue;
+            for (const Bounds& b : slab.cells) {
+                const double low = height_at(b.lower, x), high = height_at(b.upper, x);
+                if (y > low && y < high) return cells_[static_cast<std::size_t>(b.cell)].region;
+            }
+        }
+        return -1;
+    }
+    /// The distance from a point to the boundary of its cell, in units of the window.
+    double clearance(const Cell& cell) const {
+        return std::min(0.5 * cell.height / window_.height(), 0.5 * (cell.x_high - cell.x_low) / window_.width());
+    }
+
+private:
+    using Piece = std::vector<PlanePoint>;  // x increases
+    struct Bounds {
+        int lower, upper;  // pieces; -1 the window's bottom, -2 its top
+        int cell;
+    };
+    struct Slab {
+        double low, high;
+        std::vector<Bounds> cells;
+    };
+
+    void split(const std::vector<PlanePoint>& curve) {
+        Piece piece;
+        int direction = 0;
+        const auto flush = [&] {
+            if (piece.size() > 1) {
+                if (direction < 0) std::reverse(piece.begin(), piece.end());
+                pieces_.push_back(piece);
+            }
+        };
+        for (const PlanePoint& p : curve) {
+            if (!piece.empty()) {
+                const int now = p.x > piece.back().x ? 1 : p.x < piece.back().x ? -1 : 0;
+                if (now == 0) continue;  // a vertical step bounds no cell
+                if (direction != 0 && now != direction) {
+                    const PlanePoint last = piece.back();
+                    flush();
+                    piece = {last};
+                }
+                direction = now;
+            }
+            piece.push_back(p);
+        }
+        flush();
+    }
+
+    double height_at(int piece, double x) const {
+        if (piece == -1) return window_.y_low;
+        if (piece == -2) return window_.y_high;
+        const Piece& p = pieces_[static_cast<std::size_t>(piece)];
+        auto right = std::upper_bound(p.begin(), p.end(), x, [](double v, const PlanePoint& q) { return v < q.x; });
+        if (right == p.begin()) return p.front().y;
+        if (right == p.end()) return p.back().y;
+        const PlanePoint &a = *(right - 1), &b = *right;
+        return a.y + (b.y - a.y) * (x - a.x) / (b.x - a.x);
+    }
+
+    void find_abscissae() {
+        abscissae_ = {window_.x_low, window_.x_high};
+        for (const Piece& p : pieces_) abscissae_.insert(abscissae_.end(), {p.front().x, p.back().x});
+        for (std::size_t a = 0; a < pieces_.size(); ++a)
+            for (std::size_t b = a + 1; b < pieces_.size(); ++b) crossings(static_cast<int>(a), static_cast<int>(b));
+        std::sort(abscissae_.begin(), abscissae_.end());
+        const double same = 1e-9 * window_.width();
+        std::vector<double> kept;
+        for (const double x : abscissae_)
+            if (x >= window_.x_low && x <= window_.x_high && (kept.empty() || x - kept.back() > same)) kept.push_back(x);
+        abscissae_ = kept;
+    }
+
+    /// Adds the abscissae at which the difference of two pieces changes sign.
+    void crossings(int a, int b) {
+        const Piece &p = pieces_[static_cast<std::size_t>(a)], &q = pieces_[static_cast<std::size_t>(b)];
+        const double low = std::max(p.front().x, q.front().x), high = std::min(p.back().x, q.back().x);
+        if (!(low < high)) return;
+        std::vector<double> xs{low, high};
+        for (const Piece* piece : {&p, &q})
+            for (const PlanePoint& point : *piece)
+                if (point.x > low && point.x < high) xs.push_back(point.x);
+        std::sort(xs.begin(), xs.end());
+        double before = height_at(a, low) - height_at(b, low);
+        for (std::size_t k = 1; k < xs.size(); ++k) {
+            const double now = height_at(a, xs[k]) - height_at(b, xs[k]);
+            if ((before < 0 && now > 0) || (before > 0 && now < 0))
+                abscissae_.push_back(xs[k - 1] + (xs[k] - xs[k - 1]) * before / (before - now));
+            if (now != 0) before = now;
+        }
+    }
+
+    void build_cells() {
+        std::vector<int> parent;
+        const auto root = [&](int c) {
+            while (parent[static_cast<std::size_t>(c)] != c) c = parent[static_cast<std::size_t>(c)];
+            return c;
+        };
+        const double thin = 1e-10 * window_.height();
+        for (std::size_t k = 0; k + 1 < abscissae_.size(); ++k) {
+            Slab slab{abscissae_[k], abscissae_[k + 1], {}};
+            const double middle = 0.5 * (slab.low + slab.high);
+            std::vector<int> order;
+            for (std::size_t p = 0; p < pieces_.size(); ++p)
+                if (pieces_[p].front().x < middle && pieces_[p].back().x > middle) order.push_back(static_cast<int>(p));
+            std::sort(order.begin(), order.end(),
+                      [&](int a, int b) { return height_at(a, middle) < height_at(b, middle); });
+            order.insert(order.begin(), -1);
+            order.push_back(-2);
+            for (std::size_t i = 0; i + 1 < order.size(); ++i) {
+                const double low = std::max(height_at(order[i], middle), window_.y_low);
+                const double high = std::min(height_at(order[i + 1], middle), window_.y_high);
+                if (!(high - low > thin)) continue;
+                const int cell = static_cast<int>(cells_.size());
+                slab.cells.push_back({order[i], order[i + 1], cell});
+                cells_.push_back({slab.low, slab.high, {middle, 0.5 * (low + high)}, high - low, cell});
+                parent.push_back(cell);
+            }
+            if (!slabs_.empty())
+                for (const Bounds& a : slabs_.back().cells)
+                    for (const Bounds& b : slab.cells) {
+                        const double x = slab.low;
+                        const double low = std::max(height_at(a.lower, x), height_at(b.lower, x));
+                        const double high = std::min(height_at(a.upper, x), height_at(b.upper, x));
+                        if (high - low > 1e-6 * window_.height())
+                            parent[static_cast<std::size_t>(root(b.cell))] = root(a.cell);
+                    }
+            slabs_.push_back(slab);
+        }
+        std::vector<int> number(cells_.size(), -1);
+        for (Cell& cell : cells_) {
+            int& n = number[static_cast<std::size_t>(root(cell.region))];
+            if (n < 0) n = regions_++;
+            cell.region = n;
+        }
+    }
+
+    PlaneWindow window_;
+    std::vector<Piece> pieces_;
+    std::vector<double> abscissae_;
+    std::vector<Slab> slabs_;
+    std::vector<Cell> cells_;
+    int regions_ = 0;
+};
+
+}  // namespace equilibria

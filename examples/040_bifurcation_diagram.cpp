@@ -55,12 +55,12 @@ std::string script(const Diagram& diagram, double ratio, double alpha, double lo
     out << "set multiplot title 'Equilibria of the rotating two-link chain, {/:Italic l}_2 / {/:Italic l}_1 = " << ratio
         << ", {/:Italic α} = " << alpha << "'\n"
         << "set tics out nomirror\nset border 31 lw 0.8\nset xlabel '{/:Italic ω}'\n"
-        << "set ytics ('−π' -pi, '−π/2' -pi/2, '0' 0, 'π/2' pi/2, 'π' pi)\nset bmargin at screen 0.19\nset tmargin at screen 0.9\n"
-        << "set key at screen 0.5,0.02 center bottom horizontal samplen 2\n";
+        << "set ytics ('−π' -pi, '−π/2' -pi/2, '0' 0, 'π/2' pi/2, 'π' pi)\nset bmargin at screen 0.22\nset tmargin at screen 0.9\n"
+        << "set key at screen 0.5,0.02 center bottom horizontal maxrows 1 samplen 2\n";
     for (int angle = 0; angle < 2; ++angle) {
         const auto block = [&](const std::string& name) { return "$" + name + std::to_string(angle); };
-        out << "set lmargin at screen " << (angle == 0 ? 0.09 : 0.58) << "\nset rmargin at screen "
-            << (angle == 0 ? 0.48 : 0.97) << "\nset ylabel '{/:Italic θ}_" << angle + 1 << "' rotate by 0\n"
+        out << "set lmargin at screen " << (angle == 0 ? 0.11 : 0.6) << "\nset rmargin at screen "
+            << (angle == 0 ? 0.49 : 0.98) << "\nset ylabel '{/:Italic θ}_" << angle + 1 << "' rotate by 0\n"
             << "plot [" << low << ':' << high << "][-3.4:3.4] " << block("index0angle")
             << " with lines lw 2.4 lc rgb '#009e73' title 'index 0 (stable)', " << block("index1angle")
             << " with lines lw 1.6 lc rgb '#e69f00' title 'index 1', " << block("index2angle")

@@ -1,0 +1,103 @@
+// Figure 3.2 of Baillieul: the locus of the two-link chain, against facts.md and against its own laws.
+#include <cmath>
+#include <equilibria/locus/locus.hpp>
+#include <equilibria/mechanisms/rotating_chain.hpp>
+#include <map>
+
+#include "support/catch.hpp"
+
+using namespace equilibria;
+using Chain = mechanisms::TwoLinkChain;
+
+namespace {
+
+const Locus<Chain>& figure() {
+    static const auto locus = trace_locus<Chain, Chain::alpha, Chain::omega>({0.5, 1.5, 1}, {0, 1, 0, 5});
+    return locus;
+}
+
+}  // namespace
+
+TEST_CASE("Everything on the lines is explained by the curves, and every count by its region") {
+    const auto& e = figure().evidence;
+    CHECK(e.complete());
+    CHECK(e.lines == 24);
+    CHECK(e.checked_points > 300);
+    CHECK(e.seconds < 100);  // a hang, not a timing
+}
+
+TEST_CASE("The cusp of Figure 3.2, to 12 digits") {
+    REQUIRE(figure().cusps.size() == 1);
+    const auto& cusp = figure().cusps[0];
+    CHECK(std::abs(cusp.at.x - 0.32989617641140) < 1e-12);
+    CHECK(std::abs(cusp.at.y - 1.93791347451593) < 2e-12);
+    CHECK(cusp.residual < 1e-12);
+    CHECK(std::abs(cusp.fourth) > 1);
+}
+
+TEST_CASE("Four pitchfork curves and one fold curve, each point a degenerate equilibrium") {
+    int folds = 0, pitchforks = 0;
+    for (const auto& curve : figure().curves) {
+        ++(curve.kind == LocusKind::fold ? folds : pitchforks);
+        for (std::size_t k = 1; k + 1 < curve.points.size(); ++k) {
+            const auto& at = curve.points[k];
+            const Parameters<Chain> p{at.x, 1.5, at.y};
+            double residual = 0;
+            for (const double f : equations<Chain, double>(at.q, p)) residual = std::max(residual, std::abs(f));
+            REQUIRE(residual < 1e-10);
+            const auto j = jacobian<Chain, double>(at.q, p);
+            REQUIRE(std::hypot(j(0, 0) * at.v[0] + j(0, 1) * at.v[1], j(1, 0) * at.v[0] + j(1, 1) * at.v[1]) < 1e-10);
+        }
+    }
+    CHECK(folds == 1);
+    CHECK(pitchforks == 4);
+}
+
+TEST_CASE("The fold curve has its vertical tangent at alpha = 1/3, omega = 2, and that is no cusp") {
+    double nearest = 1, largest_alpha = 0;
+    for (const auto& curve : figure().curves) {
+        if (curve.kind != LocusKind::fold) continue;
+        for (std::size_t k = 1; k + 1 < curve.points.size(); ++k) {
+            nearest = std::min(nearest, std::hypot(curve.points[k].x - 1. / 3, curve.points[k].y - 2));
+            if (curve.points[k].y > 1.96 && curve.points[k].y < 2.3) {
+                const auto& p = curve.points;
+                if (p[k].x > p[k - 1].x && p[k].x > p[k + 1].x) largest_alpha = p[k].x;
+            }
+        }
+    }
+    CHECK(nearest < 0.01);
+    CHECK(largest_alpha == Approx(1. / 3).margin(1e-4));
+}
+
+TEST_CASE("Six regions with the tables of Figure 3.3") {
+    const std::map<std::uint64_t, std::vector<std::int64_t>> tables{{4, {1, 2, 1}},  {6, {2, 3, 1}},  {8, {2, 4, 2}},
+                                                                    {10, {2, 5, 3}}, {12, {2, 6, 4}}, {16, {4, 8, 4}}};
+    std::map<std::uint64_t, std::vector<std::int64_t>> found;
+    double area = 0;
+    for (const auto& r : figure().regions) {
+        CHECK(r.clean);
+        CHECK(r.confirmed);
+        found[r.count] = r.by_index;
+        area += r.area;
+    }
+    CHECK(figure().regions.size() == 6);
+    CHECK(found == tables);
+    CHECK(area == Approx(5).epsilon(1e-4));
+}
+
+TEST_CASE("Another window and another seed give the same cusp") {
+    LocusOptions options;
+    options.seed = 12345;
+    options.lines = 5;
+    options.checks = 8;
+    const auto locus = trace_locus<Chain, Chain::alpha, Chain::omega>({0.5, 1.5, 1}, {0.3, 0.36, 1.8, 2.2}, options);
+    CHECK(locus.evidence.complete());
+    REQUIRE(locus.cusps.size() == 1);
+    CHECK(std::abs(locus.cusps[0].at.x - figure().cusps[0].at.x) < 1e-12);
+    CHECK(std::abs(locus.cusps[0].at.y - figure().cusps[0].at.y) < 1e-11);
+}
+
+TEST_CASE("A window that is empty or reversed is refused") {
+    CHECK_THROWS_AS((trace_locus<Chain, Chain::alpha, Chain::omega>({0.5, 1.5, 1}, {1, 0, 0, 5})), InvalidArgument);
+    CHECK_THROWS_AS((trace_locus<Chain, Chain::alpha, Chain::omega>({0.5, 1.5, 1}, {0, 1, 5, 5})), InvalidArgument);
+}

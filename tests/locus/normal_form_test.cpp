@@ -1,0 +1,110 @@
+// Reduced coefficients and line events on models whose bifurcations are known in closed form.
+#include <cmath>
+#include <equilibria/locus/fold_curve.hpp>
+#include <equilibria/locus/line_events.hpp>
+#include <equilibria/mechanisms/rotating_chain.hpp>
+
+#include "support/catch.hpp"
+
+using namespace equilibria;
+
+namespace {
+
+/// A pendulum under a torque: sin theta = torque, folds at torque = +-1, theta = +-pi/2.
+struct TorquePendulum {
+    static constexpr int n_angles = 1;
+    enum Parameter { torque, stiffness, n_parameters };
+    constexpr auto equations(const auto& theta, const auto& p) const {
+        return std::array{p[stiffness] * sin(theta[0]) - p[torque]};
+    }
+};
+
+}  // namespace
+
+TEST_CASE("Polynomial roots by Chebyshev interpolation, also where the degree is only a bound") {
+    const auto roots = detail::polynomial_roots([](double x) { return (x - 0.25) * (x - 1) * (x - 3.5) * (x - 7); }, 9, 0, 5);
+    REQUIRE(roots.size() == 3);
+    CHECK(roots[0] == Approx(0.25).margin(1e-12));
+    CHECK(roots[1] == Approx(1).margin(1e-12));
+    CHECK(roots[2] == Approx(3.5).margin(1e-12));
+    CHECK(detail::polynomial_roots([](double) { return 2.0; }, 3, 0, 1).empty());
+}
+
+TEST_CASE("The folds of a pendulum under a torque: all of them, and nothing else") {
+    const LineSolver<TorquePendulum, TorquePendulum::torque> solver({0, 1}, TorquePendulum::stiffness, 0.5, 2, {});
+    for (const double stiffness : {0.3, 1.0, 2.5}) {
+        std::uint64_t failed = 0;
+        auto folds = solver.folds(stiffness, failed);
+        CHECK(failed == 0);
+        REQUIRE(folds.size() == 2);
+        std::sort(folds.begin(), folds.end(), [](const auto& a, const auto& b) { return a.value < b.value; });
+        for (int k = 0; k < 2; ++k) {
+            const double sign = k == 0 ? -1 : 1;
+            CHECK(folds[static_cast<std::size_t>(k)].value == Approx(sign * stiffness).margin(1e-12));
+            CHECK(folds[static_cast<std::size_t>(k)].q[0] == Approx(sign * std::numbers::pi / 2).margin(1e-12));
+        }
+    }
+}
+
+TEST_CASE("Folds and pitchforks of the two-link chain on lines alpha = const (facts.md)") {
+    using Chain = mechanisms::TwoLinkChain;
+    const LineSolver<Chain, Chain::omega> solver({0.5, 1.5, 1}, Chain::alpha, 0, 1, {});
+    struct Line {
+        double alpha, pitchforks[4], fold;
+    };
+    for (const Line& line :
+         {Line{.1, {.76450069744675, .83377163246986, 1.0322526364616, 1.1257844089591}, 2.3179684357649},
+          Line{.4, {.6960675016716, .90127739195077, 1.1695539717331, 1.5143539252415}, 2.4293853881739},
+          Line{.6, {.66948880558549, .96948528423161, 1.3316287206556, 1.9283286560808}, 7.4951235452437},
+          Line{.7, {.65870047908076, 1.0175035388023, 1.4650681085145, 2.2631105219176}, 0}}) {
+        std::uint64_t failed = 0;
+        int folds = 0;
+        for (const auto& e : solver.folds(line.alpha, failed)) {
+            if (e.value < 0) continue;  // omega and -omega are the same
+            ++folds;
+            CHECK(e.value == Approx(line.fold).epsilon(1e-11));
+            const auto p = Parameters<Chain>{line.alpha, 1.5, e.value};
+            for (const double f : equations<Chain, double>(e.q, p)) CHECK(std::abs(f) < 1e-10);
+            CHECK(std::abs(jacobian<Chain, double>(e.q, p).determinant()) < 1e-9);
+            CHECK(std::abs(reduced_coefficients<Chain>(e.q, e.v, p).third) > 1e-3);
+        }
+        CHECK(folds == (line.fold > 0 ? 2 : 0));  // and its mirror image
+        CHECK(failed == 0);
+        auto pitchforks = solver.pitchforks(line.alpha, 0, 5);
+        std::sort(pitchforks.begin(), pitchforks.end(), [](const auto& a, const auto& b) { return a.value < b.value; });
+        REQUIRE(pitchforks.size() == 4);
+        for (std::size_t k = 0; k < 4; ++k) {
+            CHECK(pitchforks[k].value == Approx(line.pitchforks[k]).epsilon(1e-10));
+            const auto p = Parameters<Chain>{line.alpha, 1.5, pitchforks[k].value};
+            const auto reduced = reduced_coefficients<Chain>(pitchforks[k].q, pitchforks[k].v, p);
+            CHECK(std::abs(reduced.third) < 1e-12);  // v is odd
+            CHECK(std::abs(reduced.fourth) > 1e-3);
+        }
+    }
+}
+
+TEST_CASE("Reduced coefficients agree with the energy along the centre manifold, by finite differences") {
+    using Chain = mechanisms::TwoLinkChain;
+    const Parameters<Chain> p{0.4, 1.5, .6960675016716};  // pitchfork of (0, 0)
+    const Unknowns<Chain> q{0, 0};
+    const auto j = jacobian<Chain, double>(q, p);
+    const auto v = detail::null_vector<Chain>(j);
+    const auto reduced = reduced_coefficients<Chain>(q, v, p);
+    // minimise V over the direction orthogonal to v at distance a along v
+    const auto energy = [&](double a) {
+        double b = 0;
+        const auto at = [&](double s) { return Unknowns<Chain>{a * v[0] - s * v[1], a * v[1] + s * v[0]}; };
+        for (int k = 0; k < 20; ++k) {
+            const auto f = equations<Chain, double>(at(b), p);
+            const auto h = jacobian<Chain, double>(at(b), p);
+            const double slope = -f[0] * v[1] + f[1] * v[0];
+            const double curvature = h(0, 0) * v[1] * v[1] - 2 * h(0, 1) * v[0] * v[1] + h(1, 1) * v[0] * v[0];
+            b -= slope / curvature;
+        }
+        return potential<Chain, double>(at(b), p);
+    };
+    const double a = 0.05, e0 = energy(0), e1 = energy(a) - e0, e2 = energy(2 * a) - e0;
+    // V = fourth a^4 / 24 + O(a^6): eliminate the sixth order
+    const double fourth = 24 * (64 * e1 - e2) / (48 * a * a * a * a);
+    CHECK(fourth == Approx(reduced.fourth).epsilon(1e-4));
+}

@@ -86,7 +86,9 @@ constexpr NotPolynomial fault_of_equations() {
 }
 
 template <class M>
-concept ConstantExpression = requires { typename std::integral_constant<NotPolynomial, fault_of_equations<M>()>; };
+concept ConstantExpression = requires {
+    typename std::integral_constant<NotPolynomial, fault_of_equations<M>()>;
+};
 template <ConstantExpression M>
 inline constexpr NotPolynomial fault = fault_of_equations<M>();
 
@@ -182,9 +184,7 @@ struct Formulation {
     /// Total degree of each equation in the (cos, sin) of the angles and the coordinates.
     static constexpr Array<int, unknowns> degrees = [] {
         Array<int, unknowns> y{};
-        for (const auto& t : support)
-            y[t.equation] =
-                std::max(y[t.equation], t.monomial.degree());
+        for (const auto& t : support) y[t.equation] = std::max(y[t.equation], t.monomial.degree());
         return y;
     }();
 
@@ -200,7 +200,7 @@ struct Formulation {
     /// Whether F(-theta) = -F(theta): every term has an odd number of sines. Then theta -> -theta maps equilibria to
     /// equilibria. (Angles only: with plain coordinates the library does not use the reflection.)
     static constexpr bool reflection_symmetric = [] {
-        if (n_coordinates<M> > 0) return false;
+        if (n_coordinates < M >> 0) return false;
         for (const auto& t : support) {
             int sines = 0;
             for (int u = 0; u < unknowns; ++u) sines += t.monomial.code(u) < 0;
@@ -209,12 +209,14 @@ struct Formulation {
         return true;
     }();
 
-    static_assert([] {
-        for (int d : degrees)
-            if (d == 0 && detail::usable<M>) return false;
-        return true;
-    }(), "equilibria: one of the model's equations does not depend on its unknowns (with a potential: the potential "
-         "does not depend on one of them)");
+    static_assert(
+        [] {
+            for (int d : degrees)
+                if (d == 0 && detail::usable<M>) return false;
+            return true;
+        }(),
+        "equilibria: one of the model's equations does not depend on its unknowns (with a potential: the potential "
+        "does not depend on one of them)");
 };
 
 /// The coefficients of the support's terms for given parameters. C: double, std::complex<double>, or wider.

@@ -88,6 +88,7 @@ constexpr std::vector<LaurentTerm<M>> laurent_terms() {
         double re, im;
     };
     std::vector<LaurentTerm<M>> kept;
+    if constexpr (!usable<M>) return kept;  // one sentence says why, and no other error should follow
     int equation = 0;
     const auto equations = generic_equations<M>();
     for (const auto& f : equations) {
@@ -117,8 +118,6 @@ inline constexpr int laurent_size = static_cast<int>(laurent_terms<M>().size());
 /// The support of a model's Laurent system, at compile time. Exponents are symmetric, z^k beside z^-k.
 template <Model M>
 struct LaurentFormulation {
-    static_assert(detail::is_trigonometric<M>());
-
     static constexpr int unknowns = n_unknowns<M>;
     static constexpr int terms = detail::laurent_size<M>;
 
@@ -140,8 +139,9 @@ struct LaurentFormulation {
     /// lowest[i][u]: the least exponent of unknown u in equation i. Divided by the monomial with these exponents, the
     /// equation is a polynomial.
     static constexpr Array<Array<int, unknowns>, unknowns> lowest = [] {
-        Array<Array<int, unknowns>, unknowns> y{};
-        for (int i = 0; i < unknowns; ++i) y[i] = support[first[i]].exponents;
+        Array<Array<int, unknowns>, unknowns> y;
+        for (auto& row : y)
+            for (int& e : row) e = std::numeric_limits<int>::max();
         for (const auto& t : support)
             for (int u = 0; u < unknowns; ++u) y[t.equation][u] = std::min(y[t.equation][u], t.exponents[u]);
         return y;

@@ -120,7 +120,8 @@ inline std::vector<double> chebyshev(int k, bool first_kind) {
 
 }  // namespace detail
 
-/// The system of a model for the parameters p; terms come by falling degree, then by falling exponents. C: double, std::complex<double>, or wider. Errors: as `coefficients`.
+/// The system of a model for the parameters p; terms come by falling degree, then by falling exponents. C: double,
+/// std::complex<double>, or wider. Errors: as `coefficients`.
 template <Model M, class C = double>
 PolynomialSystem<C> polynomial_system(const Parameters<M, C>& p) {
     using F = Formulation<M>;

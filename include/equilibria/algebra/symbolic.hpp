@@ -2,8 +2,8 @@
 /// The scalars and angles that turn a model's function into its trigonometric polynomials.
 ///
 /// They are handles to polynomials that a pool owns until the function has returned. Scalars that own their terms would
-/// be simpler, but models return arrays of scalars, and in constant expressions g++ 12 destroys the elements of a copied
-/// array too early. A handle is copied bit by bit, so that no copy can go wrong.
+/// be simpler, but models return arrays of scalars, and in constant expressions g++ 12 destroys the elements of a
+/// copied array too early. A handle is copied bit by bit, so that no copy can go wrong.
 #pragma once
 
 #include <concepts>
@@ -49,8 +49,8 @@ public:
 
     constexpr SymbolicScalar() = default;
     template <class A>
-        requires(std::is_arithmetic_v<A> || std::is_same_v<A, C>)
-    constexpr SymbolicScalar(const A& constant) : constant_(static_cast<C>(constant)) {}
+    requires(std::is_arithmetic_v<A> || std::is_same_v<A, C>) constexpr SymbolicScalar(const A& constant)
+        : constant_(static_cast<C>(constant)) {}
     constexpr SymbolicScalar(Pool* pool, Polynomial&& p) : pool_(pool), kept_(pool->keep(std::move(p))) {}
 
     constexpr Polynomial polynomial() const {
@@ -80,7 +80,7 @@ public:
     constexpr SymbolicScalar& operator/=(const SymbolicScalar& b) { return *this = *this / b; }
 
     template <class Power>
-        requires std::is_arithmetic_v<Power>
+    requires std::is_arithmetic_v<Power>
     friend constexpr SymbolicScalar pow(const SymbolicScalar& a, Power power) {
         return a.transformed([power](const Polynomial& x) { return pow(x, power); });
     }
@@ -152,24 +152,20 @@ public:
         return multiple * a;
     }
     template <class P>
-        requires(!AngleLike<P>)
-    friend constexpr SymbolicAngle operator+(SymbolicAngle a, const P& by) {
+    requires(!AngleLike<P>) friend constexpr SymbolicAngle operator+(SymbolicAngle a, const P& by) {
         a.phase_ += Scalar(by);
         return a;
     }
     template <class P>
-        requires(!AngleLike<P>)
-    friend constexpr SymbolicAngle operator+(const P& by, const SymbolicAngle& a) {
+    requires(!AngleLike<P>) friend constexpr SymbolicAngle operator+(const P& by, const SymbolicAngle& a) {
         return a + by;
     }
     template <class P>
-        requires(!AngleLike<P>)
-    friend constexpr SymbolicAngle operator-(const SymbolicAngle& a, const P& by) {
+    requires(!AngleLike<P>) friend constexpr SymbolicAngle operator-(const SymbolicAngle& a, const P& by) {
         return a + -Scalar(by);
     }
     template <class P>
-        requires(!AngleLike<P>)
-    friend constexpr SymbolicAngle operator-(const P& by, const SymbolicAngle& a) {
+    requires(!AngleLike<P>) friend constexpr SymbolicAngle operator-(const P& by, const SymbolicAngle& a) {
         return -a + by;
     }
     template <class B>

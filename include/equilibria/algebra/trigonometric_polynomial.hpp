@@ -21,7 +21,7 @@ namespace equilibria {
 
 /// Why an expression is not a trigonometric polynomial. It travels with the value, to become one sentence in the end.
 enum class NotPolynomial {
-    no,                  ///< it is one
+    no,                    ///< it is one
     function_of_angle,     ///< sqrt, exp, ... or sin of something that depends on the angles or coordinates
     divisor_not_constant,  ///< a quotient whose divisor depends on the angles or coordinates
     degree_too_high        ///< a multiple of an angle or a power of a coordinate that Monomial cannot hold
@@ -50,8 +50,7 @@ public:
 
     constexpr TrigonometricPolynomial() = default;
     template <class A>
-        requires(std::is_arithmetic_v<A> || std::is_same_v<A, C>)
-    constexpr TrigonometricPolynomial(const A& constant) {
+    requires(std::is_arithmetic_v<A> || std::is_same_v<A, C>) constexpr TrigonometricPolynomial(const A& constant) {
         if (C value = static_cast<C>(constant); value != C(0)) terms_.push_back({{}, value});
     }
     constexpr TrigonometricPolynomial(const Basis& monomial, const C& coefficient) : terms_{{monomial, coefficient}} {}
@@ -60,7 +59,9 @@ public:
     constexpr NotPolynomial fault() const { return fault_; }
 
     constexpr bool is_constant() const { return terms_.empty() || (terms_.size() == 1 && terms_[0].monomial.is_one()); }
-    constexpr C constant() const { return !terms_.empty() && terms_[0].monomial.is_one() ? terms_[0].coefficient : C(0); }
+    constexpr C constant() const {
+        return !terms_.empty() && terms_[0].monomial.is_one() ? terms_[0].coefficient : C(0);
+    }
 
     /// The largest absolute value of a coefficient.
     constexpr double scale() const {

@@ -49,6 +49,16 @@ struct Complex {
     /// |a|^2
     friend constexpr R norm2(const Complex& a) { return a.re * a.re + a.im * a.im; }
     friend constexpr Complex conj(const Complex& a) { return {a.re, -a.im}; }
+    /// a^k, for an integer k of any arithmetic type: what a trigonometric polynomial needs.
+    template <class A>
+    requires std::is_arithmetic_v<A>
+    friend constexpr Complex pow(const Complex& a, A power) {
+        const int k = static_cast<int>(power);
+        if (k < 0) return inverse(pow(a, -k));
+        Complex y(1.0);
+        for (int j = 0; j < k; ++j) y *= a;
+        return y;
+    }
 };
 
 /// double factors for packs of lanes and for multiprecision: 2.0 * z.

@@ -30,8 +30,8 @@ struct Dual {
     constexpr Dual() = default;
     constexpr Dual(const T& v) : value(v) {}
     template <class A>
-        requires(std::is_arithmetic_v<A> && !std::is_same_v<A, T>)
-    constexpr Dual(A v) : value(static_cast<T>(detail::plain(v))) {}
+    requires(std::is_arithmetic_v<A> && !std::is_same_v<A, T>) constexpr Dual(A v)
+        : value(static_cast<T>(detail::plain(v))) {}
 
     /// The independent variable number k.
     static constexpr Dual variable(const T& v, int k) {
@@ -73,20 +73,16 @@ struct Dual {
         return y;
     }
     template <class A>
-        requires std::is_arithmetic_v<A>
+    requires std::is_arithmetic_v<A>
     friend constexpr Dual operator*(A a, const Dual& b) {
         return b.chain(detail::plain(a) * b.value, detail::plain(a));
     }
     template <class A>
-        requires std::is_arithmetic_v<A>
-    friend constexpr Dual operator*(const Dual& b, A a) {
-        return a * b;
-    }
+    requires std::is_arithmetic_v<A>
+    friend constexpr Dual operator*(const Dual& b, A a) { return a * b; }
     template <class A>
-        requires std::is_arithmetic_v<A>
-    friend constexpr Dual operator/(const Dual& b, A a) {
-        return (1.0 / detail::plain(a)) * b;
-    }
+    requires std::is_arithmetic_v<A>
+    friend constexpr Dual operator/(const Dual& b, A a) { return (1.0 / detail::plain(a)) * b; }
     constexpr Dual& operator+=(const Dual& b) { return *this = *this + b; }
     constexpr Dual& operator-=(const Dual& b) { return *this = *this - b; }
     constexpr Dual& operator*=(const Dual& b) { return *this = *this * b; }

@@ -21,9 +21,9 @@ namespace equilibria {
 struct EnumerateOptions {
     std::uint64_t seed = 1;   ///< of the start system; the same seed gives the same result
     unsigned threads = 1;     ///< 0: all of the machine's; does not change the result
-    TrackerOptions tracker;
+    TrackerOptions tracker{};
     /// Called now and then with the numbers of paths done and of all, from any thread, one call at a time.
-    std::function<void(std::uint64_t done, std::uint64_t all)> progress;
+    std::function<void(std::uint64_t done, std::uint64_t all)> progress{};
 
     void validate() const {
         require(threads <= 1024, "threads", threads, "must be 0 (all) to 1024");
@@ -92,7 +92,9 @@ public:
 
 private:
     std::size_t block(std::size_t size) const {
-        return std::clamp<std::size_t>(size / (8 * std::max(1u, options_.threads)), 8 * native_lanes, 4096);
+        // lanes idle at the end of a block: few blocks, but enough to keep all threads busy
+        if (options_.threads == 1) return 4096;
+        return std::clamp<std::size_t>(size / (8 * std::max(2u, options_.threads)), 8 * native_lanes, 4096);
     }
     void report(std::uint64_t more, std::uint64_t all) {
         if (!options_.progress) return;

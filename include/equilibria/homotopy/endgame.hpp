@@ -114,6 +114,7 @@ public:
                 return Progress::stuck;
             }
         }
+        stepper_.expand(q, 1.0);  // one more correction: the loops average these points
         return Progress::arrived;
     }
 
@@ -196,7 +197,11 @@ private:
         }
         q = estimate;
         polisher_->assess(q, &end.evidence);
-        if (!(end.evidence.residual < 1e-10)) return false;
+        // the largest term of an equation can be that much larger than its coefficient
+        int degree = 0;
+        for (const int d : Formulation<M>::degrees) degree = std::max(degree, d);
+        const double size = std::max(1.0, std::sqrt(farthest2(estimate)));
+        if (!(end.evidence.residual < 1e-10 * std::pow(size, degree))) return false;
         end.q = estimate;
         end.status = PathStatus::singular;
         end.winding_number = static_cast<std::int16_t>(winding);

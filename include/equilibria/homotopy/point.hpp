@@ -22,8 +22,8 @@ template <class M, class R, class Q>
 void copy_lane(const Point<M, R>& a, int from, Point<M, Q>& b, int to) {
     const auto copy = [&](const auto& source, auto& target) {
         for (int i = 0; i < source.size(); ++i) {
-            set_lane(target[i].re, to, lane(source[i].re, from));
-            set_lane(target[i].im, to, lane(source[i].im, from));
+            set_lane(target[i].re, to, static_cast<typename LaneTraits<Q>::Scalar>(lane(source[i].re, from)));
+            set_lane(target[i].im, to, static_cast<typename LaneTraits<Q>::Scalar>(lane(source[i].im, from)));
         }
     };
     copy(a.c, b.c);

@@ -102,14 +102,24 @@ public:
     /// generic line is taken.
     LineSolver(const Parameters<M>& p, int fixed, double low, double high, const EnumerateOptions& options)
         : options_(options), fixed_(fixed) {
-        Generator generator(options.seed);
-        for (int k = 0; k < n_parameters<M>; ++k) generic_[k] = p[k];
-        generic_[fixed] = uniform(generator, low, high);
-        for (int k = n_parameters<M>; k < n_parameters<Fold>; ++k) generic_[k] = uniform(generator, -1, 1);
-        RootSet<Fold> solved = enumerate<Fold, StartKind::parameter>(generic_, options);
-        paths_ = solved.paths;
-        for (const auto& root : solved.roots)
-            if (root.status == PathStatus::finite && root.paths == 1) roots_.push_back(root);
+        // a generic line and basis are a choice: where one leaves paths undecided, another may not
+        constexpr std::uint64_t attempts = 4;
+        for (std::uint64_t attempt = 0; attempt < attempts && (attempt == 0 || paths_.failed > 0); ++attempt) {
+            EnumerateOptions with_seed = options;
+            with_seed.seed = options.seed + 0x9e3779b97f4a7c15 * attempt;
+            Generator generator(with_seed.seed);
+            Parameters<Fold> generic;
+            for (int k = 0; k < n_parameters<M>; ++k) generic[k] = p[k];
+            generic[fixed] = uniform(generator, low, high);
+            for (int k = n_parameters<M>; k < n_parameters<Fold>; ++k) generic[k] = uniform(generator, -1, 1);
+            const RootSet<Fold> solved = enumerate<Fold, StartKind::parameter>(generic, with_seed);
+            if (attempt > 0 && solved.paths.failed >= paths_.failed) continue;
+            paths_ = solved.paths;
+            generic_ = generic;
+            roots_.clear();
+            for (const auto& root : solved.roots)
+                if (root.status == PathStatus::finite && root.paths == 1) roots_.push_back(root);
+        }
         // parameter homotopy runs on a line in the space of coefficients: safe only if the lines' own lie on one
         auto other = generic_, third = generic_;
         other[fixed] = low + 0.123 * (high - low);

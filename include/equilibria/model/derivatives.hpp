@@ -38,8 +38,7 @@ constexpr Unknowns<M, S> equations_at(const AnglesOf<M, S>& theta, const Coordin
             angle[i].c.derivative[i] = -theta[i].s;
             angle[i].s.derivative[i] = theta[i].c;
         }
-        for (int j = 0; j < x.size(); ++j)
-            coordinate[j] = D::variable(x[j], theta.size() + j);
+        for (int j = 0; j < x.size(); ++j) coordinate[j] = D::variable(x[j], theta.size() + j);
         const D v = call_potential(M{}, angle, coordinate, p);
         f = v.derivative;
     } else {

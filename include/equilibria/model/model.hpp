@@ -76,20 +76,25 @@ inline constexpr int n_unknowns = n_angles<M> + n_coordinates<M>;
 template <class M>
 concept ModelSizes = detail::HasAngles<M> && detail::HasParameters<M> && std::is_default_constructible_v<M>;
 
-/// The scalar that sines and cosines of these angles have: the type to start a sum with, `scalar_of<decltype(theta)> v{}`.
+/// The scalar that sines and cosines of these angles have: the type to start a sum with, `scalar_of<decltype(theta)>
+/// v{}`.
 template <class Theta>
 using scalar_of = std::remove_cvref_t<decltype(cos(std::declval<const std::remove_cvref_t<Theta>&>()[0]))>;
 
 namespace detail {
 template <class M, class Theta, class X, class P>
 concept PotentialOf = requires(const M& m, const Theta& theta, const X& x, const P& p) {
-    requires n_coordinates<M> == 0 || requires { m.potential(theta, x, p); };
-    requires n_coordinates<M> != 0 || requires { m.potential(theta, p); };
+    requires n_coordinates<M>
+    == 0 || requires { m.potential(theta, x, p); };
+    requires n_coordinates<M>
+    != 0 || requires { m.potential(theta, p); };
 };
 template <class M, class Theta, class X, class P>
 concept EquationsOf = requires(const M& m, const Theta& theta, const X& x, const P& p) {
-    requires n_coordinates<M> == 0 || requires { m.equations(theta, x, p); };
-    requires n_coordinates<M> != 0 || requires { m.equations(theta, p); };
+    requires n_coordinates<M>
+    == 0 || requires { m.equations(theta, x, p); };
+    requires n_coordinates<M>
+    != 0 || requires { m.equations(theta, p); };
 };
 
 template <class M, class Theta, class X, class P>
@@ -109,7 +114,10 @@ constexpr auto call_potential(const M& model, const Theta& theta, const X& x, co
 /// The number of entries of a std::array or of an Array; -1 of anything else.
 template <class A>
 constexpr int entries_of() {
-    if constexpr (requires { std::tuple_size<A>::value; std::declval<A>()[0]; })
+    if constexpr (requires {
+                      std::tuple_size<A>::value;
+                      std::declval<A>()[0];
+                  })
         return static_cast<int>(std::tuple_size<A>::value);
     else if constexpr (requires { std::integral_constant<int, A::size()>::value; })
         return A::size();
@@ -123,8 +131,9 @@ constexpr auto call_equations(const M& model, const Theta& theta, const X& x, co
         else
             return model.equations(theta, x, p);
     }();
-    static_assert(entries_of<std::remove_cvref_t<decltype(values)>>() == n_unknowns<M>,
-                  "equilibria: equations must return a std::array with one entry for each unknown angle and coordinate");
+    static_assert(
+        entries_of<std::remove_cvref_t<decltype(values)>>() == n_unknowns<M>,
+        "equilibria: equations must return a std::array with one entry for each unknown angle and coordinate");
     return values;
 }
 
@@ -140,8 +149,7 @@ using Parameters = Array<S, n_parameters<M>>;
 
 /// A model that gives a potential, checked with real scalars.
 template <class M>
-concept PotentialModel =
-    ModelSizes<M> &&
+concept PotentialModel = ModelSizes<M> &&
     detail::PotentialOf<M, detail::AnglesOf<M, double>, detail::CoordinatesOf<M, double>, Parameters<M>>;
 
 /// A model that gives its equations.
@@ -157,15 +165,18 @@ concept Model = PotentialModel<M> || EquationsModel<M>;
 /// Fails to compile, with a sentence that says what to change, unless M is a model.
 template <class M>
 constexpr void check_model() {
-    static_assert(detail::HasAngles<M>, "equilibria: a model needs `static constexpr int n_angles`, its number of unknown angles");
-    static_assert(!detail::HasAngles<M> || detail::angles_of<M>() >= 0, "equilibria: n_angles must not be negative");
-    static_assert(n_unknowns<M> >= 1, "equilibria: a model needs at least one unknown angle or coordinate");
+    constexpr bool sizes = detail::HasAngles<M> && detail::HasParameters<M>;
+    constexpr bool empty = std::is_default_constructible_v<M> && std::is_empty_v<M>;
+    static_assert(detail::HasAngles<M>,
+                  "equilibria: a model needs `static constexpr int n_angles`, its number of unknown angles");
     static_assert(detail::HasParameters<M>,
                   "equilibria: a model needs its number of parameters, `n_parameters`: the last name of an enumeration "
                   "of them, or a static constexpr int");
-    static_assert(std::is_default_constructible_v<M> && std::is_empty_v<M>,
-                  "equilibria: a model holds no data: what varies belongs into its parameters p");
-    static_assert(Model<M>,
+    static_assert(!sizes || (n_angles<M> >= 0 && n_coordinates<M> >= 0 && n_parameters<M> >= 0),
+                  "equilibria: n_angles, n_coordinates and n_parameters must not be negative");
+    static_assert(!sizes || n_unknowns<M> != 0, "equilibria: a model needs at least one unknown angle or coordinate");
+    static_assert(empty, "equilibria: a model holds no data: what varies belongs into its parameters p");
+    static_assert(!sizes || !empty || Model<M>,
                   "equilibria: a model needs `constexpr auto potential(const auto& theta, const auto& p) const`, or "
                   "`equations` with the same arguments (and `x` between them where n_coordinates > 0)");
 }

@@ -2,7 +2,17 @@
 /// Everything, for programs and experiments; a library's own headers include what they use.
 #pragma once
 
+#include <equilibria/algebra/bounds.hpp>
+#include <equilibria/algebra/laurent.hpp>
+#include <equilibria/algebra/polynomial_system.hpp>
+#include <equilibria/continuation/arc_length.hpp>
 #include <equilibria/enumerate/enumerate.hpp>
+#include <equilibria/io/gnuplot.hpp>
+#include <equilibria/io/polynomial_formats.hpp>
+#include <equilibria/locus/diagram.hpp>
+#include <equilibria/locus/locus.hpp>
 #include <equilibria/mechanisms/rotating_chain.hpp>
 #include <equilibria/model/derivatives.hpp>
+#include <equilibria/stability/inertia.hpp>
+#include <equilibria/stability/morse.hpp>
 #include <equilibria/version.hpp>

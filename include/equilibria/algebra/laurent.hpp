@@ -164,7 +164,7 @@ auto laurent_coefficients(const Parameters<M, C>& p) {
             const auto at = std::lower_bound(L::support.begin(), L::support.end(), key);
             if (at == L::support.end() || !(*at == key)) return;  // it cancels for all parameters
             Z& z = y[at - L::support.begin()];
-            const Z value = Z((turns < 2 ? factor : -factor) * coefficient[k]);
+            const Z value = Z(C((turns < 2 ? factor : -factor) * coefficient[k]));
             z = z + (turns % 2 ? Z(0.0, 1.0) * value : value);
         });
     return y;

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include <equilibria/algebra/formulation.hpp>
+#include <equilibria/algebra/multihomogeneous.hpp>
 #include <equilibria/core/random.hpp>
 
 namespace equilibria {
@@ -25,15 +26,6 @@ enum class StartKind {
     reflected,  ///< total degree, odd under theta -> -theta
     parameter   ///< the solutions of the same model at other parameters, or as general
 };
-
-/// The total degree of the model's polynomial system: the number of paths, a bound on the isolated equilibria.
-template <Model M>
-constexpr std::int64_t total_degree() {
-    std::int64_t product = 1;
-    for (int i = 0; i < n_unknowns<M>; ++i)
-        product *= (i < n_angles<M> ? 2 : 1) * static_cast<std::int64_t>(Formulation<M>::degrees[i]);
-    return product;
-}
 
 /// One start point of one unknown: (c, s) of an angle, or (x, 0).
 struct StartCoordinate {

@@ -58,7 +58,11 @@ void count_regions(Locus<M>& locus, int checks, const EnumerateOptions& options)
     const PlaneDecomposition plane(locus.window, lines);
     locus.regions.resize(static_cast<std::size_t>(plane.regions()));
     place_points(locus, plane);
+    // slivers below the resolution of the curves' points are where two curves touch, not regions
+    const double negligible = 1e-9 * locus.window.width() * locus.window.height();
+    const auto is_region = [&](const LocusRegion& region) { return region.area > negligible; };
     for (LocusRegion& region : locus.regions) {
+        if (!is_region(region)) continue;
         const auto found = enumerate<M>(parameters_at(region.point.x, region.point.y), options);
         region.count = found.real();
         region.by_index = found.by_index();
@@ -68,6 +72,7 @@ void count_regions(Locus<M>& locus, int checks, const EnumerateOptions& options)
         const int number = plane.region_of(x, y);
         if (number < 0) return;
         LocusRegion& region = locus.regions[static_cast<std::size_t>(number)];
+        if (!is_region(region)) return;
         const auto found = enumerate<M>(parameters_at(x, y), options);
         ++locus.evidence.checked_points;
         if (found.real() != region.count || found.by_index() != region.by_index) {
@@ -81,6 +86,7 @@ void count_regions(Locus<M>& locus, int checks, const EnumerateOptions& options)
     for (int i = 0; i < checks; ++i)
         for (int j = 0; j < checks; ++j)
             check(w.x_low + w.width() * (i + 0.5) / checks, w.y_low + w.height() * (j + 0.5) / checks);
+    std::erase_if(locus.regions, [&](const LocusRegion& region) { return !is_region(region); });
 }
 
 }  // namespace equilibria::detail

@@ -1,0 +1,56 @@
+// A model that is not the chain, without the symmetry theta -> -theta: its locus has cusps known in closed form.
+#include <algorithm>
+#include <cmath>
+#include <equilibria/locus/locus.hpp>
+
+#include "support/catch.hpp"
+
+using namespace equilibria;
+
+namespace {
+
+/// Two rods of length and weight 1 on each other, upright, each tip held by a horizontal spring relaxed at x = offset.
+struct SpringLoadedDoublePendulum {
+    static constexpr int n_angles = 2;
+    enum Parameter { stiffness, offset, n_parameters };
+    constexpr auto potential(const auto& theta, const auto& p) const {
+        const auto x1 = sin(theta[0]), x2 = x1 + sin(theta[1]);
+        const auto stretch1 = x1 - p[offset], stretch2 = x2 - p[offset];
+        return 2 * cos(theta[0]) + cos(theta[1]) + 0.5 * p[stiffness] * (stretch1 * stretch1 + stretch2 * stretch2);
+    }
+};
+
+}  // namespace
+
+TEST_CASE("The cusps of the spring-loaded double pendulum are its buckling loads without offset") {
+    using Model = SpringLoadedDoublePendulum;
+    const auto locus = trace_locus<Model, Model::offset, Model::stiffness>({1, 0}, {-0.5, 0.5, 0.5, 4});
+    CHECK(locus.evidence.complete());
+    // det J = 0 at theta_1, theta_2 in {0, pi}: k^2 - 4 k + 2 = 0 at (0, 0); k^2 = 2 at (0, pi) and (pi, 0)
+    std::vector<double> loads;
+    for (const auto& cusp : locus.cusps) {
+        CHECK(std::abs(cusp.at.x) < 1e-12);
+        CHECK(cusp.residual < 1e-12);
+        CHECK(std::abs(cusp.fourth) > 0.1);
+        loads.push_back(cusp.at.y);
+    }
+    std::sort(loads.begin(), loads.end());
+    REQUIRE(loads.size() == 4);
+    const double expected[] = {2 - std::sqrt(2), std::sqrt(2), std::sqrt(2), 2 + std::sqrt(2)};
+    for (std::size_t k = 0; k < 4; ++k) CHECK(std::abs(loads[k] - expected[k]) < 1e-12);
+
+    // mirror images under offset -> -offset, theta -> -theta
+    for (const auto& curve : locus.curves) {
+        CHECK(curve.kind == LocusKind::fold);
+        const auto &a = curve.points.front(), &b = curve.points.back();
+        CHECK(a.x == Approx(-b.x).margin(1e-9));
+        CHECK(a.y == Approx(b.y).margin(1e-9));
+    }
+    // a fold changes the count by two, and Morse's sum stays 0 in each region
+    for (const auto& region : locus.regions) {
+        CHECK(region.clean);
+        CHECK(region.confirmed);
+        CHECK(region.by_index[0] - region.by_index[1] + region.by_index[2] == 0);
+        CHECK(region.count % 2 == 0);
+    }
+}

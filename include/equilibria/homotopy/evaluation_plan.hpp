@@ -62,20 +62,20 @@ struct EvaluationPlan {
     static constexpr Products products() {
         Products y;
         for (const auto& t : F::support) {
-            int operand = -1;
+            int product = -1;
             for (int u = 0; u < n; ++u) {
                 const int f = u == t.equation ? -1 : factor(u, t.monomial.code(u));
                 if (f < 0) continue;
-                if (operand < 0) {
-                    operand = f;
+                if (product < 0) {
+                    product = f;
                     continue;
                 }
-                const Node node{operand, f};
+                const Node node{product, f};
                 const auto at = std::find(y.nodes.begin(), y.nodes.end(), node);
-                operand = factors + static_cast<int>(at - y.nodes.begin());
+                product = factors + static_cast<int>(at - y.nodes.begin());
                 if (at == y.nodes.end()) y.nodes.push_back(node);
             }
-            y.operand.push_back(operand);
+            y.operand.push_back(product);
         }
         return y;
     }

@@ -154,7 +154,7 @@ public:
         failed += set.paths.failed;
         std::vector<LineEvent<M>> events;
         for (const auto& e : set.equilibria) {
-            if (e.degenerate() || e.multiplicity > 1) continue;
+            if (!(e.condition < regular_condition) || e.multiplicity > 1) continue;  // a pitchfork, or a family
             LineEvent<M> event{LocusKind::fold, e.q[n_unknowns<Fold> - 1], {}, {}};
             double norm = 0;
             for (int i = 0; i < n_unknowns<M>; ++i) {

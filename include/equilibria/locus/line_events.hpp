@@ -122,8 +122,9 @@ public:
         }
         // parameter homotopy runs on a line in the space of coefficients: safe only if the lines' own lie on one
         auto other = generic_, third = generic_;
-        other[fixed] = low + 0.123 * (high - low);
-        third[fixed] = low + 0.789 * (high - low);
+        const double spread = 1 + std::abs(generic_[fixed]);  // a narrow window's own values would be too close to tell
+        other[fixed] += 0.37 * spread;
+        third[fixed] += 0.83 * spread;
         const auto a = coefficients<Fold, double>(generic_), b = coefficients<Fold, double>(other),
                    c = coefficients<Fold, double>(third);
         // the distance of c from the plane of a and b

@@ -105,12 +105,15 @@ private:
         return p;
     }
 
-    /// Equilibria that are degenerate along with all their neighbours, such as those of a massless link, are no event.
+    /// Equilibria that are degenerate along with all their neighbours are no event: a row of J vanishes, as that of a
+    /// massless link does, measured against the same row in the middle of the window.
     bool is_family(const LocusPoint<M>& at) const {
-        const auto p = parameters_at(at.x, at.y);
-        const auto j = jacobian<M, double>(at.q, p);
+        const PlaneWindow& w = locus_.window;
+        const auto here = jacobian<M, double>(at.q, parameters_at(at.x, at.y));
+        const auto there = jacobian<M, double>(
+            at.q, parameters_at(0.5 * (w.x_low + w.x_high), 0.5 * (w.y_low + w.y_high)));
         for (int i = 0; i < n; ++i)
-            if (!(j.row(i).norm() > 1e-12 * j.norm())) return true;
+            if (!(here.row(i).norm() > 1e-9 * there.row(i).norm())) return true;
         return false;
     }
 

@@ -92,7 +92,8 @@ double distance(const std::vector<Root<M>>& a, const std::vector<Root<M>>& b) {
 /// The same roots, each within the tolerance of its own partner.
 template <class M>
 bool same_roots(const RootSet<M>& a, const RootSet<M>& b, double tolerance) {
-    return a.distinct() == b.distinct() && distance(a.roots, b.roots) <= tolerance && distance(b.roots, a.roots) <= tolerance;
+    return a.distinct() == b.distinct() && distance(a.roots, b.roots) <= tolerance &&
+           distance(b.roots, a.roots) <= tolerance;
 }
 
 /// The complex conjugates of the roots.
@@ -121,7 +122,8 @@ bool identical(const RootSet<M>& a, const RootSet<M>& b) {
         return false;
     for (std::size_t k = 0; k < a.roots.size(); ++k) {
         const auto &r = a.roots[k], &s = b.roots[k];
-        if (!(r.q == s.q) || r.residual != s.residual || r.condition != s.condition || r.path != s.path || r.paths != s.paths)
+        if (!(r.q == s.q) || r.residual != s.residual || r.condition != s.condition || r.path != s.path ||
+            r.paths != s.paths)
             return false;
     }
     for (std::size_t k = 0; k < a.equilibria.size(); ++k) {

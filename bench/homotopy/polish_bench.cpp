@@ -1,0 +1,53 @@
+// Polishing of endpoints, three Newton steps on the model's own function and the condition number: in lanes and alone.
+// Items are endpoints.
+#include <benchmark/benchmark.h>
+
+#include <equilibria/enumerate/path_solver.hpp>
+
+#include "../support.hpp"
+
+using namespace equilibria;
+
+namespace {
+
+template <int N, class R>
+void polish(benchmark::State& state) {
+    using M = Chain<N>;
+    constexpr auto kind = StartKind::reflected;
+    constexpr int width = LaneTraits<R>::width;
+    Generator generator(1);
+    const auto p = benchmark_chain<N>();
+    const auto target = coefficients<M, double>(p);
+    const auto scale = detail::equation_scales<M, double>(target);
+    const TotalDegreeStart<M> start(kind, scale, generator);
+    const auto h = Homotopy<M, kind, double>::total_degree(target, start);
+    const detail::Polisher<M, kind, double> polisher(h, p, scale);
+    Point<M, R> straight{};  // theta = 0, a little off
+    for (int i = 0; i < N; ++i) {
+        straight.c[i] = Complex<R>(std::cos(1e-7));
+        straight.s[i] = Complex<R>(std::sin(1e-7));
+    }
+    PolishedEvidence evidence[width];
+    for (auto _ : state) {
+        auto q = straight;
+        benchmark::DoNotOptimize(q);
+        polisher.run(q, evidence);
+        benchmark::DoNotOptimize(evidence);
+    }
+    state.SetItemsProcessed(state.iterations() * width);
+}
+template <int N>
+void polish_lanes(benchmark::State& state) {
+    polish<N, Lanes<native_lanes>>(state);
+}
+template <int N>
+void polish_alone(benchmark::State& state) {
+    polish<N, double>(state);
+}
+
+BENCHMARK_TEMPLATE(polish_lanes, 4);
+BENCHMARK_TEMPLATE(polish_alone, 4);
+BENCHMARK_TEMPLATE(polish_lanes, 8);
+BENCHMARK_TEMPLATE(polish_alone, 8);
+
+}  // namespace

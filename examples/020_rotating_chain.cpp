@@ -1,0 +1,169 @@
+// Every equilibrium of a rotating chain, Baillieul's equations (3.1): a table for people, JSON for programs.
+//
+//   rotating_chain --links 2 --lengths 1,1.5 --masses .7,.3 --omega 2
+//   rotating_chain --links 6 --omega 1.7 --threads 2 --json equilibria.json
+#include "020_rotating_chain/chain.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <exception>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <sstream>
+#include <string>
+#include <utility>
+
+#include "support/command_line.hpp"
+#include "support/numbers.hpp"
+#include "support/output_file.hpp"
+#include "support/progress_bar.hpp"
+
+namespace {
+
+ChainResult enumerate(int links, const Chain& chain, const Options& options) {
+    using Function = ChainResult (*)(const Chain&, const Options&);
+    static constexpr auto functions = []<int... K>(std::integer_sequence<int, K...>) {
+        return std::array<Function, most_links>{enumerate_chain<K + 1>...};
+    }
+    (std::make_integer_sequence<int, most_links>{});
+    return functions[static_cast<std::size_t>(links - 1)](chain, options);
+}
+
+std::string joined(const auto& values) {
+    std::ostringstream out;
+    for (const char* separator = ""; const auto& value : values) out << std::exchange(separator, " ") << value;
+    return out.str();
+}
+
+std::string json(const Chain& chain, const Options& options, const ChainResult& r) {
+    nlohmann::ordered_json out{
+        {"links", chain.lengths.size()},
+        {"lengths", chain.lengths},
+        {"masses", chain.masses},
+        {"omega", chain.omega},
+        {"gravity", chain.gravity},
+        {"seed", options.seed},
+        {"threads", options.threads},
+        {"paths", r.paths.total},
+        {"finite", r.paths.finite},
+        {"at_infinity", r.paths.at_infinity},
+        {"singular", r.paths.singular},
+        {"failed", r.paths.failed},
+        {"tracked", r.paths.tracked},
+        {"retracked", r.paths.retracked},
+        {"crossed", r.paths.crossed},
+        {"steps", r.paths.steps},
+        {"distinct", r.distinct},
+        {"real", r.equilibria.size()},
+        {"by_index", r.by_index},
+        {"degenerate", r.degenerate},
+        {"complete", r.clean},
+        {"morse", r.morse},
+        {"tracking_seconds", r.tracking_seconds},
+        {"seconds", r.seconds},
+        {"failures", nlohmann::ordered_json::array()},
+        {"equilibria", nlohmann::ordered_json::array()},
+    };
+    for (const auto& f : r.failures) out["failures"].push_back({{"path", f.path}, {"reason", f.reason}});
+    for (const auto& e : r.equilibria)
+        out["equilibria"].push_back({{"angles", e.angles},
+                                     {"index", e.index},
+                                     {"degenerate", e.nullity > 0},
+                                     {"nullity", e.nullity},
+                                     {"multiplicity", e.multiplicity},
+                                     {"stable", e.index == 0 && e.nullity == 0},
+                                     {"energy", e.energy},
+                                     {"residual", e.residual},
+                                     {"condition", e.condition},
+                                     {"margin", e.margin}});
+    return out.dump(2) + "\n";
+}
+
+void print(const Chain& chain, const ChainResult& r) {
+    std::printf("Rotating chain: lengths %s, masses %s, omega %g, gravity %g\n\n", joined(chain.lengths).c_str(),
+                joined(chain.masses).c_str(), chain.omega, chain.gravity);
+    const std::string heading = " angles from the hanging vertical, radians";
+    const int width = std::max(static_cast<int>(heading.size()), 10 * static_cast<int>(chain.lengths.size()));
+    std::printf("%-*s  index  energy          residual  condition\n", width, heading.c_str());
+    for (const auto& e : r.equilibria) {
+        std::string angles;
+        for (const double angle : e.angles) {
+            char text[32];
+            std::snprintf(text, sizeof text, "%10.6f", std::abs(angle) < 5e-7 ? 0.0 : angle);
+            angles += text;
+        }
+        std::printf("%-*s  %5d  %-14.8g  %-8.1e  %.1e%s\n", width, angles.c_str(), e.index, e.energy, e.residual,
+                    e.condition, e.nullity > 0 ? "  degenerate" : "");
+    }
+    const auto& n = r.paths;
+    const auto count = [](auto value) { return static_cast<unsigned long long>(value); };
+    std::printf("\n%llu paths: %llu finite, %llu at infinity, %llu singular, %llu failed; %llu tracked again\n",
+                count(n.total), count(n.finite), count(n.at_infinity), count(n.singular), count(n.failed),
+                count(n.retracked));
+    std::printf("%llu distinct roots, %llu real", count(r.distinct), count(r.equilibria.size()));
+    for (std::size_t k = 0; k < r.by_index.size(); ++k)
+        std::printf("%s index %zu: %lld", k == 0 ? ":" : ",", k, static_cast<long long>(r.by_index[k]));
+    if (r.degenerate > 0) std::printf(", degenerate: %llu", count(r.degenerate));
+    std::printf("\n");
+    if (r.clean)
+        std::printf("Complete: each path accounted for, each root regular and reached by a path of its own.\n");
+    if (n.failed > 0) std::printf("INCOMPLETE: %llu paths failed; equilibria may be missing.\n", count(n.failed));
+    if (n.singular > 0 || r.degenerate > 0)
+        std::printf(
+            "DEGENERATE: the number of equilibria changes here, or they form curves; the numbers by index leave out "
+            "the "
+            "%llu degenerate ones.\n",
+            count(r.degenerate));
+    if (n.singular == 0 && n.failed == 0 && n.finite != r.distinct)
+        std::printf("INCOMPLETE: %llu paths ended on another's root.\n", count(n.finite - r.distinct));
+    if (r.morse_applies && n.singular == 0)
+        std::printf(r.morse ? "The Morse relations of the torus hold.\n"
+                            : "THE MORSE RELATIONS ARE VIOLATED: equilibria are missing.\n");
+    std::printf("%.3g s, %.3g s of it tracking\n", r.seconds, r.tracking_seconds);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    std::string links = "2", lengths, masses, omega = "2", gravity = "1", seed = "1", threads = "1", json_name;
+    CLI::App app{
+        "Every equilibrium of a chain of massless links with point masses, hanging in a plane that turns about the "
+        "vertical through its first joint (Baillieul, equations 3.1), with its index: the number of directions in "
+        "which "
+        "it is unstable."};
+    app.add_option("--links", links, "number of links, 1 to 8 (default 2)");
+    app.add_option("--lengths", lengths, "length of each link, positive, commas between (default: all 1)");
+    app.add_option("--masses", masses, "mass at the end of each link, positive, commas between (default: all 1)");
+    app.add_option("--omega", omega, "angular speed, radians a unit of time (default 2)");
+    app.add_option("--gravity", gravity, "acceleration due to gravity, 0 or more (default 1)");
+    app.add_option("--seed", seed,
+                   "of the random start system, an integer (default 1); the same seed, the same result");
+    app.add_option("--threads", threads, "1 to 1024, 0 for one each core (default 1); does not change the result");
+    app.add_option("--json", json_name, "write JSON to this file, or to stdout for -, instead of a table");
+    support::parse(app, "rotating_chain", argc, argv);
+
+    const int n = support::integer("--links", links, 1, most_links);
+    const auto list = [&](const char* option, const std::string& text) {
+        return app.count(option) == 0 ? std::vector<double>(static_cast<std::size_t>(n), 1.0)
+                                      : support::positive_list(option, text, n);
+    };
+    const Chain chain{
+        list("--lengths", lengths), list("--masses", masses),
+        support::number("--omega", omega, "must be a finite number", [](double) { return true; }),
+        support::number("--gravity", gravity, "must be a finite number, 0 or more", [](double g) { return g >= 0; })};
+    support::ProgressBar bar("tracking");
+    const Options options{support::integer<std::uint64_t>("--seed", seed, 0, UINT64_MAX),
+                          support::integer<unsigned>("--threads", threads, 0, 1024),
+                          [&](std::uint64_t done, std::uint64_t all) { bar.update(done, all); }};
+    std::optional<support::OutputFile> file;
+    if (app.count("--json") > 0) file.emplace("--json", json_name);
+    try {
+        const ChainResult result = enumerate(n, chain, options);
+        if (file) file->write(json(chain, options, result));
+        if (!file || !file->to_stdout()) print(chain, result);
+    } catch (const std::exception& error) {
+        support::fail("command line", "", error.what());
+    }
+}

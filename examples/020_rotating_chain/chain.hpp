@@ -1,0 +1,47 @@
+// The enumeration for a number of links that is known at run time. Each number has its own unit, so that they compile
+// side by side: chain.cpp.in.
+#pragma once
+
+#include <cstdint>
+#include <equilibria/enumerate/root_set.hpp>
+#include <functional>
+#include <string>
+#include <vector>
+
+struct Chain {
+    std::vector<double> lengths, masses;
+    double omega, gravity;
+};
+
+struct Options {
+    std::uint64_t seed;
+    unsigned threads;
+    std::function<void(std::uint64_t done, std::uint64_t all)> progress;
+};
+
+struct ChainEquilibrium {
+    std::vector<double> angles;  // radians, in (-pi, pi]
+    int index, nullity, multiplicity;
+    double energy, residual, condition, margin;
+};
+
+struct Failure {
+    std::uint64_t path;
+    std::string reason;
+};
+
+// What RootSet tells, the angles being vectors.
+struct ChainResult {
+    equilibria::PathCounts paths;
+    std::uint64_t distinct, degenerate;
+    bool clean, morse_applies, morse;
+    std::vector<std::int64_t> by_index;
+    double tracking_seconds, seconds;
+    std::vector<ChainEquilibrium> equilibria;
+    std::vector<Failure> failures;
+};
+
+inline constexpr int most_links = 8;
+
+template <int Links>
+ChainResult enumerate_chain(const Chain& chain, const Options& options);

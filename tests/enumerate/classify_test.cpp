@@ -1,0 +1,59 @@
+#include <complex>
+#include <numbers>
+
+#include <equilibria/enumerate/classify.hpp>
+
+#include "support/catch.hpp"
+#include "support/models.hpp"
+
+using namespace equilibria;
+using std::numbers::pi;
+using M = models::Pendulum;
+
+namespace {
+
+Root<M> root(std::complex<double> theta, double condition = 1) {
+    Root<M> r;
+    r.q[0] = theta;
+    r.condition = condition;
+    return r;
+}
+
+}  // namespace
+
+TEST_CASE("the angle of a point keeps its digits far up and down the imaginary axis") {
+    for (const double re : {-3.1, -1.0, 0.0, 0.5, 3.1})
+        for (const double im : {-30.0, -3.0, -1e-9, 0.0, 1e-9, 3.0, 30.0}) {
+            const std::complex<double> theta(re, im), c = std::cos(theta), s = std::sin(theta);
+            const auto angle = detail::angle_of({c.real(), c.imag()}, {s.real(), s.imag()});
+            CHECK(std::abs(angle - theta) < 1e-14 * (1 + std::abs(im)));
+        }
+}
+
+TEST_CASE("a root is real if its imaginary part is rounding, and only then") {
+    Unknowns<M> q;
+    const Parameters<M> p{0.5};
+    const double theta = std::asin(0.5);
+    CHECK(detail::is_real(root({theta, 0}), p, q));
+    CHECK(q[0] == Approx(theta).margin(1e-15));
+    CHECK(detail::is_real(root({theta + 1e-13, 1e-13}), p, q));
+    CHECK(q[0] == Approx(theta).margin(1e-15));
+    CHECK_FALSE(detail::is_real(root({theta, 1e-7}), p, q));
+    CHECK_FALSE(detail::is_real(root({theta, 0.5}), p, q));
+    // sin theta = 1 + 1e-12: no real root, but pi/2 + 1.4e-6 i, of condition 1e6
+    const Parameters<M> beyond{1 + 1e-12};
+    CHECK_FALSE(detail::is_real(root({pi / 2, std::acosh(1 + 1e-12)}, 1e6), beyond, q));
+    // sin theta = 1 - 1e-12: two real roots, the imaginary parts being rounding times the condition
+    const Parameters<M> below{1 - 1e-12};
+    CHECK(detail::is_real(root({pi / 2 + std::acos(1 - 1e-12), 1e-11}, 1e6), below, q));
+}
+
+TEST_CASE("real angles are in (-pi, pi]") {
+    Unknowns<M> q;
+    for (const double start : {pi, -pi, pi + 1e-9, -pi - 1e-9}) {
+        CHECK(detail::is_real(root({start, 0}), Parameters<M>{0}, q));
+        CHECK(q[0] > -pi);
+        CHECK(q[0] <= pi);
+        CHECK(std::abs(q[0]) == Approx(pi));
+    }
+}

@@ -1,0 +1,3 @@
+#include "enumerate/coupled_angles.hpp"
+
+TEST_CASE("3 coupled angles: every path to infinity is seen") { tests::check_coupled_angles<3>(20, 16, 10); }

@@ -1,0 +1,3 @@
+#include "enumerate/coupled_angles.hpp"
+
+TEST_CASE("5 coupled angles: every path to infinity is seen") { tests::check_coupled_angles<5>(252, 120, 1); }

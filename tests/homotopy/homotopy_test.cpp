@@ -1,0 +1,191 @@
+// Evaluation of the homotopies: against the model's own function, finite differences, and Taylor's theorem.
+#include <complex>
+
+#include <equilibria/enumerate/path_solver.hpp>
+#include <equilibria/mechanisms/rotating_chain.hpp>
+
+#include "support/catch.hpp"
+#include "support/models.hpp"
+
+using namespace equilibria;
+
+namespace {
+
+using Z = Complex<double>;
+
+template <class M>
+Parameters<M> random_parameters(Generator& generator) {
+    Parameters<M> p;
+    for (double& x : p) x = uniform(generator, 0.3, 1.7);
+    return p;
+}
+
+template <class M>
+Point<M, double> random_point(Generator& generator) {
+    Point<M, double> q;
+    for (int i = 0; i < n_angles<M>; ++i) {
+        const std::complex<double> theta(uniform(generator, -3, 3), uniform(generator, -0.5, 0.5));
+        set_lane(q.c[i], 0, std::cos(theta));
+        set_lane(q.s[i], 0, std::sin(theta));
+    }
+    for (int j = 0; j < n_coordinates<M>; ++j) q.x[j] = {uniform(generator, -1, 1), uniform(generator, -1, 1)};
+    return q;
+}
+
+double size(const Z& z) { return std::sqrt(norm2(z)); }
+
+/// A homotopy of each kind at random parameters.
+template <class M, StartKind Kind>
+Homotopy<M, Kind, double> random_homotopy(Generator& generator, const Parameters<M>& p) {
+    const auto target = coefficients<M, double>(p);
+    if constexpr (Kind == StartKind::parameter) {
+        const auto from = coefficients<M, double>(random_parameters<M>(generator));
+        return Homotopy<M, Kind, double>::parameter(from, target, unit_complex(generator));
+    } else {
+        const TotalDegreeStart<M> start(Kind, detail::equation_scales<M, double>(target), generator);
+        return Homotopy<M, Kind, double>::total_degree(target, start);
+    }
+}
+
+template <class M, StartKind Kind>
+struct Case {
+    static constexpr int n = n_unknowns<M>;
+    Generator generator{static_cast<std::uint64_t>(n) + 10};
+    Parameters<M> p = random_parameters<M>(generator);
+    Homotopy<M, Kind, double> h = random_homotopy<M, Kind>(generator, p);
+    detail::Evaluation<M, Kind, double, double, double> evaluation{h};
+
+    void at_the_target_it_is_the_model() {
+        for (int k = 0; k < 20; ++k) {
+            const auto q = random_point<M>(generator);
+            Z f[n];
+            evaluation.value(q, 1.0, f);
+            detail::AnglesOf<M, Z> theta;
+            detail::CoordinatesOf<M, Z> x;
+            for (int i = 0; i < n_angles<M>; ++i) theta[i] = {q.c[i], q.s[i]};
+            for (int j = 0; j < n_coordinates<M>; ++j) x[j] = q.x[j];
+            const auto own = detail::equations_at<M, Z>(theta, x, p);
+            for (int i = 0; i < n; ++i) CHECK(size(f[i] - own[i]) < 1e-12 * (1 + size(own[i])));
+        }
+    }
+    void the_jacobian_is_the_derivative() {
+        for (int k = 0; k < 20; ++k) {
+            const auto q = random_point<M>(generator);
+            const double t = uniform(generator), e = 1e-5;
+            Z f[n], j[n][n];
+            evaluation.jacobian(q, t, f, j);
+            for (int c = 0; c < n; ++c) {
+                Z step[n], up[n], down[n];
+                for (Z& z : step) z = {0, 0};
+                step[c] = {e, 0};
+                evaluation.value(moved<M, double>(q, step), t, up);
+                step[c] = {-e, 0};
+                evaluation.value(moved<M, double>(q, step), t, down);
+                for (int r = 0; r < n; ++r) {
+                    // with a potential only the upper triangle is given
+                    const Z& entry = Formulation<M>::has_potential && r > c ? j[c][r] : j[r][c];
+                    if (Formulation<M>::has_potential && r > c) continue;
+                    CHECK(size((up[r] - down[r]) * (0.5 / e) - entry) < 2e-7 * (1 + size(entry)));
+                }
+            }
+        }
+    }
+    /// -[t^k] H with the coefficients q_1, q_2 given and q_3 = 0: against the third difference of H along that path.
+    void taylor_coefficients_are_those_of_the_path() {
+        const auto q = random_point<M>(generator);
+        const double t = 0.4;
+        Z f[n], j[n][n], given[2][n], right[3][n];
+        for (auto& d : given)
+            for (Z& z : d) z = {uniform(generator, -1, 1), uniform(generator, -1, 1)};
+        evaluation.jacobian(q, t, f, j);
+        for (int k = 1; k <= 3; ++k) {
+            evaluation.taylor_right_side(k, right[k - 1]);
+            if (k < 3) evaluation.set_coefficient(k, given[k - 1]);
+        }
+        // H(q + q_1 h + q_2 h^2, t + h), h = -2e .. 2e
+        constexpr double e = 1e-2;
+        const auto along = [&](double by, Z(&value)[n]) {
+            Z step[n];
+            for (int u = 0; u < n; ++u) step[u] = by * (given[0][u] + by * given[1][u]);
+            detail::Evaluation<M, Kind, double, double, double>(h).value(moved<M, double>(q, step), t + by, value);
+        };
+        Z minus2[n], minus1[n], plus1[n], plus2[n];
+        along(-2 * e, minus2), along(-e, minus1), along(e, plus1), along(2 * e, plus2);
+        for (int i = 0; i < n; ++i) {
+            const Z third = (plus2[i] - 2.0 * plus1[i] + 2.0 * minus1[i] - minus2[i]) * (1 / (12 * e * e * e));
+            CHECK(size(third + right[2][i]) < 0.02 * (1 + size(third)));
+        }
+    }
+    void all() {
+        at_the_target_it_is_the_model();
+        the_jacobian_is_the_derivative();
+        taylor_coefficients_are_those_of_the_path();
+    }
+};
+
+}  // namespace
+
+TEST_CASE("homotopy of the chain, reflected start") {
+    Case<mechanisms::RotatingChain<3>, StartKind::reflected>().all();
+}
+TEST_CASE("homotopy of the chain, general start") { Case<mechanisms::RotatingChain<3>, StartKind::general>().all(); }
+TEST_CASE("homotopy of the chain, from other parameters") {
+    Case<mechanisms::RotatingChain<3>, StartKind::parameter>().all();
+}
+TEST_CASE("homotopy of equations without a potential") { Case<models::CoupledAngles<3>, StartKind::general>().all(); }
+TEST_CASE("homotopy with a coordinate") { Case<models::ElasticPendulum, StartKind::general>().all(); }
+TEST_CASE("homotopy with multiples, powers and phases") { Case<models::Everything, StartKind::general>().all(); }
+TEST_CASE("homotopy with multiples, powers and phases, from other parameters") {
+    Case<models::Everything, StartKind::parameter>().all();
+}
+
+TEST_CASE("a total-degree homotopy is its start system at t = 0, and linear in t") {
+    using M = mechanisms::RotatingChain<3>;
+    Case<M, StartKind::general> c;
+    Generator generator(10 + 3);
+    const auto p = random_parameters<M>(generator);
+    const TotalDegreeStart<M> start(StartKind::general, detail::equation_scales<M, double>(coefficients<M, double>(p)),
+                                    generator);
+    Point<M, double> q;
+    for (int i = 0; i < 3; ++i) {
+        set_lane(q.c[i], 0, start.points(i)[1].c);
+        set_lane(q.s[i], 0, start.points(i)[1].s);
+    }
+    Z zero[3], one[3], third[3];
+    c.evaluation.value(q, 0.0, zero);
+    c.evaluation.value(q, 1.0, one);
+    c.evaluation.value(q, 1.0 / 3, third);
+    for (int i = 0; i < 3; ++i) {
+        CHECK(size(zero[i]) < 1e-13);
+        CHECK(size(third[i] - (zero[i] * (2.0 / 3) + one[i] * (1.0 / 3))) < 1e-13);
+    }
+}
+
+TEST_CASE("all lanes evaluate alike, and so do complex times") {
+    using M = mechanisms::RotatingChain<3>;
+    using R = Lanes<native_lanes>;
+    Generator generator(5);
+    const auto h = random_homotopy<M, StartKind::reflected>(generator, random_parameters<M>(generator));
+    detail::Evaluation<M, StartKind::reflected, double, R, R> lanes(h);
+    detail::Evaluation<M, StartKind::reflected, double, double, double> scalar(h);
+    detail::Evaluation<M, StartKind::reflected, double, double, Z> complex_time(h);
+    Point<M, R> pack{};
+    Point<M, double> q[native_lanes];
+    R t = broadcast<R>(0.0);
+    for (int k = 0; k < native_lanes; ++k) {
+        q[k] = random_point<M>(generator);
+        copy_lane(q[k], 0, pack, k);
+        set_lane(t, k, 0.2 * k);
+    }
+    Complex<R> f[3];
+    lanes.value(pack, t, f);
+    for (int k = 0; k < native_lanes; ++k) {
+        Z g[3], z[3];
+        scalar.value(q[k], 0.2 * k, g);
+        complex_time.value(q[k], {0.2 * k, 0}, z);
+        for (int i = 0; i < 3; ++i) {
+            CHECK(std::abs(lane(f[i], k) - lane(g[i], 0)) < 1e-14);
+            CHECK(size(g[i] - z[i]) < 1e-14);
+        }
+    }
+}

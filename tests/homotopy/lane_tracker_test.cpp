@@ -1,0 +1,83 @@
+// Lanes: each path for itself, whatever the width of the pack, its neighbours and the real type.
+#include <array>
+#include <numeric>
+#include <vector>
+
+#include <equilibria/enumerate/enumerate.hpp>
+#include <equilibria/mechanisms/rotating_chain.hpp>
+
+#include "support/catch.hpp"
+
+using namespace equilibria;
+
+namespace {
+
+using M = mechanisms::TwoLinkChain;
+using Pack = Lanes<native_lanes>;
+constexpr auto kind = StartKind::general;
+
+struct Paths {
+    Generator generator{1};
+    Array<double, Formulation<M>::terms> target = coefficients<M, double>(Parameters<M>{.3, 1.5, 2});
+    TotalDegreeStart<M> start{kind, detail::equation_scales<M, double>(target), generator};
+    Homotopy<M, kind, double> h = Homotopy<M, kind, double>::total_degree(target, start);
+    detail::StartPoints<M> points{start};
+
+    template <class R, bool Pivoted = false>
+    std::vector<Endpoint<M>> track(const std::vector<std::uint64_t>& paths) const {
+        std::vector<Endpoint<M>> ends(paths.size());
+        track_lanes<R, Pivoted>(h, TrackerOptions{}, std::span(paths), points, std::span(ends));
+        return ends;
+    }
+};
+
+std::vector<std::uint64_t> all_paths() {
+    std::vector<std::uint64_t> y(16);
+    std::iota(y.begin(), y.end(), 0);
+    return y;
+}
+
+double distance(const Endpoint<M>& a, const Endpoint<M>& b) {
+    double sum = 0;
+    for (int i = 0; i < 2; ++i) sum += norm2(a.q.c[i] - b.q.c[i]) + norm2(a.q.s[i] - b.q.s[i]);
+    return std::sqrt(sum);
+}
+
+bool identical(const Endpoint<M>& a, const Endpoint<M>& b) {
+    return distance(a, b) == 0 && a.t == b.t && a.steps == b.steps && a.arrival == b.arrival;
+}
+
+}  // namespace
+
+TEST_CASE("every path arrives: in lanes, alone, with either factorisation, in long double") {
+    const Paths paths;
+    const auto ends = paths.track<Pack>(all_paths());
+    const auto check = [&](const std::vector<Endpoint<M>>& others) {
+        for (std::size_t k = 0; k < 16; ++k) {
+            CHECK(others[k].arrival == Arrival::end);
+            CHECK(others[k].t == 1);
+            CHECK(distance(ends[k], others[k]) < 1e-10);
+        }
+    };
+    check(ends);
+    check(paths.track<double>(all_paths()));
+    check(paths.track<Pack, true>(all_paths()));
+    check(paths.track<long double, true>(all_paths()));
+}
+
+TEST_CASE("a path does not depend on its neighbours: the same bits") {
+    const Paths paths;
+    const auto together = paths.track<Pack>(all_paths());
+    for (std::uint64_t k = 0; k < 16; ++k) CHECK(identical(paths.track<Pack>({k})[0], together[k]));
+    auto backwards = all_paths();
+    std::reverse(backwards.begin(), backwards.end());
+    const auto reversed = paths.track<Pack>(backwards);
+    for (std::size_t k = 0; k < 16; ++k) CHECK(identical(reversed[k], together[15 - k]));
+}
+
+TEST_CASE("fewer paths than lanes, and none") {
+    const Paths paths;
+    CHECK(paths.track<Pack>({}).empty());
+    CHECK(paths.track<Pack>({5})[0].arrival == Arrival::end);
+    CHECK(paths.track<Pack>({3, 5, 7})[2].arrival == Arrival::end);
+}

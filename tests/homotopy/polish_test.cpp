@@ -1,0 +1,106 @@
+#include <cmath>
+#include <complex>
+
+#include <equilibria/enumerate/path_solver.hpp>
+#include <equilibria/mechanisms/rotating_chain.hpp>
+
+#include "support/catch.hpp"
+#include "support/models.hpp"
+
+using namespace equilibria;
+
+namespace {
+
+/// A polisher of the model at p. The homotopy's start plays no part at t = 1.
+template <class M>
+struct Polished {
+    static constexpr auto kind = StartKind::general;
+    Parameters<M> p;
+    Generator generator{1};
+    Array<double, Formulation<M>::terms> target = coefficients<M, double>(p);
+    Array<double, n_unknowns<M>> scale = detail::equation_scales<M, double>(target);
+    TotalDegreeStart<M> start{kind, scale, generator};
+    Homotopy<M, kind, double> h = Homotopy<M, kind, double>::total_degree(target, start);
+    detail::Polisher<M, kind, double> polisher{h, p, scale};
+
+    explicit Polished(const Parameters<M>& parameters) : p(parameters) {}
+
+    Point<M, double> at(const Array<std::complex<double>, n_angles<M>>& theta) const {
+        Point<M, double> q;
+        for (int i = 0; i < n_angles<M>; ++i) {
+            set_lane(q.c[i], 0, std::cos(theta[i]));
+            set_lane(q.s[i], 0, std::sin(theta[i]));
+        }
+        return q;
+    }
+};
+
+using Angle = Array<std::complex<double>, 1>;
+
+}  // namespace
+
+TEST_CASE("polishing brings a point near a root onto it") {
+    using M = models::Pendulum;
+    const Polished<M> pendulum({0.5});
+    const double theta = std::asin(0.5);
+    for (const double off : {0.0, 1e-15, 1e-9, 1e-6, 5e-5}) {
+        auto q = pendulum.at(Angle{{theta + std::complex<double>(off, -off)}});
+        PolishedEvidence evidence;
+        pendulum.polisher.run(q, &evidence);
+        CHECK(std::abs(lane(q.s[0], 0) - 0.5) < 1e-15);
+        CHECK(evidence.residual < 1e-15);
+        CHECK(evidence.correction < 1e-14);
+        // the derivative of sin theta - 0.5 is cos theta, beside the coefficient 1
+        CHECK(evidence.condition == Approx(1 / std::cos(theta)));
+    }
+}
+
+TEST_CASE("a point that is no root is left where it is, and the evidence says so") {
+    using M = models::Pendulum;
+    const Polished<M> pendulum({0.5});
+    auto q = pendulum.at(Angle{{std::asin(0.5) + 0.01}});
+    PolishedEvidence evidence;
+    pendulum.polisher.run(q, &evidence);
+    CHECK(std::abs(lane(q.s[0], 0) - std::sin(std::asin(0.5) + 0.01)) < 1e-15);
+    CHECK(evidence.correction > 1e-3);
+    CHECK(evidence.residual > 1e-3);
+}
+
+TEST_CASE("the condition number sees a fold, and a row of rounding errors") {
+    using M = models::Pendulum;
+    const Polished<M> fold({1});
+    auto q = fold.at(Angle{{std::numbers::pi / 2 + 1e-9}});
+    PolishedEvidence evidence;
+    fold.polisher.assess(q, &evidence);
+    CHECK(evidence.condition > 1e8);
+
+    // equal links without gravity: at (pi/2, -pi/2) the second row of the Hessian vanishes
+    using Chain = mechanisms::RotatingChain<2>;
+    const Polished<Chain> folded({1, 1, 1, 1, 1.7, 0});
+    auto r = folded.at({std::numbers::pi / 2, -std::numbers::pi / 2 + 1e-12});
+    folded.polisher.assess(r, &evidence);
+    CHECK(evidence.condition > regular_condition);
+}
+
+TEST_CASE("far from the real torus a regular root is well conditioned") {
+    // sin theta = 1e6: theta = pi/2 + i arcosh 1e6, where F and F' are of the size 1e6
+    using M = models::Pendulum;
+    const Polished<M> far({1e6});
+    auto q = far.at(Angle{{std::complex<double>(std::numbers::pi / 2, std::acosh(1e6))}});
+    PolishedEvidence evidence;
+    far.polisher.run(q, &evidence);
+    CHECK(evidence.condition == Approx(1).epsilon(1e-6));
+    CHECK(evidence.residual < 1e-14);
+}
+
+TEST_CASE("lanes are polished each for itself") {
+    using M = models::Pendulum;
+    using R = Lanes<native_lanes>;
+    const Polished<M> pendulum({0.5});
+    Point<M, R> pack{};
+    for (int k = 0; k < native_lanes; ++k)
+        copy_lane(pendulum.at(Angle{{std::asin(0.5) + (k == 1 ? 0.01 : 1e-7 * k)}}), 0, pack, k);
+    PolishedEvidence evidence[native_lanes];
+    pendulum.polisher.run(pack, evidence);
+    for (int k = 0; k < native_lanes; ++k) CHECK((evidence[k].residual < 1e-15) == (k != 1));
+}

@@ -7,8 +7,11 @@
 //        |         _|_       |   that end in a cusp, the shape of Euler's column with an imperfection.
 //
 // The angles are measured from the upright.
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <equilibria/enumerate/enumerate.hpp>
+#include <equilibria/locus/locus.hpp>
 #include <iostream>
 
 struct SpringLoadedDoublePendulum {
@@ -32,6 +35,15 @@ int main() {
             for (const auto& e : found.equilibria)
                 if (e.stable()) std::printf("    stable at %8.4f %8.4f, energy %7.4f\n", e.q[0], e.q[1], e.energy);
         }
+
+    // the buckling loads are the cusps: stiffness 2 - sqrt 2, sqrt 2 (twice) and 2 + sqrt 2, at offset 0
+    using Model = SpringLoadedDoublePendulum;
+    auto locus = equilibria::trace_locus<Model, Model::offset, Model::stiffness>({1, 0}, {-0.5, 0.5, 0.5, 4});
+    std::sort(locus.cusps.begin(), locus.cusps.end(), [](const auto& a, const auto& b) { return a.at.y < b.at.y; });
+    std::printf("%zu fold curves, %s\n", locus.curves.size(),
+                locus.evidence.complete() ? "all events on all lines explained" : "NOT ALL EXPLAINED");
+    for (const auto& cusp : locus.cusps)
+        std::printf("cusp at offset %.10f, stiffness %.10f\n", std::abs(cusp.at.x), cusp.at.y);
 }
 
 // clang-format off
@@ -71,4 +83,9 @@ stiffness 2, offset 0.20
 stiffness 1, offset 0.20
   16 paths: 16 finite, 0 at infinity, 0 singular, 0 failed; 16 distinct roots, 6 real: index 0: 1, 1: 3, 2: 2; Morse relations hold
     stable at   3.0559   3.0844, energy -2.9828
+4 fold curves, all events on all lines explained
+cusp at offset 0.0000000000, stiffness 0.5857864376
+cusp at offset 0.0000000000, stiffness 1.4142135624
+cusp at offset 0.0000000000, stiffness 1.4142135624
+cusp at offset 0.0000000000, stiffness 3.4142135624
 */

@@ -167,3 +167,47 @@ int main(int argc, char** argv) {
         support::fail("command line", "", error.what());
     }
 }
+
+// clang-format off
+/* Refused:
+--links 0
+    rotating_chain: --links 0: must be an integer from 1 to 8
+--links 9
+    rotating_chain: --links 9: must be an integer from 1 to 8
+--links 2.5
+    rotating_chain: --links 2.5: must be an integer from 1 to 8
+--links
+    rotating_chain: --links: must be followed by a value
+--links 2 --links 3
+    rotating_chain: --links: must be given once only
+--lengths 1,-2
+    rotating_chain: --lengths 1,-2: must be 2 positive numbers, with commas between
+--lengths 1,2,3
+    rotating_chain: --lengths 1,2,3: must be 2 positive numbers, with commas between
+--lengths 1,,2
+    rotating_chain: --lengths 1,,2: must be 2 positive numbers, with commas between
+--links 3 --masses 0,1,1
+    rotating_chain: --masses 0,1,1: must be 3 positive numbers, with commas between
+--masses nan,1
+    rotating_chain: --masses nan,1: must be 2 positive numbers, with commas between
+--links 1 --masses inf
+    rotating_chain: --masses inf: must be 1 positive number
+--omega inf
+    rotating_chain: --omega inf: must be a finite number
+--omega fast
+    rotating_chain: --omega fast: must be a finite number
+--gravity -1
+    rotating_chain: --gravity -1: must be a finite number, 0 or more
+--seed -1
+    rotating_chain: --seed -1: must be an integer from 0 to 18446744073709551615
+--threads 1025
+    rotating_chain: --threads 1025: must be an integer from 0 to 1024
+--json missing/folder.json
+    rotating_chain: --json missing/folder.json: cannot be written (No such file or directory); must be a file that can, or -
+--json .
+    rotating_chain: --json .: is a folder; must be a file that can be written
+--json good.json --omega nan
+    rotating_chain: --omega nan: must be a finite number
+--speed 2
+    rotating_chain: --speed: is not an option; --help lists them
+*/

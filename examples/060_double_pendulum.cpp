@@ -50,33 +50,33 @@ int main() {
 /* Output:
 stiffness 4, offset 0.05
   16 paths: 16 finite, 0 at infinity, 0 singular, 0 failed; 16 distinct roots, 12 real: index 0: 4, 1: 6, 2: 2; Morse relations hold
-    stable at   3.1063   3.1298, energy -2.9982
-    stable at   3.1130   0.0286, energy -0.9986
     stable at   0.2409  -0.2571, energy  2.9891
+    stable at   3.1130   0.0286, energy -0.9986
     stable at   0.0860  -3.1128, energy  0.9957
+    stable at   3.1063   3.1298, energy -2.9982
 stiffness 3, offset 0.05
   16 paths: 16 finite, 0 at infinity, 0 singular, 0 failed; 16 distinct roots, 10 real: index 0: 3, 1: 5, 2: 2; Morse relations hold
-    stable at   3.1090   3.1285, energy -2.9984
     stable at   3.1202   0.0429, energy -0.9989
     stable at   0.1081  -3.0982, energy  0.9946
+    stable at   3.1090   3.1285, energy -2.9984
 stiffness 2, offset 0.05
   16 paths: 16 finite, 0 at infinity, 0 singular, 0 failed; 16 distinct roots, 10 real: index 0: 3, 1: 5, 2: 2; Morse relations hold
-    stable at   3.1130   3.1273, energy -2.9986
     stable at  -3.1411   0.1018, energy -1.0000
     stable at   0.2164  -3.0318, energy  0.9895
+    stable at   3.1130   3.1273, energy -2.9986
 stiffness 1, offset 0.05
   16 paths: 16 finite, 0 at infinity, 0 singular, 0 failed; 16 distinct roots, 6 real: index 0: 1, 1: 3, 2: 2; Morse relations hold
     stable at   3.1202   3.1273, energy -2.9989
 stiffness 4, offset 0.20
   16 paths: 16 finite, 0 at infinity, 0 singular, 0 failed; 16 distinct roots, 10 real: index 0: 3, 1: 5, 2: 2; Morse relations hold
-    stable at   3.0004   3.0942, energy -2.9717
     stable at   3.0276   0.1155, energy -0.9771
     stable at   0.3696  -3.0125, energy  0.9274
+    stable at   3.0004   3.0942, energy -2.9717
 stiffness 3, offset 0.20
   16 paths: 16 finite, 0 at infinity, 0 singular, 0 failed; 16 distinct roots, 10 real: index 0: 3, 1: 5, 2: 2; Morse relations hold
-    stable at   3.0112   3.0891, energy -2.9738
     stable at   3.0571   0.1757, energy -0.9830
     stable at   0.5753  -2.8828, energy  0.9006
+    stable at   3.0112   3.0891, energy -2.9738
 stiffness 2, offset 0.20
   16 paths: 16 finite, 0 at infinity, 0 singular, 0 failed; 16 distinct roots, 6 real: index 0: 1, 1: 3, 2: 2; Morse relations hold
     stable at   3.0274   3.0842, energy -2.9771

@@ -48,6 +48,20 @@ TEST_CASE("inertia of matrices with known eigenvalues") {
     }
 }
 
+TEST_CASE("eigenvalues of a graded positive definite matrix, each to full relative accuracy") {
+    // D A D with A well conditioned: Jacobi's method loses no small eigenvalue beside a large one (Demmel and Veselic);
+    // det (D A D) = det A det D^2 is the check; D holds powers of two, which change no digit
+    Generator generator(4);
+    for (int k = 0; k < 20; ++k) {
+        const Eigen::Matrix4d a = with_eigenvalues<4>({1, 1.5, 2, 3}, generator);
+        const Eigen::Vector4d d(std::ldexp(1.0, 30), 1, std::ldexp(1.0, -20), std::ldexp(1.0, -40));
+        const Eigen::Vector4d values =
+            detail::symmetric_eigenvalues<Eigen::Matrix4d>(d.asDiagonal() * a * d.asDiagonal());
+        CHECK(values.minCoeff() > 0);
+        CHECK(values.prod() == Approx(9 * std::ldexp(1.0, -60)).epsilon(1e-13));
+    }
+}
+
 TEST_CASE("Sylvester's law: a congruence keeps the inertia") {
     Generator generator(2);
     for (int k = 0; k < 100; ++k) {

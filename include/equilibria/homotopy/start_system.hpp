@@ -110,7 +110,9 @@ private:
         harmonic(i, 0) = 1;
         for (int k = 0; k < F::degrees[i]; ++k) {
             const std::complex<double> e = 0.7 * unit_complex(generator);
-            const std::complex<double> phi(2 * std::numbers::pi * uniform(generator), 0.4 * uniform(generator, -1, 1));
+            // a statement a draw: the order of evaluation of arguments differs between compilers
+            const double turn = 2 * std::numbers::pi * uniform(generator);
+            const std::complex<double> phi(turn, uniform(generator, -0.4, 0.4));
             const std::complex<double> a = std::cos(phi), b = std::sin(phi), root = std::sqrt(1.0 - e * e);
             multiply(i, {a, b, e});
             points_[i].push_back({a * e - b * root, b * e + a * root});
@@ -122,7 +124,8 @@ private:
     void build_coordinate(int i, Generator& generator) {
         allocate(i);
         const int d = F::degrees[i];
-        const std::complex<double> e = uniform(generator, 0.8, 1.2) * unit_complex(generator);
+        const double size = uniform(generator, 0.8, 1.2);
+        const std::complex<double> e = size * unit_complex(generator);
         harmonic(i, d) = 1;
         harmonic(i, 0) = -std::pow(e, d);
         for (int k = 0; k < d; ++k) points_[i].push_back({e * std::polar(1.0, 2 * std::numbers::pi * k / d), 0.0});

@@ -181,9 +181,14 @@ public:
 
 private:
     /// Whether a sum is but the rounding error of cancelled summands. Neither NaN nor infinity is.
-    static constexpr bool negligible(double sum, double summands) {
-        using Real = typename detail::RealPart<C>::type;
-        return sum == 0 || sum < 2 * static_cast<double>(std::numeric_limits<Real>::epsilon()) * summands;
+    static constexpr bool negligible(const C& sum, double summands) {
+        if constexpr (requires { C::exact_cancellation; }) {
+            return sum == C(0);
+        } else {
+            using Real = typename detail::RealPart<C>::type;
+            return sum == C(0) ||
+                   magnitude(sum) < 2 * static_cast<double>(std::numeric_limits<Real>::epsilon()) * summands;
+        }
     }
 
     static constexpr double magnitude(const C& c) {
@@ -222,7 +227,7 @@ private:
                 y.terms_.push_back({j->monomial, sign * j->coefficient}), ++j;
             else {
                 const C sum = i->coefficient + sign * j->coefficient;
-                if (!negligible(magnitude(sum), magnitude(i->coefficient))) y.terms_.push_back({i->monomial, sum});
+                if (!negligible(sum, magnitude(i->coefficient))) y.terms_.push_back({i->monomial, sum});
                 ++i, ++j;
             }
         }
@@ -273,7 +278,7 @@ private:
                 sum = sum + terms_[j].coefficient;
                 size += magnitude(terms_[j].coefficient);
             }
-            if (!negligible(magnitude(sum), size)) terms_[kept++] = {terms_[i].monomial, sum};
+            if (!negligible(sum, size)) terms_[kept++] = {terms_[i].monomial, sum};
             i = j;
         }
         terms_.resize(kept);

@@ -83,6 +83,32 @@ R select(const M& mask, const R& a, const R& b) {
     return mask ? a : b;
 }
 
+/// Masks: bool for scalars, else a pack of 0 and -1.
+template <class Mask>
+Mask mask_not(const Mask& m) {
+    if constexpr (std::is_same_v<Mask, bool>)
+        return !m;
+    else
+        return ~m;
+}
+template <class Mask>
+bool mask_lane(const Mask& m, int k) {
+    if constexpr (std::is_same_v<Mask, bool>)
+        return m;
+    else
+        return m[k] != 0;
+}
+template <class Mask>
+bool all_lanes(const Mask& m) {
+    if constexpr (std::is_same_v<Mask, bool>) {
+        return m;
+    } else {
+        for (int k = 0; k < static_cast<int>(sizeof(Mask) / sizeof(std::int64_t)); ++k)
+            if (m[k] == 0) return false;
+        return true;
+    }
+}
+
 template <class R>
 R lane_max(const R& a, const R& b) {
     return select(a > b, a, b);

@@ -28,7 +28,8 @@ void diagonalize(Matrix& a, Matrix* vectors) {
                 rotated = true;
                 const Scalar difference = (a(j, j) - a(i, i)) / 2;
                 const Scalar longer = abs(difference) + hypot(difference, a(i, j));
-                const Scalar t = difference < 0 ? Scalar(-a(i, j) / longer) : Scalar(a(i, j) / longer);  // tan, |t| <= 1
+                const Scalar t =
+                    difference < 0 ? Scalar(-a(i, j) / longer) : Scalar(a(i, j) / longer);  // tan, |t| <= 1
                 const Scalar c = 1 / hypot(Scalar(1), t), s = t * c;
                 const Scalar shift = t * a(i, j);
                 const auto turn = [&](Scalar& x, Scalar& y) {

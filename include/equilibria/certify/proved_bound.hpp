@@ -1,0 +1,48 @@
+/// \file
+/// Upper bounds of the number of isolated complex roots that hold as theorems, for the equations at given parameters
+/// in exact arithmetic.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <string>
+
+#include <equilibria/algebra/bounds.hpp>
+#include <equilibria/certify/exact_system.hpp>
+
+namespace equilibria {
+
+struct ProvedBound {
+    std::uint64_t value;
+    std::string name;  ///< of the theorem's number
+};
+
+/// The total degree of the equations in (cos, sin) with the circle equations: by Bezout's theorem the number of roots
+/// in affine space, each counted with its multiplicity and each component of positive dimension with its degree, is at
+/// most that. Nothing where an equation vanishes identically, or the number does not fit.
+template <Model M>
+std::optional<ProvedBound> total_degree_bound(const ExactSystem<M>& system) {
+    PathCount bound{1, false};
+    const auto degrees = system.degrees();
+    for (int i = 0; i < n_unknowns<M>; ++i) {
+        if (degrees[i] == 0) return {};
+        bound = bound * PathCount{static_cast<std::int64_t>(degrees[i]) * (i < n_angles<M> ? 2 : 1), false};
+    }
+    if (bound.saturated) return {};
+    return ProvedBound{static_cast<std::uint64_t>(bound.value), "total degree"};
+}
+
+/// The smallest bound that the library knows: the total degree, or a multihomogeneous Bezout number.
+template <Model M>
+std::optional<ProvedBound> smallest_proved_bound(const ExactSystem<M>& system) {
+    auto bound = total_degree_bound(system);
+    if (!bound || !system.within_support()) return bound;
+    const auto other = smallest_multihomogeneous_number<M>().number;
+    const auto value = static_cast<std::uint64_t>(other.value);
+    if (!other.saturated && value < bound->value) bound = {value, "multihomogeneous Bezout number"};
+    return bound;
+}
+
+}  // namespace equilibria

@@ -1,0 +1,66 @@
+/// \file
+/// The number of negative eigenvalues of the Hessian at a real root, proved.
+///
+/// Krawczyk's test shows that every matrix in the hull of the Jacobians over its polydisc is regular. Along a path of
+/// regular symmetric matrices no eigenvalue changes sign, so the Hessian at the root has the inertia of the one at the
+/// centre, A. With A = Q D Q^T + R, Q regular and |Y R| small enough for the matrices between A and Q D Q^T to be
+/// regular as well, that is the inertia of the diagonal matrix D, by Sylvester's law.
+#pragma once
+
+#include <optional>
+
+#include <equilibria/certify/krawczyk.hpp>
+#include <equilibria/core/symmetric_eigen.hpp>
+#include <equilibria/model/derivatives.hpp>
+
+namespace equilibria {
+
+/// The index of the root that lane k proves, or nothing where it cannot be proved. The test was made with real = true,
+/// and the model has a potential.
+template <PotentialModel M, class R>
+std::optional<int> proved_index(const KrawczykResult<M, R>& root, int k) {
+    using S = typename LaneTraits<R>::Scalar;
+    using Matrix = UnknownMatrix<M, S>;
+    constexpr int n = n_unknowns<M>;
+    const auto size = [](const S& x) { return x < 0 ? S(-x) : x; };
+    Matrix a;
+    for (int r = 0; r < n; ++r)
+        for (int c = 0; c < n; ++c) a(r, c) = lane(root.jacobian[r][c].re, k);
+    const SymmetricEigen<Matrix> eigen(a);
+    const Matrix& q = eigen.vectors;
+    const S unit = (n + 6) * rounding_unit<S>;
+    // |A - Q D Q^T|, and whether Q^T Q is so close to 1 that Q is regular
+    Matrix rest;
+    for (int r = 0; r < n; ++r)
+        for (int c = 0; c < n; ++c) {
+            S sum(0), sizes(0), gram(r == c ? -1 : 0), gram_sizes(r == c ? 1 : 0);
+            for (int m = 0; m < n; ++m) {
+                const S product = q(r, m) * eigen.values(m) * q(c, m), square = q(m, r) * q(m, c);
+                sum += product;
+                sizes += size(product);
+                gram += square;
+                gram_sizes += size(square);
+            }
+            rest(r, c) = rounded_up<S>(size(S(a(r, c) - sum)) + unit * (size(a(r, c)) + sizes));
+            if (!(size(gram) + unit * gram_sizes < S(0.5) / n)) return {};
+        }
+    int negative = 0;
+    for (int r = 0; r < n; ++r) {
+        if (!(eigen.values(r) != 0)) return {};
+        negative += eigen.values(r) < 0;
+        // row r of (E + |Y| rest) weight < weight
+        S sum(0);
+        for (int c = 0; c < n; ++c) {
+            S entry = lane(root.contraction[r][c], k);
+            for (int m = 0; m < n; ++m) {
+                const Complex<S> y(lane(root.inverse[r][m].re, k), lane(root.inverse[r][m].im, k));
+                entry += magnitude_bound(y) * rest(m, c);
+            }
+            sum += entry * lane(root.weight[c], k);
+        }
+        if (!(rounded_up<S>(sum * (1 + 2 * unit)) < lane(root.weight[r], k))) return {};
+    }
+    return negative;
+}
+
+}  // namespace equilibria

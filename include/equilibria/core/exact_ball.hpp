@@ -1,0 +1,211 @@
+/// \file
+/// The numbers in which a model's polynomials are known exactly. A double is an integer times a power of two, and so
+/// are sums and products of doubles: the coefficients of most models are computed without any rounding, and one that
+/// cancels is exactly 0. Quotients, sqrt, sin, exp, ... of parameters are enclosed to 100 digits; so is a parameter
+/// that stands for an interval. Used for a model's few coefficients, never in a loop over roots.
+#pragma once
+
+#include <boost/multiprecision/cpp_int.hpp>
+#include <cmath>
+#include <concepts>
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <type_traits>
+
+#include <equilibria/core/ball.hpp>
+#include <equilibria/core/error.hpp>
+#include <equilibria/core/multiprecision.hpp>
+
+namespace equilibria {
+
+/// mantissa 2^exponent, with no limit to the digits of the mantissa.
+class Dyadic {
+public:
+    using Integer = boost::multiprecision::cpp_int;
+
+    Dyadic() = default;
+    /// The value of a finite number of any binary floating-point type, or of an integer.
+    template <class A>
+    explicit Dyadic(const A& value) {
+        if constexpr (std::is_integral_v<A>) {
+            mantissa_ = value;
+        } else if constexpr (std::is_same_v<A, double>) {
+            auto m = static_cast<std::int64_t>(std::ldexp(std::frexp(value, &exponent_), 53));
+            exponent_ -= 53;
+            for (; m != 0 && m % 2 == 0; m /= 2) ++exponent_;
+            mantissa_ = m;
+        } else {
+            using std::frexp, std::ldexp;
+            int e = 0;
+            A m = frexp(value, &e);
+            constexpr int bits = std::numeric_limits<A>::digits;
+            m = ldexp(m, bits);
+            mantissa_ = static_cast<Integer>(m);
+            exponent_ = e - bits;
+            if (is_zero()) return;
+            const auto zeros = lsb(abs(mantissa_));
+            mantissa_ >>= zeros;
+            exponent_ += static_cast<int>(zeros);
+        }
+    }
+
+    bool is_zero() const { return mantissa_.is_zero(); }
+    friend bool operator==(const Dyadic& a, const Dyadic& b) {
+        if (a.is_zero() || b.is_zero()) return a.is_zero() && b.is_zero();
+        return (a - b).is_zero();
+    }
+    friend Dyadic operator-(Dyadic a) {
+        a.mantissa_ = -a.mantissa_;
+        return a;
+    }
+    friend Dyadic operator+(const Dyadic& a, const Dyadic& b) {
+        if (a.is_zero()) return b;
+        if (b.is_zero()) return a;
+        Dyadic y;
+        y.exponent_ = std::min(a.exponent_, b.exponent_);
+        y.mantissa_ = (a.mantissa_ << (a.exponent_ - y.exponent_)) + (b.mantissa_ << (b.exponent_ - y.exponent_));
+        return y;
+    }
+    friend Dyadic operator-(const Dyadic& a, const Dyadic& b) { return a + (-b); }
+    friend Dyadic operator*(const Dyadic& a, const Dyadic& b) {
+        Dyadic y;
+        y.mantissa_ = a.mantissa_ * b.mantissa_;
+        y.exponent_ = y.is_zero() ? 0 : a.exponent_ + b.exponent_;
+        return y;
+    }
+
+    /// The value in the floating-point type S, wrong by a few units in the last place at the most.
+    template <class S>
+    S to() const {
+        using std::ldexp;
+        if (is_zero()) return S(0);
+        // the leading digits, so that the conversion cannot overflow
+        const auto top = static_cast<int>(msb(abs(mantissa_))), keep = std::numeric_limits<S>::digits + 8;
+        const int drop = std::max(0, top - keep);
+        return ldexp(static_cast<S>(Integer(mantissa_ >> drop)), exponent_ + drop);
+    }
+
+private:
+    Integer mantissa_ = 0;
+    int exponent_ = 0;
+};
+
+/// All real numbers within `rad` of an exactly known midpoint.
+class ExactBall {
+public:
+    static constexpr bool exact_cancellation = true;  ///< sums that cancel are 0, not rounding errors
+
+    ExactBall() = default;
+    template <class A>
+    requires std::is_arithmetic_v<A> ExactBall(A value) : mid_(value) {}
+    ExactBall(const Dyadic& mid, double rad) : mid_(mid), rad_(rad) {}
+    /// All numbers from low to high.
+    static ExactBall between(double low, double high) {
+        const Dyadic a(low), b(high), half(0.5);
+        return {half * (a + b), rounded_up((half * (b - a)).to<double>())};
+    }
+
+    const Dyadic& mid() const { return mid_; }
+    double rad() const { return rad_; }
+    bool exact() const { return rad_ == 0; }
+
+    friend bool operator==(const ExactBall& a, const ExactBall& b) { return a.mid_ == b.mid_ && a.rad_ == b.rad_; }
+    friend ExactBall operator-(const ExactBall& a) { return {-a.mid_, a.rad_}; }
+    friend ExactBall operator+(const ExactBall& a, const ExactBall& b) {
+        return {a.mid_ + b.mid_, a.exact() && b.exact() ? 0 : rounded_up(a.rad_ + b.rad_)};
+    }
+    friend ExactBall operator-(const ExactBall& a, const ExactBall& b) { return a + (-b); }
+    friend ExactBall operator*(const ExactBall& a, const ExactBall& b) {
+        if (a.exact() && b.exact()) return {a.mid_ * b.mid_, 0};
+        return {a.mid_ * b.mid_, rounded_up(a.size() * b.rad_ + a.rad_ * (b.size() + b.rad_))};
+    }
+    /// Throws InvalidArgument where the divisor may be 0.
+    friend ExactBall operator/(const ExactBall& a, const ExactBall& b) { return a * inverse(b); }
+
+    /// The magnitude, to a few digits.
+    friend double abs(const ExactBall& a) { return std::abs(a.mid_.to<double>()) + a.rad_; }
+
+    // Templates, so that a program pays only for the functions that its models call.
+    template <std::same_as<ExactBall> B>
+    friend ExactBall sqrt(const B& a) {
+        if (a == 0) return 0;
+        require(a.low() > 0, "model", a.text(), "the square root needs a positive number");
+        return a.through([](const Float& x) { return Float(sqrt(x)); }, 0.5 / std::sqrt(a.low()));
+    }
+    template <std::same_as<ExactBall> B>
+    friend ExactBall exp(const B& a) {
+        if (a == 0) return 1;
+        return a.through([](const Float& x) { return Float(exp(x)); },
+                         1.01 * std::exp(a.mid_.template to<double>() + a.rad_));
+    }
+    template <std::same_as<ExactBall> B>
+    friend ExactBall log(const B& a) {
+        if (a == 1) return 0;
+        require(a.low() > 0, "model", a.text(), "the logarithm needs a positive number");
+        return a.through([](const Float& x) { return Float(log(x)); }, 1 / a.low());
+    }
+    template <std::same_as<ExactBall> B>
+    friend ExactBall sin(const B& a) {
+        if (a == 0) return 0;
+        return a.through([](const Float& x) { return Float(sin(x)); }, 1);
+    }
+    template <std::same_as<ExactBall> B>
+    friend ExactBall cos(const B& a) {
+        if (a == 0) return 1;
+        return a.through([](const Float& x) { return Float(cos(x)); }, 1);
+    }
+    /// a^y for a > 0.
+    template <std::same_as<ExactBall> B>
+    friend ExactBall pow(const B& a, double y) {
+        return exp(ExactBall(y) * log(a));
+    }
+
+    /// A ball over the real type S that contains this one.
+    template <class S>
+    Ball<S> enclosure() const {
+        const S mid = mid_.to<S>();
+        const Dyadic off = mid_ - Dyadic(mid);
+        S rad(0);
+        if (!off.is_zero() || rad_ != 0) {
+            const S distance = off.to<S>();
+            rad = equilibria::rounded_up<S>((distance < 0 ? S(-distance) : distance) + S(rad_));
+        }
+        require(rad < std::numeric_limits<S>::infinity(), "model", text(), "a coefficient is too large");
+        return {Complex<S>(mid, S(0)), rad};
+    }
+
+private:
+    using Float = Multiprecision<110>;
+    static constexpr double trust = 1e-100;  ///< share by which a function or quotient over Float is wrong at the most
+
+    static double rounded_up(double x) { return equilibria::rounded_up<double>(x); }
+    double size() const { return rounded_up(std::abs(mid_.to<double>())); }
+    /// Not above any member; at most 1e-14 below the least, as a share.
+    double low() const {
+        const double m = mid_.to<double>();
+        return m - rad_ - 1e-14 * (std::abs(m) + rad_);
+    }
+    std::string text() const { return to_text(mid_.to<double>()) + (exact() ? "" : " +- " + to_text(rad_)); }
+
+    friend ExactBall inverse(const ExactBall& a) {
+        if (a == 1) return 1;
+        const double gap = std::abs(a.mid_.to<double>()) * (1 - 1e-14) - a.rad_;
+        require(gap > 0, "model", a.text(), "divides by a number that may be 0 at these parameters");
+        return a.through([](const Float& x) { return Float(1 / x); }, 1.01 / gap / gap);
+    }
+    /// f over the ball: its value at the midpoint; `slope` bounds |f'| on the ball.
+    template <class F>
+    ExactBall through(F f, double slope) const {
+        const Float x = mid_.to<Float>(), y = f(x);
+        const double off =
+            rounded_up(1.01 * slope * (rad_ + trust * size()) + trust * std::abs(static_cast<double>(y)));
+        require(std::isfinite(off), "model", text(), "a function of the parameters is not finite there");
+        return {Dyadic(y), off};
+    }
+
+    Dyadic mid_;
+    double rad_ = 0;
+};
+
+}  // namespace equilibria

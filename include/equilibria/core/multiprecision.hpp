@@ -1,0 +1,114 @@
+/// \file
+/// Multiprecision floats for the scalars of the library: Boost's binary floats behind functions that are not inlined.
+/// Generic code does hundreds of operations on its scalars; inlined, a proof takes minutes to compile, and a call costs
+/// nothing beside a product of many digits.
+#pragma once
+
+#include <boost/multiprecision/cpp_bin_float.hpp>
+#include <concepts>
+#include <limits>
+#include <ostream>
+#include <string>
+#include <type_traits>
+
+namespace equilibria {
+
+/// Binary floating point with at least this many decimal digits, rounded to nearest.
+template <int Digits>
+class Multiprecision {
+public:
+    using Value =
+        boost::multiprecision::number<boost::multiprecision::cpp_bin_float<Digits>, boost::multiprecision::et_off>;
+
+    Multiprecision() = default;
+    template <class A>
+    requires std::is_arithmetic_v<A>
+    [[gnu::noinline]] Multiprecision(A value) : value_(value) {}
+    template <int Other>
+    requires(Other != Digits) [[gnu::noinline]] explicit Multiprecision(const Multiprecision<Other>& a)
+        : value_(a.value()) {}
+    explicit Multiprecision(const Value& value) : value_(value) {}
+    /// From decimal digits; throws std::runtime_error for text that is no number.
+    explicit Multiprecision(const std::string& text) : value_(text) {}
+
+    const Value& value() const { return value_; }
+    template <class A>
+    requires std::is_arithmetic_v<A>
+    [[gnu::noinline]] explicit operator A() const { return static_cast<A>(value_); }
+    [[gnu::noinline]] explicit operator boost::multiprecision::cpp_int() const {
+        return static_cast<boost::multiprecision::cpp_int>(value_);
+    }
+    explicit Multiprecision(const boost::multiprecision::cpp_int& a) : value_(a) {}
+
+    using Self = Multiprecision;
+    [[gnu::noinline]] friend Self operator+(const Self& a, const Self& b) { return Self(Value(a.value_ + b.value_)); }
+    [[gnu::noinline]] friend Self operator-(const Self& a, const Self& b) { return Self(Value(a.value_ - b.value_)); }
+    [[gnu::noinline]] friend Self operator*(const Self& a, const Self& b) { return Self(Value(a.value_ * b.value_)); }
+    [[gnu::noinline]] friend Self operator/(const Self& a, const Self& b) { return Self(Value(a.value_ / b.value_)); }
+    [[gnu::noinline]] friend Self operator-(const Self& a) { return Self(Value(-a.value_)); }
+    friend Self operator+(const Self& a) { return a; }
+    Self& operator+=(const Self& b) { return *this = *this + b; }
+    Self& operator-=(const Self& b) { return *this = *this - b; }
+    Self& operator*=(const Self& b) { return *this = *this * b; }
+    Self& operator/=(const Self& b) { return *this = *this / b; }
+
+    [[gnu::noinline]] friend bool operator<(const Self& a, const Self& b) { return a.value_ < b.value_; }
+    [[gnu::noinline]] friend bool operator==(const Self& a, const Self& b) { return a.value_ == b.value_; }
+    friend bool operator>(const Self& a, const Self& b) { return b < a; }
+    [[gnu::noinline]] friend bool operator<=(const Self& a, const Self& b) { return a.value_ <= b.value_; }
+    friend bool operator>=(const Self& a, const Self& b) { return b <= a; }
+
+    [[gnu::noinline]] friend Self abs(const Self& a) { return Self(Value(abs(a.value_))); }
+    [[gnu::noinline]] friend Self sqrt(const Self& a) { return Self(Value(sqrt(a.value_))); }
+    [[gnu::noinline]] friend Self hypot(const Self& a, const Self& b) {
+        return Self(Value(sqrt(Value(a.value_ * a.value_ + b.value_ * b.value_))));
+    }
+    [[gnu::noinline]] friend Self frexp(const Self& a, int* e) { return Self(Value(frexp(a.value_, e))); }
+    [[gnu::noinline]] friend Self ldexp(const Self& a, int e) { return Self(Value(ldexp(a.value_, e))); }
+    [[gnu::noinline]] friend bool isfinite(const Self& a) { return (boost::multiprecision::isfinite)(a.value_); }
+    // Templates, so that a program pays only for those that it calls.
+    template <std::same_as<Self> B>
+    [[gnu::noinline]] friend Self sin(const B& a) {
+        return Self(Value(sin(a.value_)));
+    }
+    template <std::same_as<Self> B>
+    [[gnu::noinline]] friend Self cos(const B& a) {
+        return Self(Value(cos(a.value_)));
+    }
+    template <std::same_as<Self> B>
+    [[gnu::noinline]] friend Self exp(const B& a) {
+        return Self(Value(exp(a.value_)));
+    }
+    template <std::same_as<Self> B>
+    [[gnu::noinline]] friend Self log(const B& a) {
+        return Self(Value(log(a.value_)));
+    }
+    template <std::same_as<Self> B>
+    [[gnu::noinline]] friend Self atan2(const B& y, const B& x) {
+        return Self(Value(atan2(y.value_, x.value_)));
+    }
+
+    /// `digits` significant decimal digits (0: all there are).
+    std::string text(int digits = 0, std::ios_base::fmtflags flags = {}) const { return value_.str(digits, flags); }
+    friend std::ostream& operator<<(std::ostream& out, const Self& a) { return out << a.value_; }
+
+private:
+    Value value_;
+};
+
+}  // namespace equilibria
+
+template <int Digits>
+class std::numeric_limits<equilibria::Multiprecision<Digits>>
+    : public std::numeric_limits<typename equilibria::Multiprecision<Digits>::Value> {
+    using Base = std::numeric_limits<typename equilibria::Multiprecision<Digits>::Value>;
+    using Self = equilibria::Multiprecision<Digits>;
+
+public:
+    static Self epsilon() { return Self(Base::epsilon()); }
+    static Self min() { return Self((Base::min)()); }
+    static Self max() { return Self((Base::max)()); }
+    static Self lowest() { return Self(Base::lowest()); }
+    static Self infinity() { return Self(Base::infinity()); }
+    static Self quiet_NaN() { return Self(Base::quiet_NaN()); }
+};

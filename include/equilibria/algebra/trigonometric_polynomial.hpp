@@ -27,6 +27,10 @@ enum class NotPolynomial {
     degree_too_high        ///< a multiple of an angle or a power of a coordinate that Monomial cannot hold
 };
 
+/// Numbers whose sums, where they cancel, are exactly 0: nothing is taken for a rounding error.
+template <class C>
+inline constexpr bool exact_cancellation = false;
+
 namespace detail {
 template <class C>
 struct RealPart {
@@ -182,7 +186,7 @@ public:
 private:
     /// Whether a sum is but the rounding error of cancelled summands. Neither NaN nor infinity is.
     static constexpr bool negligible(const C& sum, double summands) {
-        if constexpr (requires { C::exact_cancellation; }) {
+        if constexpr (exact_cancellation<C>) {
             return sum == C(0);
         } else {
             using Real = typename detail::RealPart<C>::type;
@@ -192,7 +196,9 @@ private:
     }
 
     static constexpr double magnitude(const C& c) {
-        if constexpr (std::is_floating_point_v<C>)
+        if constexpr (exact_cancellation<C>)
+            return 0;
+        else if constexpr (std::is_floating_point_v<C>)
             return c < 0 ? static_cast<double>(-c) : static_cast<double>(c);
         else {
             using std::abs;

@@ -141,35 +141,78 @@ void ball_values(const BallSystem<M, S>& system, const FactorBalls<M, R>& at, Ba
     }
 }
 
-/// dF/dq over the balls of the factors; of a potential model the Hessian, computed above the diagonal and copied.
+namespace detail {
+
+/// The term's product, differentiated by its factor number `d` and then by its factor number `d2`; -1 stands for none.
+template <class M, class R, class S>
+Ball<R> term_derivative(const BallSystem<M, S>& system, const typename BallSystem<M, S>::Term& t,
+                        const FactorBalls<M, R>& at, int d, int d2 = -1) {
+    Ball<R> product = broadcast_ball<R>(t.coefficient);
+    for (int k = t.first; k < t.last; ++k) {
+        const auto& factor = system.factors[static_cast<std::size_t>(k)];
+        const int times = (k == d) + (k == d2);
+        if (n_coordinates<M> == 0 || factor.unknown < n_angles<M>) {
+            // (cos k theta)' = -k sin k theta, (sin k theta)' = k cos k theta: with the code, -code and the other
+            // factor
+            product = product * at.at(factor.unknown, times == 1 ? -factor.code : factor.code);
+            if (times == 1) product = -factor.code * product;
+            if (times == 2) product = -(factor.code * factor.code) * product;
+        } else if (factor.code < times) {
+            return Ball<R>(Complex<R>(0.0));
+        } else {
+            if (factor.code > times) product = product * at.at(factor.unknown, factor.code - times);
+            if (times == 1) product = factor.code * product;
+            if (times == 2) product = factor.code * (factor.code - 1) * product;
+        }
+    }
+    return product;
+}
+
+template <class M, class R>
+void clear(Ball<R> (&j)[n_unknowns<M>][n_unknowns<M>]) {
+    for (auto& row : j)
+        for (auto& entry : row) entry = Ball<R>(Complex<R>(0.0));
+}
+/// Of a potential model only the entries on and above the diagonal were filled in.
+template <class M, class R>
+void complete(Ball<R> (&j)[n_unknowns<M>][n_unknowns<M>]) {
+    if constexpr (PotentialModel<M>)
+        for (int r = 0; r < n_unknowns<M>; ++r)
+            for (int c = 0; c < r; ++c) j[r][c] = j[c][r];
+}
+
+}  // namespace detail
+
+/// dF/dq over the balls of the factors; of a potential model the Hessian.
 template <class M, class R, class S>
 void ball_jacobian(const BallSystem<M, S>& system, const FactorBalls<M, R>& at,
                    Ball<R> (&j)[n_unknowns<M>][n_unknowns<M>]) {
-    constexpr int n = n_unknowns<M>;
-    constexpr bool symmetric = PotentialModel<M>;
-    for (auto& row : j)
-        for (auto& entry : row) entry = Ball<R>(Complex<R>(0.0));
+    detail::clear<M>(j);
     for (const auto& t : system.terms)
         for (int d = t.first; d < t.last; ++d) {
-            const auto& by = system.factors[static_cast<std::size_t>(d)];
-            if (symmetric && by.unknown < t.equation) continue;
-            Ball<R> product = broadcast_ball<R>(t.coefficient);
-            for (int k = t.first; k < t.last; ++k) {
-                const auto& factor = system.factors[static_cast<std::size_t>(k)];
-                if (k != d) {
-                    product = product * at.at(factor.unknown, factor.code);
-                } else if (n_coordinates<M> == 0 || factor.unknown < n_angles<M>) {
-                    // (cos k theta)' = -k sin k theta, (sin k theta)' = k cos k theta
-                    product = -factor.code * (product * at.at(factor.unknown, -factor.code));
-                } else if (factor.code > 1) {
-                    product = factor.code * (product * at.at(factor.unknown, factor.code - 1));
-                }
-            }
-            j[t.equation][by.unknown] += product;
+            const int by = system.factors[static_cast<std::size_t>(d)].unknown;
+            if (PotentialModel<M> && by < t.equation) continue;
+            j[t.equation][by] += detail::term_derivative(system, t, at, d);
         }
-    if constexpr (symmetric)
-        for (int r = 0; r < n; ++r)
-            for (int c = 0; c < r; ++c) j[r][c] = j[c][r];
+    detail::complete<M>(j);
+}
+
+/// The derivative of dF/dq by unknown number u.
+template <class M, class R, class S>
+void ball_jacobian_derivative(const BallSystem<M, S>& system, const FactorBalls<M, R>& at, int u,
+                              Ball<R> (&j)[n_unknowns<M>][n_unknowns<M>]) {
+    detail::clear<M>(j);
+    for (const auto& t : system.terms) {
+        int d2 = t.first;
+        while (d2 < t.last && system.factors[static_cast<std::size_t>(d2)].unknown != u) ++d2;
+        if (d2 == t.last) continue;
+        for (int d = t.first; d < t.last; ++d) {
+            const int by = system.factors[static_cast<std::size_t>(d)].unknown;
+            if (PotentialModel<M> && by < t.equation) continue;
+            j[t.equation][by] += detail::term_derivative(system, t, at, d, d2);
+        }
+    }
+    detail::complete<M>(j);
 }
 
 }  // namespace equilibria

@@ -7,10 +7,16 @@
 #include <vector>
 
 #include <equilibria/algebra/formulation.hpp>
+#include <equilibria/core/dual.hpp>
 #include <equilibria/core/exact_ball.hpp>
 #include <equilibria/model/model.hpp>
 
 namespace equilibria {
+
+template <>
+inline constexpr bool exact_cancellation<ExactBall> = true;
+template <int N>
+inline constexpr bool exact_cancellation<Dual<ExactBall, N>> = true;
 
 /// One term of an equation over exact numbers.
 template <class M>
@@ -56,6 +62,43 @@ struct ExactSystem {
             const auto at = std::lower_bound(F::support.begin(), F::support.end(), key);
             return at != F::support.end() && *at == key;
         });
+    }
+};
+
+/// The system for all values of some parameters in intervals, and its derivatives by those parameters.
+template <class M, int N>
+struct ExactFamily {
+    ExactSystem<M> center;         ///< at the middle of the intervals, which are doubles
+    ExactSystem<M> all;            ///< for all values at once
+    ExactSystem<M> derivative[N];  ///< by the k-th varied parameter, for all values at once
+    Array<double, N> half_width;   ///< of the intervals, from the middle
+
+    /// Parameter varied[k] takes all values from low[k] to high[k], the others are those of p.
+    ExactFamily(const Parameters<M>& p, const Array<int, N>& varied, const Array<double, N>& low,
+                const Array<double, N>& high) {
+        Parameters<M> middle = p;
+        Parameters<M, ExactBall> wide;
+        Parameters<M, Dual<ExactBall, N>> dual;
+        for (int k = 0; k < p.size(); ++k) wide[k] = p[k];
+        for (int k = 0; k < N; ++k) {
+            middle[varied[k]] = low[k] + (high[k] - low[k]) / 2;
+            const double m = middle[varied[k]];
+            half_width[k] = rounded_up(std::max(high[k] - m, m - low[k]));
+            wide[varied[k]] = ExactBall(Dyadic(m), half_width[k]);
+        }
+        for (int k = 0; k < p.size(); ++k) dual[k] = wide[k];
+        for (int k = 0; k < N; ++k) dual[varied[k]].derivative[k] = 1;
+        center = ExactSystem<M>::at(middle);
+        int equation = 0;
+        for (const auto& f : detail::symbolic_equations<M, Dual<ExactBall, N>>(dual)) {
+            for (const auto& t : f.terms()) {
+                all.terms.push_back({equation, t.monomial, t.coefficient.value});
+                for (int k = 0; k < N; ++k)
+                    if (!(t.coefficient.derivative[k] == 0))
+                        derivative[k].terms.push_back({equation, t.monomial, t.coefficient.derivative[k]});
+            }
+            ++equation;
+        }
     }
 };
 

@@ -24,12 +24,12 @@ struct KrawczykResult {
 
     Mask proved{};
     R radius[n]{};       ///< |root - point| of each unknown, angles in radians; meaningful where proved
-    R weight[n]{};       ///< radii of the polydisc in which the root is alone: E weight < weight
+    R weight[n]{};       ///< radii of the polydisc of e in which the root is alone: E weight < weight
     Point<M, R> center;  ///< of the enclosure of (c, s, x)
     R off[n]{};          ///< radius of the enclosures of c_u and s_u, or of x_u, around `center`
     // for proofs about the Jacobians over the polydisc
-    Complex<R> jacobian[n][n], inverse[n][n];
-    R contraction[n][n]{};  ///< E
+    Complex<R> jacobian[n][n], inverse[n][n], basis[n][n];  ///< J at the point, Y, and B: displacements are B e
+    R contraction[n][n]{};                                  ///< E >= |1 - Y J B| over the polydisc of e
 };
 
 namespace detail {
@@ -67,37 +67,64 @@ void contraction(const Complex<R> (&y)[N][N], const R (&size_y)[N][N], const Bal
 
 }  // namespace detail
 
+namespace detail {
+
+/// The bound of |Y v| for the balls v.
+template <class R, int N>
+void product_bound(const Complex<R> (&y)[N][N], const R (&size_y)[N][N], const Ball<R> (&v)[N], R (&bound)[N]) {
+    const R unit = R{} + (N + 4) * rounding_unit<R>;
+    for (int u = 0; u < N; ++u) {
+        Complex<R> sum(0.0);
+        R error = R{} + 0.0;
+        for (int k = 0; k < N; ++k) {
+            sum += y[u][k] * v[k].mid;
+            error = error + size_y[u][k] * (v[k].rad + unit * magnitude_bound(v[k].mid));
+        }
+        bound[u] = rounded_up<R>(magnitude_bound(sum) + error * (1 + unit));
+    }
+}
+
+/// Fills in what a proof says of the enclosure of (c, s, x), given the factors over the radii.
+template <class M, class R>
+void enclose(const FactorBalls<M, R>& wide, KrawczykResult<M, R>& out) {
+    for (int u = 0; u < n_unknowns<M>; ++u) {
+        const Ball<R>& first = wide.at(u, 1);
+        out.off[u] = first.rad;
+        if (u < n_angles<M>) {
+            out.center.c[u] = first.mid;
+            out.center.s[u] = wide.at(u, -1).mid;
+            out.off[u] = lane_max(first.rad, wide.at(u, -1).rad);
+        } else {
+            out.center.x[u - n_angles<M>] = first.mid;
+        }
+    }
+}
+
+}  // namespace detail
+
 /// The test at the points q, one a lane. real: the polydisc is centred at the real point next to q, so that the root
 /// it holds is real: its conjugate is a root in it as well.
 template <class M, class R, class S>
 KrawczykResult<M, R> krawczyk(const BallSystem<M, S>& system, const Point<M, R>& q, bool real) {
-    constexpr int n = n_unknowns<M>;
     using Mask = typename LaneTraits<R>::Mask;
+    constexpr int n = n_unknowns<M>;
     KrawczykResult<M, R> out;
     const FactorBalls<M, R> at(system, q, real);
     Ball<R> f[n], j[n][n];
     ball_values(system, at, f);
     ball_jacobian(system, at, j);
     for (int r = 0; r < n; ++r)
-        for (int c = 0; c < n; ++c) out.jacobian[r][c] = j[r][c].mid;
+        for (int c = 0; c < n; ++c) out.jacobian[r][c] = j[r][c].mid, out.basis[r][c] = Complex<R>(r == c ? 1.0 : 0.0);
     detail::approximate_inverse(out.jacobian, out.inverse);
     R size_y[n][n], newton[n], r[n];
     const R unit = R{} + (n + 4) * rounding_unit<R>;
-    for (int u = 0; u < n; ++u) {
-        Complex<R> sum(0.0);
-        R error = R{} + 0.0;
-        for (int k = 0; k < n; ++k) {
-            size_y[u][k] = rounded_up<R>(magnitude_bound(out.inverse[u][k]));
-            sum += out.inverse[u][k] * f[k].mid;
-            error = error + size_y[u][k] * (f[k].rad + unit * magnitude_bound(f[k].mid));
-        }
-        newton[u] = rounded_up<R>(magnitude_bound(sum) + error * (1 + unit));
-        r[u] = rounded_up<R>(2.0 * newton[u] + rounding_unit<R> * (R{} + 1e-3));
-    }
+    for (int u = 0; u < n; ++u)
+        for (int k = 0; k < n; ++k) size_y[u][k] = rounded_up<R>(magnitude_bound(out.inverse[u][k]));
+    detail::product_bound(out.inverse, size_y, f, newton);
+    for (int u = 0; u < n; ++u) r[u] = rounded_up<R>(2.0 * newton[u] + rounding_unit<R> * (R{} + 1e-3));
     out.proved = R{} > R{} + 1.0;
     for (int round = 0; round < 6; ++round) {
-        const FactorBalls<M, R> wide = at.widened(r);
-        ball_jacobian(system, wide, j);
+        ball_jacobian(system, at.widened(r), j);
         R e[n][n], reach[n];
         detail::contraction(out.inverse, size_y, j, e);
         Mask holds = R{} < R{} + 1.0;
@@ -118,18 +145,7 @@ KrawczykResult<M, R> krawczyk(const BallSystem<M, S>& system, const Point<M, R>&
         if (all_lanes(out.proved)) break;
         for (int u = 0; u < n; ++u) r[u] = select(out.proved, r[u], R(1.3 * reach[u]));
     }
-    const FactorBalls<M, R> wide = at.widened(out.radius);
-    for (int u = 0; u < n; ++u) {
-        const Ball<R>& first = wide.at(u, 1);
-        out.off[u] = first.rad;
-        if (u < n_angles<M>) {
-            out.center.c[u] = first.mid;
-            out.center.s[u] = wide.at(u, -1).mid;
-            out.off[u] = lane_max(first.rad, wide.at(u, -1).rad);
-        } else {
-            out.center.x[u - n_angles<M>] = first.mid;
-        }
-    }
+    detail::enclose(at.widened(out.radius), out);
     return out;
 }
 

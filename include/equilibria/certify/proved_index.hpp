@@ -3,7 +3,7 @@
 ///
 /// Krawczyk's test shows that every matrix in the hull of the Jacobians over its polydisc is regular. Along a path of
 /// regular symmetric matrices no eigenvalue changes sign, so the Hessian at the root has the inertia of the one at the
-/// centre, A. With A = Q D Q^T + R, Q regular and |Y R| small enough for the matrices between A and Q D Q^T to be
+/// centre, A. With A = Q D Q^T + R, Q regular and |Y R B| small enough for the matrices between A and Q D Q^T to be
 /// regular as well, that is the inertia of the diagonal matrix D, by Sylvester's law.
 #pragma once
 
@@ -48,13 +48,14 @@ std::optional<int> proved_index(const KrawczykResult<M, R>& root, int k) {
     for (int r = 0; r < n; ++r) {
         if (!(eigen.values(r) != 0)) return {};
         negative += eigen.values(r) < 0;
-        // row r of (E + |Y| rest) weight < weight
+        // row r of (E + |Y| rest |B|) weight < weight
         S sum(0);
         for (int c = 0; c < n; ++c) {
             S entry = lane(root.contraction[r][c], k);
             for (int m = 0; m < n; ++m) {
-                const Complex<S> y(lane(root.inverse[r][m].re, k), lane(root.inverse[r][m].im, k));
-                entry += magnitude_bound(y) * rest(m, c);
+                S turned(0);
+                for (int l = 0; l < n; ++l) turned += rest(m, l) * size(lane(root.basis[l][c].re, k));
+                entry += magnitude_bound(Complex<S>(lane(root.inverse[r][m].re, k), S(0))) * turned;
             }
             sum += entry * lane(root.weight[c], k);
         }

@@ -48,6 +48,11 @@ struct Dual {
         return y;
     }
 
+    friend constexpr bool operator==(const Dual& a, const Dual& b) {
+        for (int k = 0; k < N; ++k)
+            if (!(a.derivative[k] == b.derivative[k])) return false;
+        return a.value == b.value;
+    }
     friend constexpr Dual operator-(const Dual& a) { return a.chain(-a.value, -1.0); }
     friend constexpr Dual operator+(const Dual& a, const Dual& b) {
         Dual y(a.value + b.value);

@@ -94,8 +94,6 @@ private:
 /// All real numbers within `rad` of an exactly known midpoint.
 class ExactBall {
 public:
-    static constexpr bool exact_cancellation = true;  ///< sums that cancel are 0, not rounding errors
-
     ExactBall() = default;
     template <class A>
     requires std::is_arithmetic_v<A> ExactBall(A value) : mid_(value) {}
@@ -122,9 +120,6 @@ public:
     }
     /// Throws InvalidArgument where the divisor may be 0.
     friend ExactBall operator/(const ExactBall& a, const ExactBall& b) { return a * inverse(b); }
-
-    /// The magnitude, to a few digits.
-    friend double abs(const ExactBall& a) { return std::abs(a.mid_.to<double>()) + a.rad_; }
 
     // Templates, so that a program pays only for the functions that its models call.
     template <std::same_as<ExactBall> B>

@@ -6,6 +6,7 @@
 /// operations in which those differ (choose by a mask, read or write one lane) are the overloads below.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <type_traits>
 #include <utility>
@@ -116,6 +117,18 @@ R lane_max(const R& a, const R& b) {
 template <class R>
 R lane_min(const R& a, const R& b) {
     return select(a < b, a, b);
+}
+
+template <class R>
+R square_root(const R& a) {
+    if constexpr (is_pack<R>) {
+        R y;
+        for (int k = 0; k < LaneTraits<R>::width; ++k) y[k] = std::sqrt(a[k]);
+        return y;
+    } else {
+        using std::sqrt;
+        return sqrt(a);
+    }
 }
 
 }  // namespace equilibria

@@ -55,18 +55,6 @@ struct TrackerOptions {
 
 namespace detail {
 
-template <class R>
-R square_root(const R& a) {
-    if constexpr (is_pack<R>) {
-        R y;
-        for (int k = 0; k < LaneTraits<R>::width; ++k) y[k] = std::sqrt(a[k]);
-        return y;
-    } else {
-        using std::sqrt;
-        return sqrt(a);
-    }
-}
-
 /// One predictor-corrector step for all lanes. The driver owns t, the refilling of lanes and the end of paths.
 ///
 /// Time: R, and the path runs along the reals; or Complex<R>, and it runs along the segment t = origin + tau direction.

@@ -1,0 +1,242 @@
+/// \file
+/// The number and kind of the equilibria for every point of a part of the plane of two parameters, proved cell by cell.
+///
+/// In a cell, Krawczyk's test is made for all parameters of the cell at once. If as many distinct roots are proved as
+/// the total degree allows, none is missing anywhere in the cell; each is real throughout or non-real throughout, and
+/// the real ones keep their index: no fold, pitchfork or other change of the count lies in the cell. A cell that cannot
+/// be proved is cut in two, until it is too small. Cells that a curve of the locus crosses cannot be proved: what
+/// remains is a band around the locus. This is a computer-assisted version of a bifurcation figure.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <complex>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include <equilibria/certify/enclosure.hpp>
+#include <equilibria/certify/krawczyk_family.hpp>
+#include <equilibria/certify/newton.hpp>
+#include <equilibria/certify/proved_bound.hpp>
+#include <equilibria/certify/proved_index.hpp>
+#include <equilibria/enumerate/enumerate.hpp>
+#include <equilibria/locus/regions.hpp>
+
+namespace equilibria {
+
+struct ProveRegionOptions {
+    double min_cell = 1e-3;  ///< a cell is not cut along an edge that is at most that long; in units of the parameters
+    std::uint64_t seed = 1;  ///< of the enumerations that find the candidates
+    unsigned threads = 1;    ///< 0: all of the machine's; does not change the result
+    /// Called after each generation of cells with the share of the area decided, 0 to 1.
+    std::function<void(double share)> progress{};
+
+    void validate() const {
+        require(std::isfinite(min_cell) && min_cell > 0, "min_cell", min_cell, "must be positive and finite");
+        require(threads <= 1024, "threads", threads, "must be 0 (all) to 1024");
+    }
+};
+
+/// A rectangle of the plane, proved: the same equilibria for each of its points.
+struct ProvedCell {
+    PlaneWindow window;
+    std::int64_t count = 0;              ///< real equilibria
+    std::vector<std::int64_t> by_index;  ///< of index 0, 1, .. n
+};
+
+struct RegionProof {
+    PlaneWindow window;
+    std::vector<ProvedCell> cells;
+    std::vector<PlaneWindow> undecided;
+    double proved_area_share = 0;    ///< area of the cells over the area of the window
+    std::uint64_t tested = 0;        ///< cells tested, those that were cut included
+    std::uint64_t enumerations = 0;  ///< runs of the tracker for candidates
+    double seconds = 0;
+};
+
+namespace detail {
+
+template <Model M, int X, int Y>
+class RegionProver {
+public:
+    static_assert(PotentialModel<M>, "equilibria: prove_region counts by the index of a Hessian: it needs a potential");
+    static constexpr int n = n_unknowns<M>;
+    using Pack = Lanes<native_lanes>;
+    using Candidates = std::vector<ComplexUnknowns<M, double>>;
+
+    RegionProver(const Parameters<M>& p, const PlaneWindow& window, const ProveRegionOptions& options)
+        : parameters_(p), window_(window), options_(options) {}
+
+    RegionProof run() {
+        const auto begin = std::chrono::steady_clock::now();
+        RegionProof proof;
+        proof.window = window_;
+        const double area = window_.width() * window_.height();
+        std::vector<Cell> generation{{window_, nullptr}};
+        double decided = 0;
+        while (!generation.empty()) {
+            std::vector<Outcome> outcomes(generation.size());
+            parallel_blocks(generation.size(), 16, options_.threads, [&](std::size_t first, std::size_t last) {
+                for (std::size_t k = first; k < last; ++k) outcomes[k] = test(generation[k]);
+            });
+            std::vector<Cell> next;
+            for (std::size_t k = 0; k < generation.size(); ++k) {
+                const PlaneWindow& w = generation[k].window;
+                ++proof.tested;
+                proof.enumerations += outcomes[k].enumerated;
+                if (outcomes[k].proved) {
+                    auto& counts = outcomes[k].by_index;
+                    std::int64_t count = 0;
+                    for (const std::int64_t c : counts) count += c;
+                    proof.cells.push_back({w, count, std::move(counts)});
+                    decided += w.width() * w.height();
+                } else if (std::max(w.width(), w.height()) <= options_.min_cell) {
+                    proof.undecided.push_back(w);
+                    decided += w.width() * w.height();
+                } else {
+                    for (const PlaneWindow& half : halves(w)) next.push_back({half, outcomes[k].candidates});
+                }
+            }
+            generation = std::move(next);
+            if (options_.progress) options_.progress(decided / area);
+        }
+        for (const auto& cell : proof.cells)
+            proof.proved_area_share += cell.window.width() * cell.window.height() / area;
+        proof.seconds = seconds_since(begin);
+        return proof;
+    }
+
+private:
+    struct Cell {
+        PlaneWindow window;
+        std::shared_ptr<const Candidates>
+            candidates;  ///< the roots at the middle of the cell that this one is a half of
+    };
+    struct Outcome {
+        bool proved = false, enumerated = false;
+        std::vector<std::int64_t> by_index;
+        std::shared_ptr<const Candidates> candidates;  ///< the roots at this cell's middle
+    };
+
+    static std::array<PlaneWindow, 2> halves(PlaneWindow w) {
+        PlaneWindow a = w, b = w;
+        if (w.width() > w.height())
+            a.x_high = b.x_low = w.x_low + w.width() / 2;
+        else
+            a.y_high = b.y_low = w.y_low + w.height() / 2;
+        return {a, b};
+    }
+
+    Outcome test(const Cell& cell) const {
+        Outcome out;
+        const PlaneWindow& w = cell.window;
+        const ExactFamily<M, 2> exact(parameters_, {{X, Y}}, {{w.x_low, w.y_low}}, {{w.x_high, w.y_high}});
+        const auto bound = total_degree_bound<M>(exact.all);
+        const BallFamily<M, double, 2> family(exact);
+        Candidates roots;
+        if (cell.candidates) roots = moved(*cell.candidates, family.center);
+        if (!bound || roots.size() != bound->value || !all_different(roots)) {
+            out.enumerated = true;
+            Parameters<M> p = parameters_;
+            p[X] = w.x_low + w.width() / 2;
+            p[Y] = w.y_low + w.height() / 2;
+            roots.clear();
+            for (const auto& root : enumerate<M>(p, {.seed = options_.seed}).roots) {
+                ComplexUnknowns<M, double> q;
+                for (int u = 0; u < n; ++u) q[u] = Complex<double>(root.q[u].real(), root.q[u].imag());
+                roots.push_back(q);
+            }
+        }
+        if (bound && roots.size() == bound->value) prove(family, roots, out);
+        out.candidates = std::make_shared<const Candidates>(std::move(roots));
+        return out;
+    }
+
+    /// The roots of a neighbouring point brought to this cell's middle by Newton's method; without those that did not
+    /// come to a root.
+    static Candidates moved(const Candidates& from, const BallSystem<M, double>& system) {
+        Candidates y;
+        for (auto q : from)
+            if (newton(system, q, 8) < 1e-8) y.push_back(q);
+        return y;
+    }
+    static bool all_different(const Candidates& roots) {
+        std::vector<std::pair<double, std::size_t>> keys;
+        for (std::size_t k = 0; k < roots.size(); ++k) {
+            double key = 0;
+            const auto at = point_of<M, double>(roots[k]);
+            for (int i = 0; i < n_angles<M>; ++i)
+                key += (1 + 0.3 * i) * (at.c[i].re + 0.7 * at.c[i].im + 1.3 * at.s[i].re + 0.6 * at.s[i].im);
+            for (int j = 0; j < n_coordinates<M>; ++j) key += (1 + 0.4 * j) * (at.x[j].re + 0.7 * at.x[j].im);
+            keys.push_back({key, k});
+        }
+        std::sort(keys.begin(), keys.end());
+        for (std::size_t k = 1; k < keys.size(); ++k)
+            if (!(keys[k].first - keys[k - 1].first > 1e-9)) return false;
+        return true;
+    }
+
+    void prove(const BallFamily<M, double, 2>& family, const Candidates& roots, Outcome& out) const {
+        std::vector<Enclosure<M, double>> boxes;
+        std::vector<std::int64_t> by_index(static_cast<std::size_t>(n) + 1);
+        for (const bool real : {true, false}) {
+            std::vector<std::size_t> members;
+            for (std::size_t k = 0; k < roots.size(); ++k) {
+                double imaginary = 0;
+                for (const auto& z : roots[k]) imaginary = std::max(imaginary, std::abs(z.im));
+                if ((imaginary < 1e-8) == real) members.push_back(k);
+            }
+            for (std::size_t at = 0; at < members.size(); at += native_lanes) {
+                Point<M, Pack> q;
+                for (int l = 0; l < native_lanes; ++l) {
+                    auto root = roots[members[std::min(at + static_cast<std::size_t>(l), members.size() - 1)]];
+                    if (real)
+                        for (auto& z : root) z.im = 0;
+                    copy_lane(point_of<M, double>(root), 0, q, l);
+                }
+                const auto proof = krawczyk<M, Pack>(family, q, real);
+                for (int l = 0; l < native_lanes && at + static_cast<std::size_t>(l) < members.size(); ++l) {
+                    if (!mask_lane(proof.proved, l)) return;
+                    boxes.push_back(Enclosure<M, double>::of(proof, l));
+                    if (real) {
+                        const auto index = proved_index<M, Pack>(proof, l);
+                        if (!index) return;
+                        ++by_index[static_cast<std::size_t>(*index)];
+                    } else if (!boxes.back().excludes_real_points()) {
+                        return;
+                    }
+                }
+            }
+        }
+        const auto groups = groups_of_enclosures<M>(boxes);
+        for (std::size_t k = 0; k < groups.size(); ++k)
+            if (groups[k] != k) return;
+        out.proved = true;
+        out.by_index = std::move(by_index);
+    }
+
+    Parameters<M> parameters_;
+    PlaneWindow window_;
+    ProveRegionOptions options_;
+};
+
+}  // namespace detail
+
+/// Proves the equilibria of the model in the plane of its parameters number X and Y, the others being those of p.
+///
+/// Throws InvalidArgument for a window that is empty, reversed or not finite, for parameters that are not finite and
+/// for options out of range.
+template <Model M, int X, int Y>
+RegionProof prove_region(const Parameters<M>& p, const PlaneWindow& window, const ProveRegionOptions& options = {}) {
+    static_assert(X != Y, "equilibria: a plane needs two different parameters");
+    require_finite(p, "parameters");
+    window.validate();
+    options.validate();
+    return detail::RegionProver<M, X, Y>(p, window, options).run();
+}
+
+}  // namespace equilibria

@@ -177,26 +177,28 @@ public:
     static constexpr std::uint64_t endpoint_size = 16 * (2 * n_angles<M> + n_coordinates<M>)+4 * 8 + 4 + 2 + 3;
     static constexpr std::uint64_t block_head = 8 + 8;
 
-    /// Opens or creates the file and checks all of it; read(block, endpoints, retracked) takes each block that is
-    /// there.
+    /// Opens or creates the file and checks all of it; take(block, endpoints, retracked) gets each block that
+    /// is there.
     template <class Take>
     Checkpoint(std::string path, const std::vector<CheckpointFile::Field>& header, std::uint64_t paths,
                std::uint64_t block, Take&& take)
-        : file_(std::move(path), header), paths_(paths), block_(block), offset_((paths + block - 1) / block) {
-        std::vector<Endpoint<M>> ends;
-        file_.each_record([&](std::uint64_t number, std::uint64_t offset, std::span<const std::uint8_t> bytes) {
-            if (bytes.size() < block_head) file_.refuse_record(number, "is too short");
-            const std::uint64_t which = get_number(&bytes[0]), retracked = get_number(&bytes[8]);
-            if (which >= offset_.size()) file_.refuse_record(number, "is of a block that the run does not have");
-            if (offset_[which] != 0) file_.refuse_record(number, "repeats a block");
-            ends.resize(size(which));
-            if (bytes.size() != block_head + ends.size() * endpoint_size)
-                file_.refuse_record(number, "has a wrong size");
-            offset_[which] = offset;
-            if (!decode(bytes.subspan(block_head), ends)) file_.refuse_record(number, "holds an unknown status");
-            take(which, std::span<const Endpoint<M>>(ends), retracked);
-        });
-    }
+        : paths_(paths),
+          block_(block),
+          offset_((paths + block - 1) / block),
+          file_(std::move(path), header,
+                [&, ends = std::vector<Endpoint<M>>()](std::uint64_t offset,
+                                                       std::span<const std::uint8_t> bytes) mutable -> std::string {
+                    if (bytes.size() < block_head) return "is too short";
+                    const std::uint64_t which = get_number(&bytes[0]), retracked = get_number(&bytes[8]);
+                    if (which >= offset_.size()) return "is of a block that the run does not have";
+                    if (offset_[which] != 0) return "repeats a block";
+                    ends.resize(size(which));
+                    if (bytes.size() != block_head + ends.size() * endpoint_size) return "has a wrong size";
+                    if (!decode(bytes.subspan(block_head), ends)) return "holds an unknown status";
+                    offset_[which] = offset;
+                    take(which, std::span<const Endpoint<M>>(ends), retracked);
+                    return "";
+                }) {}
 
     bool has(std::uint64_t block) const { return offset_[block] != 0; }
     /// The number of paths of a block.
@@ -226,9 +228,9 @@ private:
         return read.sound();
     }
 
-    CheckpointFile file_;
     std::uint64_t paths_, block_;
     std::vector<std::uint64_t> offset_;  // of each block's record, 0 where there is none
+    CheckpointFile file_;
 };
 
 }  // namespace equilibria::detail

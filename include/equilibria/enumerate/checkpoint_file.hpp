@@ -8,10 +8,13 @@
 ///     ...   records: length, bytes, CRC
 ///
 /// Little-endian; CRC-64/XZ, those of marks and records begun with the header's, so that none passes in another file.
-/// A record is written past the committed length and synced; only then does the older of the two marks, each in a
-/// sector of its own, take its length in. What lies past the committed length is an append that was interrupted, and is
-/// overwritten. A file shorter than that was truncated, which no interruption does, and is refused. If the newer mark
-/// is damaged the older one holds, and the last record is computed again.
+///
+/// A record is written past those before it; about once a second the file is synced, and only then does the older of
+/// the two marks, each in a sector of its own, take in how long it has become: that length is committed. Past it,
+/// records are read as long as they are whole; the first that is not is an append that was interrupted, and is cut off.
+/// So a killed process loses no record, a power failure those of a second or so. Before the committed length nothing is
+/// forgiven: a damaged record, or a file shorter than that, which no interruption can cause, is refused. If the newer
+/// mark is damaged the older one holds, and the records behind it are found whole.
 ///
 /// POSIX. The file is locked with flock: a second run on it is refused. A file that is refused is never written to.
 #pragma once
@@ -25,6 +28,7 @@
 #include <array>
 #include <boost/crc.hpp>
 #include <cerrno>
+#include <chrono>
 #include <cstdint>
 #include <cstring>
 #include <span>
@@ -41,7 +45,12 @@ namespace equilibria {
 class CheckpointError : public InvalidArgument {
 public:
     CheckpointError(std::string_view path, std::string_view wrong)
-        : InvalidArgument("checkpoint", path.empty() ? "''" : path, wrong) {}
+        : InvalidArgument("checkpoint", path.empty() ? "''" : path, wrong), wrong_(wrong) {}
+    /// What is wrong, without the path.
+    const std::string& wrong() const { return wrong_; }
+
+private:
+    std::string wrong_;
 };
 
 namespace detail {
@@ -83,9 +92,12 @@ public:
     static constexpr std::uint64_t format = 1, marks_at[2] = {512, 1024}, header_at = 1536, prologue_size = 24,
                                    mark_size = 32, frame_size = 16;
 
-    /// Opens the file, or creates it where there is none. Throws CheckpointError if it cannot be opened, is in use, is
-    /// no checkpoint, is damaged or truncated, or has another header; the message names the fields that differ.
-    CheckpointFile(std::string path, const std::vector<Field>& header) : path_(std::move(path)) {
+    /// Opens the file, or creates it where there is none, and calls visit(offset, bytes) for each of its records, in
+    /// their order; `offset` is where the bytes are, and visit returns what is wrong with them, or nothing. Throws
+    /// CheckpointError if the file cannot be opened, is in use, is no checkpoint, is damaged or truncated, or has
+    /// another header; the message names the fields that differ.
+    template <class Visit>
+    CheckpointFile(std::string path, const std::vector<Field>& header, Visit&& visit) : path_(std::move(path)) {
         if (path_.empty()) throw CheckpointError(path_, "must be the name of a file");
         for (const Field& f : header) header_ += f.name + ": " + f.value + "\n";
         try {
@@ -93,55 +105,36 @@ public:
                 if (attempt == 2) refuse_by_errno("cannot be created", ENOENT);  // a link that leads nowhere
                 if (create()) return;
             }
-            read_head();
+            read_records(read_head(), visit);
         } catch (...) {
             close();
             throw;
         }
     }
     CheckpointFile(const CheckpointFile&) = delete;
-    ~CheckpointFile() { close(); }
+    ~CheckpointFile() {
+        try {
+            if (end_ != committed_) commit(), sync();
+        } catch (const CheckpointError&) {  // the records are as safe as they can be
+        }
+        close();
+    }
 
     const std::string& path() const { return path_; }
     std::uint64_t records() const { return records_; }
 
-    /// visit(number, offset, bytes) for each record in the order of the file; `offset` is where the bytes are.
-    template <class Visit>
-    void each_record(Visit&& visit) const {
-        Bytes bytes;
-        std::uint64_t at = data_at();
-        for (std::uint64_t number = 0; number < records_; ++number) {
-            std::uint8_t frame[8];
-            const std::uint64_t left = committed_ - at;
-            if (left < frame_size) refuse_record(number, "is missing");
-            read(at, frame);
-            const std::uint64_t length = get_number(frame);
-            if (length > left - frame_size) refuse_record(number, "is damaged (length)");
-            bytes.resize(length);
-            read(at + 8, bytes);
-            std::uint8_t sum[8];
-            read(at + 8 + length, sum);
-            if (get_number(sum) != Crc64().add(header_sum_).add(length).add(bytes).value())
-                refuse_record(number, "is damaged (checksum)");
-            visit(number, at + 8, std::span<const std::uint8_t>(bytes));
-            at += frame_size + length;
-        }
-        if (at != committed_) refuse("is damaged: its records end before its committed length");
-    }
-
-    /// Appends a record and commits it; returns where its bytes are. When it returns the record is on the disk. Throws
-    /// CheckpointError if it cannot be written; what was committed before stays so. One call at a time.
+    /// Appends a record; returns where its bytes are. No kill of the process can lose it from then on. Throws
+    /// CheckpointError if it cannot be written; what is there already stays so. One call at a time.
     std::uint64_t append(std::span<const std::uint8_t> bytes) {
         Bytes record(bytes.size() + frame_size);
         put_number(record.data(), bytes.size());
         std::copy(bytes.begin(), bytes.end(), record.begin() + 8);
-        put_number(&record[bytes.size() + 8], Crc64().add(header_sum_).add(bytes.size()).add(bytes).value());
-        write(committed_, record);
-        sync();
-        const std::uint64_t at = committed_ + 8;
-        const auto next = mark(sequence_ + 1, committed_ + record.size(), records_ + 1);
-        write(marks_at[(sequence_ + 1) % 2], next);
-        ++sequence_, ++records_, committed_ += record.size();
+        put_number(&record[bytes.size() + 8], record_sum(bytes));
+        write(end_, record);
+        const std::uint64_t at = end_ + 8;
+        end_ += record.size();
+        ++records_;
+        if (Clock::now() >= next_commit_) commit();
         return at;
     }
 
@@ -158,12 +151,9 @@ public:
     }
 
     [[noreturn]] void refuse(const std::string& wrong) const { throw CheckpointError(path_, wrong); }
-    [[noreturn]] void refuse_record(std::uint64_t number, const std::string& wrong) const {
-        refuse("record " + std::to_string(number) + " of " + std::to_string(records_) + " " + wrong +
-               "; restore the file from a copy, or name another one to start anew");
-    }
 
 private:
+    using Clock = std::chrono::steady_clock;
     using Mark = std::array<std::uint8_t, mark_size>;
 
     std::uint64_t data_at() const { return header_at + header_.size(); }
@@ -211,7 +201,7 @@ private:
         std::copy(header_.begin(), header_.end(), head.begin() + header_at);
         header_sum_ = head_sum(head);
         put_number(&head[16], header_sum_);
-        committed_ = data_at();
+        end_ = committed_ = data_at();
         for (const std::uint64_t k : {0, 1}) {
             const Mark m = mark(k, committed_, 0);
             std::copy(m.begin(), m.end(), head.begin() + static_cast<std::ptrdiff_t>(marks_at[k]));
@@ -230,6 +220,9 @@ private:
         return true;
     }
 
+    std::uint64_t record_sum(std::span<const std::uint8_t> bytes) const {
+        return Crc64().add(header_sum_).add(bytes.size()).add(bytes).value();
+    }
     static std::uint64_t head_sum(std::span<const std::uint8_t> head) {
         return Crc64().add(head.first(16)).add(head.subspan(header_at)).value();
     }
@@ -242,7 +235,19 @@ private:
         return m;
     }
 
-    void read_head() {
+    /// Syncs the file, then lets the older mark say how long it is. A slow disk is asked less often.
+    void commit() {
+        if (end_ == committed_) return;
+        const auto begin = Clock::now();
+        sync();
+        write(marks_at[(sequence_ + 1) % 2], mark(sequence_ + 1, end_, records_));
+        ++sequence_;
+        committed_ = end_;
+        next_commit_ = Clock::now() + 10 * (Clock::now() - begin) + std::chrono::seconds(1);
+    }
+
+    /// Checks the head; returns the size of the file.
+    std::uint64_t read_head() {
         const off_t end = ::lseek(file_, 0, SEEK_END);
         if (end < 0) refuse_by_errno("cannot be read", errno);
         const auto size = static_cast<std::uint64_t>(end);
@@ -286,6 +291,40 @@ private:
                    " are there");
         if (committed_ < data_at() || records_ > (committed_ - data_at()) / frame_size)
             refuse("is damaged: its commit marks contradict themselves");
+        return size;
+    }
+
+    template <class Visit>
+    void read_records(std::uint64_t size, Visit&& visit) {
+        const std::uint64_t committed_records = std::exchange(records_, 0);
+        Bytes bytes;
+        for (end_ = data_at(); end_ < size;) {
+            const bool committed = end_ < committed_;
+            const std::uint64_t left = (committed ? committed_ : size) - end_;
+            std::uint8_t number[8];
+            std::string wrong = "length";
+            if (left >= frame_size) {
+                read(end_, number);
+                if (const std::uint64_t length = get_number(number); length <= left - frame_size) {
+                    bytes.resize(length);
+                    read(end_ + 8, bytes);
+                    read(end_ + 8 + length, number);
+                    wrong = get_number(number) == record_sum(bytes) ? "" : "checksum";
+                }
+            }
+            if (!wrong.empty() && !committed) break;
+            if (!wrong.empty())
+                wrong = "is damaged (" + wrong + ")";
+            else
+                wrong = visit(end_ + 8, std::span<const std::uint8_t>(bytes));
+            if (!wrong.empty())
+                refuse("record " + std::to_string(records_) + " " + wrong +
+                       "; restore the file from a copy, or name another one to start anew");
+            end_ += frame_size + bytes.size();
+            ++records_;
+            if (end_ == committed_ && records_ != committed_records) refuse("is damaged: records are missing");
+        }
+        if (end_ < size && ::ftruncate(file_, static_cast<off_t>(end_)) != 0) refuse_unwritten();
     }
 
     static std::vector<Field> fields(const std::string& header) {
@@ -337,12 +376,17 @@ private:
         if (result != 0) refuse_unwritten();
     }
     [[noreturn]] void refuse_unwritten() const {
-        refuse_by_errno("cannot be written; its " + std::to_string(records_) + " finished records are kept", errno);
+        const int reason = errno;
+        refuse_by_errno(records_ == 0 ? "cannot be written"
+                                      : "cannot be written, but its " + std::to_string(records_) +
+                                            " records are kept and the run can be resumed",
+                        reason);
     }
 
     std::string path_, header_;
     int file_ = -1;
-    std::uint64_t header_sum_ = 0, sequence_ = 0, committed_ = 0, records_ = 0;
+    std::uint64_t header_sum_ = 0, sequence_ = 0, committed_ = 0, end_ = 0, records_ = 0;
+    Clock::time_point next_commit_ = Clock::now() + std::chrono::seconds(1);
 };
 
 }  // namespace detail

@@ -247,8 +247,6 @@ int main(int argc, char** argv) {
     rotating_chain: --json .: is a folder; must be a file that can be written
 --json good.json --omega nan
     rotating_chain: --omega nan: must be a finite number
---checkpoint ''
-    rotating_chain: --checkpoint '': must be the name of a file
 --checkpoint missing/folder.ckpt
     rotating_chain: --checkpoint missing/folder.ckpt: cannot be created (No such file or directory)
 --checkpoint .

@@ -366,7 +366,7 @@ TEST_CASE("streamed roots are those of a run that keeps them, and take no part i
           "checkpoint = '': must name a file: roots that are streamed wait there");
 }
 
-TEST_CASE("killed at any moment and resumed, the result is the same [kill]", "[kill]") {
+TEST_CASE("killed at any moment and resumed, the result is the same", "[kill]") {
     const auto p = tests::benchmark_chain<4>();
     const auto whole = enumerate<Chain<4>>(p);
     Generator generator(3);

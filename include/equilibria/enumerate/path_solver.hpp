@@ -138,7 +138,7 @@ private:
         // lanes idle at the end of a block: few blocks, but enough to keep all threads busy, and to lose little of the work
         // where the run is cancelled or killed
         if (options_.cancel || !options_.checkpoint.empty())
-            return std::clamp<std::size_t>(size / 64, 8 * native_lanes, 2048);
+            return std::clamp<std::size_t>(size / 64, 8 * native_lanes, 512);
         if (options_.threads == 1) return 4096;
         return std::clamp<std::size_t>(size / (8 * std::max(2u, options_.threads)), 8 * native_lanes, 4096);
     }

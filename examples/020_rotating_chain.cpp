@@ -2,12 +2,17 @@
 //
 //   rotating_chain --links 2 --lengths 1,1.5 --masses .7,.3 --omega 2
 //   rotating_chain --links 6 --omega 1.7 --threads 2 --json equilibria.json
+//   rotating_chain --links 8 --checkpoint chain.ckpt    (after Ctrl-C, or worse, the same command goes on)
 #include "020_rotating_chain/chain.hpp"
+
+#include <signal.h>
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <cstdio>
+#include <equilibria/enumerate/checkpoint_file.hpp>
 #include <exception>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -124,16 +129,38 @@ void print(const Chain& chain, const ChainResult& r) {
     std::printf("%.3g s, %.3g s of it tracking\n", r.seconds, r.tracking_seconds);
 }
 
+std::atomic<bool> cancelled = false;
+static_assert(std::atomic<bool>::is_always_lock_free);
+
+/// The first Ctrl-C ends the enumeration with what is finished, a second one the program.
+void cancel_on_interrupt() {
+    struct sigaction action {};
+    action.sa_handler = [](int) { cancelled = true; };
+    action.sa_flags = static_cast<int>(SA_RESETHAND);
+    sigaction(SIGINT, &action, nullptr);
+}
+
+/// One line on stderr: how much is done, and how to go on.
+int interrupted(const ChainResult& r, const std::string& checkpoint) {
+    const auto done = static_cast<unsigned long long>(r.paths.total - r.paths.cancelled);
+    std::fprintf(stderr, "rotating_chain: interrupted, %llu of %llu paths are finished; %s\n", done,
+                 static_cast<unsigned long long>(r.paths.total),
+                 checkpoint.empty() ? "--checkpoint FILE would have kept them"
+                                    : ("the same command goes on from " + checkpoint).c_str());
+    return 130;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
-    std::string links = "2", lengths, masses, omega = "2", gravity = "1", seed = "1", threads = "1", json_name;
+    std::string links = "2", lengths, masses, omega = "2", gravity = "1", seed = "1", threads = "1", json_name,
+                checkpoint;
     CLI::App app{
         "Every equilibrium of a chain of massless links with point masses, hanging in a plane that turns about the "
         "vertical through its first joint (Baillieul, equations 3.1), with its index: the number of directions in "
         "which "
         "it is unstable."};
-    app.add_option("--links", links, "number of links, 1 to 8 (default 2)");
+    app.add_option("--links", links, "number of links, 1 to 10 (default 2)");
     app.add_option("--lengths", lengths, "length of each link, positive, commas between (default: all 1)");
     app.add_option("--masses", masses, "mass at the end of each link, positive, commas between (default: all 1)");
     app.add_option("--omega", omega, "angular speed, radians a unit of time (default 2)");
@@ -142,6 +169,9 @@ int main(int argc, char** argv) {
                    "of the random start system, an integer (default 1); the same seed, the same result");
     app.add_option("--threads", threads, "1 to 1024, 0 for one each core (default 1); does not change the result");
     app.add_option("--json", json_name, "write JSON to this file, or to stdout for -, instead of a table");
+    app.add_option("--checkpoint", checkpoint,
+                   "keep what is finished in this file, and go on from it if it is there already; Ctrl-C ends the "
+                   "program with status 130, and the same command resumes; does not change the result");
     support::parse(app, "rotating_chain", argc, argv);
 
     const int n = support::integer("--links", links, 1, most_links);
@@ -153,16 +183,25 @@ int main(int argc, char** argv) {
         list("--lengths", lengths), list("--masses", masses),
         support::number("--omega", omega, "must be a finite number", [](double) { return true; }),
         support::number("--gravity", gravity, "must be a finite number, 0 or more", [](double g) { return g >= 0; })};
-    support::ProgressBar bar("tracking");
+    if (app.count("--checkpoint") > 0 && checkpoint.empty())
+        support::fail("--checkpoint", "''", "must be the name of a file");
+    std::optional<support::ProgressBar> bar("tracking");
     const Options options{support::integer<std::uint64_t>("--seed", seed, 0, UINT64_MAX),
                           support::integer<unsigned>("--threads", threads, 0, 1024),
-                          [&](std::uint64_t done, std::uint64_t all) { bar.update(done, all); }};
+                          [&](std::uint64_t done, std::uint64_t all) { bar->update(done, all); }, checkpoint,
+                          &cancelled};
     std::optional<support::OutputFile> file;
     if (app.count("--json") > 0) file.emplace("--json", json_name);
+    cancel_on_interrupt();
     try {
         const ChainResult result = enumerate(n, chain, options);
+        bar.reset();
+        if (result.paths.cancelled > 0) return interrupted(result, checkpoint);
         if (file) file->write(json(chain, options, result));
         if (!file || !file->to_stdout()) print(chain, result);
+    } catch (const equilibria::CheckpointError& error) {
+        bar.reset();
+        support::fail("--checkpoint", checkpoint, error.wrong());
     } catch (const std::exception& error) {
         support::fail("command line", "", error.what());
     }
@@ -171,11 +210,11 @@ int main(int argc, char** argv) {
 // clang-format off
 /* Refused:
 --links 0
-    rotating_chain: --links 0: must be an integer from 1 to 8
---links 9
-    rotating_chain: --links 9: must be an integer from 1 to 8
+    rotating_chain: --links 0: must be an integer from 1 to 10
+--links 11
+    rotating_chain: --links 11: must be an integer from 1 to 10
 --links 2.5
-    rotating_chain: --links 2.5: must be an integer from 1 to 8
+    rotating_chain: --links 2.5: must be an integer from 1 to 10
 --links
     rotating_chain: --links: must be followed by a value
 --links 2 --links 3
@@ -208,6 +247,12 @@ int main(int argc, char** argv) {
     rotating_chain: --json .: is a folder; must be a file that can be written
 --json good.json --omega nan
     rotating_chain: --omega nan: must be a finite number
+--checkpoint missing/folder.ckpt
+    rotating_chain: --checkpoint missing/folder.ckpt: cannot be created (No such file or directory)
+--checkpoint .
+    rotating_chain: --checkpoint .: cannot be opened (Is a directory)
+--checkpoint /dev/null
+    rotating_chain: --checkpoint /dev/null: is not a regular file
 --speed 2
     rotating_chain: --speed: is not an option; --help lists them
 */

@@ -2,6 +2,7 @@
 // side by side: chain.cpp.in.
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <equilibria/enumerate/root_set.hpp>
 #include <functional>
@@ -17,6 +18,8 @@ struct Options {
     std::uint64_t seed;
     unsigned threads;
     std::function<void(std::uint64_t done, std::uint64_t all)> progress;
+    std::string checkpoint;
+    const std::atomic<bool>* cancel;
 };
 
 struct ChainEquilibrium {
@@ -41,7 +44,7 @@ struct ChainResult {
     std::vector<Failure> failures;
 };
 
-inline constexpr int most_links = 8;
+inline constexpr int most_links = 10;
 
 template <int Links>
 ChainResult enumerate_chain(const Chain& chain, const Options& options);

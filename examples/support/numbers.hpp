@@ -1,4 +1,5 @@
-// Numbers, lists of numbers and ranges from the command line, checked; whatever is wrong ends the program by `fail`.
+// Numbers, lists of numbers and ranges from the command line, checked. What is called parsed_... gives nothing where
+// the text is wrong, its namesake ends the program by `fail`.
 #pragma once
 
 #include <algorithm>
@@ -25,40 +26,31 @@ std::optional<T> parsed(std::string_view text) {
     return value;
 }
 
-/// What an empty value looks like in a message.
-inline std::string shown(const std::string& text) { return text.empty() ? "''" : text; }
-
-/// A finite number for which `holds`; `allowed` says which those are.
+/// A finite number for which `holds`, or nothing.
 template <std::predicate<double> Holds>
-double number(std::string_view option, const std::string& text, std::string_view allowed, Holds holds) {
+std::optional<double> parsed_number(std::string_view text, Holds holds) {
     const auto value = parsed<double>(text);
-    if (!value || !std::isfinite(*value) || !holds(*value)) fail(option, shown(text), allowed);
-    return *value;
+    return value && std::isfinite(*value) && holds(*value) ? value : std::nullopt;
 }
 
-/// An integer from `low` to `high`.
+/// An integer from `low` to `high`, or nothing.
 template <std::integral T>
-T integer(std::string_view option, const std::string& text, T low, T high) {
+std::optional<T> parsed_integer(std::string_view text, T low, T high) {
     const auto value = parsed<T>(text);
-    if (!value || *value < low || *value > high)
-        fail(option, shown(text), "must be an integer from " + std::to_string(low) + " to " + std::to_string(high));
-    return *value;
+    return value && *value >= low && *value <= high ? value : std::nullopt;
 }
 
-/// `size` positive finite numbers with commas between them.
-inline std::vector<double> positive_list(std::string_view option, const std::string& text, int size) {
-    const std::string allowed = size == 1
-                                    ? "must be 1 positive number"
-                                    : "must be " + std::to_string(size) + " positive numbers, with commas between";
+/// `size` positive finite numbers with commas between them, or nothing.
+inline std::optional<std::vector<double>> parsed_positive_list(std::string_view text, int size) {
     std::vector<double> values;
     for (std::size_t at = 0; at <= text.size();) {
         const std::size_t comma = std::min(text.find(',', at), text.size());
-        const auto value = parsed<double>(std::string_view(text).substr(at, comma - at));
-        if (!value || !std::isfinite(*value) || *value <= 0) fail(option, shown(text), allowed);
+        const auto value = parsed_number(text.substr(at, comma - at), [](double x) { return x > 0; });
+        if (!value) return {};
         values.push_back(*value);
         at = comma + 1;
     }
-    if (values.size() != static_cast<std::size_t>(size)) fail(option, shown(text), allowed);
+    if (values.size() != static_cast<std::size_t>(size)) return {};
     return values;
 }
 
@@ -66,16 +58,47 @@ struct Range {
     double low, high;
 };
 
-/// "a:b" with finite a < b, both in [least, most].
+/// "a:b" with finite a < b, both in [least, most], or nothing.
+inline std::optional<Range> parsed_range(std::string_view text, double least, double most) {
+    const std::size_t colon = text.find(':');
+    if (colon == text.npos) return {};
+    const auto low = parsed<double>(text.substr(0, colon)), high = parsed<double>(text.substr(colon + 1));
+    if (!low || !high || !(*low >= least && *high <= most && *low < *high) || !std::isfinite(*high - *low)) return {};
+    return Range{*low, *high};
+}
+
+/// What an empty value looks like in a message.
+inline std::string shown(const std::string& text) { return text.empty() ? "''" : text; }
+
+template <std::predicate<double> Holds>
+double number(std::string_view option, const std::string& text, std::string_view allowed, Holds holds) {
+    const auto value = parsed_number(text, holds);
+    if (!value) fail(option, shown(text), allowed);
+    return *value;
+}
+
+template <std::integral T>
+T integer(std::string_view option, const std::string& text, T low, T high) {
+    const auto value = parsed_integer<T>(text, low, high);
+    if (!value)
+        fail(option, shown(text), "must be an integer from " + std::to_string(low) + " to " + std::to_string(high));
+    return *value;
+}
+
+inline std::vector<double> positive_list(std::string_view option, const std::string& text, int size) {
+    const auto values = parsed_positive_list(text, size);
+    if (!values)
+        fail(option, shown(text),
+             size == 1 ? "must be 1 positive number"
+                       : "must be " + std::to_string(size) + " positive numbers, with commas between");
+    return *values;
+}
+
 inline Range range(std::string_view option, const std::string& text, std::string_view allowed, double least,
                    double most) {
-    const std::size_t colon = text.find(':');
-    if (colon == std::string::npos) fail(option, shown(text), allowed);
-    const auto low = parsed<double>(std::string_view(text).substr(0, colon));
-    const auto high = parsed<double>(std::string_view(text).substr(colon + 1));
-    if (!low || !high || !(*low >= least && *high <= most && *low < *high) || !std::isfinite(*high - *low))
-        fail(option, shown(text), allowed);
-    return {*low, *high};
+    const auto value = parsed_range(text, least, most);
+    if (!value) fail(option, shown(text), allowed);
+    return *value;
 }
 
 }  // namespace support

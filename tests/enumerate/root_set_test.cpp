@@ -77,6 +77,15 @@ TEST_CASE("what speaks against a root set is printed") {
         CHECK_FALSE(r.clean());
         CHECK(printed(r).find("MORSE RELATIONS VIOLATED") != std::string::npos);
     }
+    SECTION("a run that was cancelled") {
+        ++r.paths.total;
+        ++r.paths.cancelled;
+        CHECK(r.paths.accounted_for());
+        CHECK(r.cancelled());
+        CHECK_FALSE(r.clean());
+        CHECK_FALSE(r.morse_applies());
+        CHECK(printed(r).find("; CANCELLED: 1 paths are not finished") != std::string::npos);
+    }
     SECTION("two paths at one root") {
         r.paths.total += 2;
         r.paths.finite += 2;

@@ -20,6 +20,42 @@ TEST_CASE("the reflected and the general start find the same roots") {
     }
 }
 
+namespace {
+
+/// Odd equations of different degrees: 6, 4 and 8 start points.
+struct UnevenDegrees {
+    static constexpr int n_angles = 3, n_parameters = 3;
+    constexpr auto potential(const auto& theta, const auto& p) const {
+        return p[0] * cos(3 * theta[0]) + p[1] * cos(theta[1] - theta[0]) + p[2] * cos(4 * theta[2]) * cos(theta[1]);
+    }
+};
+
+template <class M>
+void check_numbering() {
+    Generator generator(1);
+    Array<double, n_unknowns<M>> scale;
+    for (double& s : scale) s = 1;
+    const TotalDegreeStart<M> start(StartKind::reflected, scale, generator);
+    const detail::StartPoints<M> points(start);
+    std::uint64_t pairs = 0, resting = 0;
+    for (std::uint64_t path = 0; path < static_cast<std::uint64_t>(total_degree<M>()); ++path) {
+        const std::uint64_t image = points.mirror(path);
+        if (image == path) CHECK(points.resting_path(resting++) == path);
+        if (image > path) CHECK(points.pair_path(pairs++) == path);
+    }
+    CHECK(points.pairs() == pairs);
+    CHECK(points.resting() == resting);
+}
+
+}  // namespace
+
+TEST_CASE("starts are numbered without a list of them: those that rest, and one of each mirror pair") {
+    check_numbering<Chain<1>>();
+    check_numbering<Chain<2>>();
+    check_numbering<Chain<5>>();
+    check_numbering<UnevenDegrees>();
+}
+
 TEST_CASE("the roots come in conjugate pairs and in mirror pairs") {
     Generator generator(8);
     for (int k = 0; k < 2 * tests::thoroughness; ++k) {

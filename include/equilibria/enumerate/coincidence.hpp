@@ -27,7 +27,7 @@ public:
     }
 
     /// Groups of two or more numbers k < size whose points are within `tolerance` of each other, relative to their
-    /// size; point(k) gives a point or nullptr to leave k out. Each group is sorted, and so are the groups.
+    /// size; point(k) gives a point, valid until the next call but one, or nullptr to leave k out. Each group is sorted, and so are the groups.
     template <class PointOf>
     std::vector<std::vector<std::size_t>> groups(std::size_t size, PointOf&& point, double tolerance) const {
         struct Entry {
@@ -43,6 +43,7 @@ public:
         std::sort(entries.begin(), entries.end(),
                   [](const Entry& a, const Entry& b) { return std::pair(a.key, a.k) < std::pair(b.key, b.k); });
         std::vector<std::size_t> parent(entries.size());
+        std::vector<std::uint8_t> joined(entries.size());
         for (std::size_t i = 0; i < parent.size(); ++i) parent[i] = i;
         const auto root = [&](std::size_t i) {
             while (parent[i] != i) i = parent[i] = parent[parent[i]];
@@ -51,14 +52,19 @@ public:
         for (std::size_t i = 0; i < entries.size(); ++i)
             for (std::size_t j = i + 1;
                  j < entries.size() && entries[j].key - entries[i].key <= 8 * tolerance * entries[i].size; ++j)
-                if (same(*point(entries[i].k), *point(entries[j].k), tolerance)) parent[root(j)] = root(i);
-        std::vector<std::vector<std::size_t>> members(entries.size()), found;
-        for (std::size_t i = 0; i < entries.size(); ++i) members[root(i)].push_back(entries[i].k);
-        for (auto& group : members)
-            if (group.size() > 1) {
-                std::sort(group.begin(), group.end());
-                found.push_back(std::move(group));
-            }
+                if (same(*point(entries[i].k), *point(entries[j].k), tolerance)) {
+                    parent[root(j)] = root(i);
+                    joined[i] = joined[j] = 1;
+                }
+        std::vector<std::pair<std::size_t, std::size_t>> members;  // of groups: the group's root, the number k
+        for (std::size_t i = 0; i < entries.size(); ++i)
+            if (joined[i]) members.push_back({root(i), entries[i].k});
+        std::sort(members.begin(), members.end());
+        std::vector<std::vector<std::size_t>> found;
+        for (std::size_t m = 0; m < members.size(); ++m) {
+            if (m == 0 || members[m].first != members[m - 1].first) found.emplace_back();
+            found.back().push_back(members[m].second);
+        }
         std::sort(found.begin(), found.end());
         return found;
     }

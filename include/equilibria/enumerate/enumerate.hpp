@@ -50,40 +50,81 @@ public:
         return image;
     }
 
+    /// With a reflected start: how many paths rest, and how many mirror pairs there are.
+    std::uint64_t resting() const { return std::uint64_t{1} << n_unknowns<M>; }
+    std::uint64_t pairs() const {
+        std::uint64_t all = 1;
+        for (int i = 0; i < n_unknowns<M>; ++i) all *= static_cast<std::uint64_t>(radix(i));
+        return (all - resting()) / 2;
+    }
+    /// The k-th path that rests: the digits of k in base 2.
+    std::uint64_t resting_path(std::uint64_t k) const {
+        std::uint64_t path = 0, weight = 1;
+        for (int i = 0; i < n_unknowns<M>; ++i, k >>= 1) {
+            path += weight * (k & 1);
+            weight *= static_cast<std::uint64_t>(radix(i));
+        }
+        return path;
+    }
+    /// The k-th of the paths that are less than their mirror image: the highest digit that is not 0 or 1 is even.
+    std::uint64_t pair_path(std::uint64_t k) const {
+        std::uint64_t weight = 2 * pairs() + resting(), rest = resting(), path = 0;
+        for (int i = n_unknowns<M> - 1; i >= 0; --i) {
+            weight /= static_cast<std::uint64_t>(radix(i));
+            rest /= 2;
+            const std::uint64_t below = (weight - rest) / 2;  // pairs of the lower digits alone
+            if (k >= 2 * below) {                             // this digit decides, the lower ones are free
+                k -= 2 * below;
+                return path + (2 + 2 * (k / weight)) * weight + k % weight;
+            }
+            path += k / below * weight;
+            k %= below;
+        }
+        return path;
+    }
+
 private:
     const TotalDegreeStart<M>* start_;
 };
 
-/// Merges endpoints into distinct roots and counts the paths. `mirror(path)` is the number of the mirror image, the
-/// path itself where there is none.
-template <Model M, class Mirror>
-void collect(RootSet<M>& set, std::span<const std::uint64_t> paths, const std::vector<Endpoint<M>>& ends,
-             std::span<const std::uint64_t> resting_paths, const std::vector<Endpoint<M>>& resting, bool symmetric,
-             Mirror&& mirror) {
+/// Counts the paths, merges endpoints into distinct roots and calls take(root) for each, in the order of the tracked
+/// paths, a mirror image after its original; those that rest come last. path_of(k) is the number of path k, `mirror(path)`
+/// that of its mirror image, the path itself where there is none.
+template <Model M, class PathOf, class RestingPath, class Mirror, class Take>
+void collect(PathCounts& paths, std::vector<FailedPath>& failures, EndpointStore<M>& ends, PathOf&& path_of,
+             const std::vector<Endpoint<M>>& resting, RestingPath&& resting_path, bool symmetric, Mirror&& mirror,
+             Take&& take) {
     const std::size_t size = ends.size() + resting.size();
     const auto end = [&](std::size_t k) -> const Endpoint<M>& { return k < ends.size() ? ends[k] : resting[k - ends.size()]; };
-    const auto path = [&](std::size_t k) { return k < ends.size() ? paths[k] : resting_paths[k - ends.size()]; };
+    const auto path = [&](std::size_t k) { return k < ends.size() ? path_of(k) : resting_path(k - ends.size()); };
+    const auto finished = [&](std::size_t k) { return k >= ends.size() || ends.finished(k); };
     // the number of paths that an entry stands for
     const auto weight = [&](std::size_t k) { return symmetric && k < ends.size() ? 2 : 1; };
     for (std::size_t k = 0; k < size; ++k) {
         const auto w = static_cast<std::uint64_t>(weight(k));
-        set.paths.total += w;
+        paths.total += w;
+        if (!finished(k)) {
+            paths.cancelled += w;
+            continue;
+        }
         switch (end(k).status) {
-            case PathStatus::finite: set.paths.finite += w; break;
-            case PathStatus::at_infinity: set.paths.at_infinity += w; break;
-            case PathStatus::singular: set.paths.singular += w; break;
+            case PathStatus::finite: paths.finite += w; break;
+            case PathStatus::at_infinity: paths.at_infinity += w; break;
+            case PathStatus::singular: paths.singular += w; break;
             case PathStatus::failed:
-                set.paths.failed += w;
-                set.failures.push_back({path(k), end(k).reason});
-                if (w == 2) set.failures.push_back({mirror(path(k)), end(k).reason});
+                paths.failed += w;
+                failures.push_back({path(k), end(k).reason});
+                if (w == 2) failures.push_back({mirror(path(k)), end(k).reason});
         }
     }
+    std::sort(failures.begin(), failures.end(), [](const auto& a, const auto& b) { return a.path < b.path; });
     const CoincidenceFinder<M> finder(symmetric);
     std::vector<std::uint8_t> merged(size);
     std::vector<std::int32_t> others(size);
     const auto merge = [&](PathStatus status, double tolerance) {
         const auto groups = finder.groups(
-            size, [&](std::size_t k) { return end(k).status == status ? &end(k).q : nullptr; }, tolerance);
+            size,
+            [&](std::size_t k) { return finished(k) && end(k).status == status ? &end(k).q : nullptr; }, tolerance);
         for (const auto& group : groups) {
             // a resting root, its own mirror image, stands for the group; else the first path
             const std::size_t leader = group.back() >= ends.size() ? group.back() : group.front();
@@ -97,21 +138,19 @@ void collect(RootSet<M>& set, std::span<const std::uint64_t> paths, const std::v
     merge(PathStatus::finite, 1e-9);
     merge(PathStatus::singular, 1e-5);
     for (std::size_t k = 0; k < size; ++k) {
-        if (merged[k] || (end(k).status != PathStatus::finite && end(k).status != PathStatus::singular)) continue;
+        if (merged[k] || !finished(k)) continue;
+        if (end(k).status != PathStatus::finite && end(k).status != PathStatus::singular) continue;
         Root<M> root = root_of(end(k), path(k));
         root.paths += others[k];
-        set.roots.push_back(root);
-        if (weight(k) == 2) set.roots.push_back(reflected(root, mirror(path(k))));
+        take(root);
+        if (weight(k) == 2) take(reflected(root, mirror(path(k))));
     }
-    std::sort(set.roots.begin(), set.roots.end(), [](const auto& a, const auto& b) { return a.path < b.path; });
-    std::sort(set.failures.begin(), set.failures.end(), [](const auto& a, const auto& b) { return a.path < b.path; });
 }
 
-template <Model M, StartKind Kind>
-RootSet<M> enumerate_total_degree(const Parameters<M>& p, const EnumerateOptions& options) {
+/// Tracks all paths from a total-degree start, fills in what `set` says of them and calls take(root) as `collect` does.
+template <Model M, StartKind Kind, class Set, class Take>
+void solve_total_degree(Set& set, const Parameters<M>& p, const EnumerateOptions& options, bool streamed, Take&& take) {
     constexpr bool symmetric = Kind == StartKind::reflected;
-    const auto begin = std::chrono::steady_clock::now();
-    RootSet<M> set;
     set.parameters = p;
     set.seed = options.seed;
     Generator generator(options.seed);
@@ -121,27 +160,36 @@ RootSet<M> enumerate_total_degree(const Parameters<M>& p, const EnumerateOptions
     const StartPoints<M> points(start);
     PathSolver<M, Kind, double> solver(Homotopy<M, Kind, double>::total_degree(target, start), p, scale, options);
 
-    std::vector<std::uint64_t> paths, resting_paths;
-    for (std::uint64_t path = 0; path < static_cast<std::uint64_t>(total_degree<M>()); ++path) {
-        if (!symmetric) {
-            paths.push_back(path);
-            continue;
-        }
-        const std::uint64_t image = points.mirror(path);
-        if (image == path) resting_paths.push_back(path);
-        if (image > path) paths.push_back(path);
-    }
-    std::vector<Endpoint<M>> resting(resting_paths.size());
+    const auto path_of = [&](std::uint64_t k) { return symmetric ? points.pair_path(k) : k; };
+    const auto start_of = [&](std::uint64_t k) { return points(path_of(k)); };
+    const auto resting_path = [&](std::uint64_t k) { return points.resting_path(k); };
+    std::vector<Endpoint<M>> resting(symmetric ? points.resting() : 0);
     for (std::size_t k = 0; k < resting.size(); ++k) {
-        resting[k].q = points(resting_paths[k]);
+        resting[k].q = points(resting_path(k));
         resting[k].arrival = Arrival::end;
         solver.polisher().assess(resting[k].q, &resting[k].evidence);
         resting[k].status =
             resting[k].evidence.condition < regular_condition ? PathStatus::finite : PathStatus::singular;
     }
-    const auto ends = solver.run(paths, points, resting, symmetric, set.paths);
+    const std::uint64_t tracked = symmetric ? points.pairs() : static_cast<std::uint64_t>(total_degree<M>());
+    auto ends = solver.store(tracked, start_of, symmetric ? "reflected" : "total degree", streamed);
+    solver.run(ends, start_of, resting, symmetric, set.paths);
     set.tracking_seconds = solver.tracking_seconds();
-    collect(set, paths, ends, resting_paths, resting, symmetric, [&](std::uint64_t path) { return points.mirror(path); });
+    collect<M>(set.paths, set.failures, ends, path_of, resting, resting_path, symmetric,
+               [&](std::uint64_t path) { return points.mirror(path); }, take);
+}
+
+template <Model M>
+void sort_by_path(std::vector<Root<M>>& roots) {
+    std::sort(roots.begin(), roots.end(), [](const auto& a, const auto& b) { return a.path < b.path; });
+}
+
+template <Model M, StartKind Kind>
+RootSet<M> enumerate_total_degree(const Parameters<M>& p, const EnumerateOptions& options) {
+    const auto begin = std::chrono::steady_clock::now();
+    RootSet<M> set;
+    solve_total_degree<M, Kind>(set, p, options, false, [&](const Root<M>& root) { set.roots.push_back(root); });
+    sort_by_path(set.roots);
     find_equilibria(set, options.threads);
     set.seconds = seconds_since(begin);
     return set;
@@ -161,8 +209,6 @@ RootSet<M> enumerate_from(const std::vector<Root<M>>& roots, const Parameters<M>
     using H = Homotopy<M, StartKind::parameter, double>;
     PathSolver<M, StartKind::parameter, double> solver(
         H::parameter(coefficients<M, double>(from), target, unit_complex(generator)), p, scale, options);
-    std::vector<std::uint64_t> paths(roots.size());
-    for (std::size_t k = 0; k < paths.size(); ++k) paths[k] = k;
     const auto start = [&](std::uint64_t path) {
         Point<M, double> q;
         const auto& root = roots[path].q;
@@ -173,9 +219,13 @@ RootSet<M> enumerate_from(const std::vector<Root<M>>& roots, const Parameters<M>
         for (int j = 0; j < n_coordinates<M>; ++j) set_lane(q.x[j], 0, root[n_angles<M> + j]);
         return q;
     };
-    const auto ends = solver.run(paths, start, {}, false, set.paths);
+    auto ends = solver.store(roots.size(), start, "a solved instance", false);
+    solver.run(ends, start, {}, false, set.paths);
     set.tracking_seconds = solver.tracking_seconds();
-    collect<M>(set, paths, ends, {}, {}, false, [](std::uint64_t path) { return path; });
+    const auto same = [](std::uint64_t path) { return path; };
+    collect<M>(set.paths, set.failures, ends, same, {}, same, false, same,
+               [&](const Root<M>& root) { set.roots.push_back(root); });
+    sort_by_path(set.roots);
     find_equilibria(set, options.threads);
     set.seconds = seconds_since(begin);
     return set;
@@ -201,7 +251,8 @@ constexpr StartKind natural_start() {
 /// Reaches every isolated solution of the polynomial system with probability one over the seed; paths at infinity,
 /// singular and failed ones are counted, not hidden. Kind: the start system, if not the natural one (`parameter`: the
 /// general one, compiled together with the parameter homotopies).
-/// Throws InvalidArgument for parameters that are not finite and for options out of range.
+/// Throws InvalidArgument for parameters that are not finite and for options out of range, CheckpointError (one of them)
+/// for a checkpoint that cannot be used.
 template <Model M, StartKind Kind = natural_start<M>()>
 RootSet<M> enumerate(const Parameters<M>& p, const EnumerateOptions& options = {}) {
     static_assert(Kind != StartKind::reflected || Formulation<M>::reflection_symmetric,

@@ -8,10 +8,14 @@
 #include <chrono>
 #include <cstdint>
 #include <functional>
+#include <mutex>
+#include <numeric>
 #include <span>
+#include <string>
 #include <vector>
 
 #include <equilibria/enumerate/coincidence.hpp>
+#include <equilibria/enumerate/endpoint_store.hpp>
 #include <equilibria/enumerate/parallel.hpp>
 #include <equilibria/enumerate/root_set.hpp>
 #include <equilibria/homotopy/endgame.hpp>
@@ -24,6 +28,12 @@ struct EnumerateOptions {
     TrackerOptions tracker{};
     /// Called now and then with the numbers of paths done and of all, from any thread, one call at a time.
     std::function<void(std::uint64_t done, std::uint64_t all)> progress{};
+    /// A file that keeps what is finished; if it exists already, the run goes on from there. Empty: none. An existing
+    /// file of another run is refused (CheckpointError). It does not change the result.
+    std::string checkpoint{};
+    /// The run ends soon after this has become true, with what is finished until then; see RootSet::cancelled. It may be
+    /// set from a signal handler.
+    const std::atomic<bool>* cancel = nullptr;
 
     void validate() const {
         require(threads <= 1024, "threads", threads, "must be 0 (all) to 1024");
@@ -56,43 +66,79 @@ public:
 
     PathSolver(const Homotopy<M, Kind, C>& homotopy, const Parameters<M, C>& parameters,
                const Array<double, n_unknowns<M>>& scale, const EnumerateOptions& options)
-        : homotopy_(homotopy), polisher_(homotopy_, parameters, scale), options_(options) {}
+        : homotopy_(homotopy), parameters_(parameters), polisher_(homotopy_, parameters, scale), options_(options) {}
     PathSolver(const PathSolver&) = delete;
 
-    /// Tracks `paths` from start(path). resting: solutions that rest at every t (none of the paths may end there);
-    /// reflected: mirror images count as the same endpoint.
+    /// Where the endpoints of paths 0 .. size-1 from start(path) go: to memory, or to the checkpoint that the options
+    /// name, and, unless `streamed`, to both. Throws CheckpointError.
     template <class Start>
-    std::vector<Endpoint<M>> run(std::span<const std::uint64_t> paths, Start&& start,
-                                 std::span<const Endpoint<M>> resting, bool reflected, PathCounts& counts) {
+    EndpointStore<M> store(std::uint64_t size, Start&& start, std::string_view kind, bool streamed) const {
+        if (options_.checkpoint.empty()) return {size, block(size)};
+        Fingerprint numbers;
+        const auto& [target, difference, constants] = homotopy_;
+        for (const auto& a : target) numbers(a);
+        for (const auto& a : difference) numbers(a);
+        for (const auto& a : constants) numbers(a);
+        for (std::uint64_t k = 0; k < size; ++k) {
+            const Point<M, double> q = start(k);
+            for (const auto& z : q.c) numbers(z.re), numbers(z.im);
+            for (const auto& z : q.s) numbers(z.re), numbers(z.im);
+            for (const auto& z : q.x) numbers(z.re), numbers(z.im);
+        }
+        return {size, block(size), options_.checkpoint,
+                checkpoint_header<M, C>(parameters_, options_.seed, kind, numbers, options_.tracker, size, block(size)),
+                !streamed};
+    }
+
+    /// Tracks the paths from start(path) that `ends` lacks. resting: solutions that rest at every t (none of the paths may
+    /// end there); reflected: mirror images count as the same endpoint. Where it was cancelled, `ends` is not complete.
+    template <class Start>
+    void run(EndpointStore<M>& ends, Start&& start, std::span<const Endpoint<M>> resting, bool reflected,
+             PathCounts& counts) {
         const auto begin = std::chrono::steady_clock::now();
-        std::vector<Endpoint<M>> ends(paths.size());
         constexpr bool pivoted = !Formulation<M>::has_potential;
-        report(0, paths.size());
-        parallel_blocks(paths.size(), block(paths.size()), options_.threads, [&](std::size_t first, std::size_t last) {
-            track_lanes<Pack, pivoted>(homotopy_, options_.tracker, paths.subspan(first, last - first), start,
-                                       std::span(ends).subspan(first, last - first));
-            report(last - first, paths.size());
+        std::atomic<std::int64_t> tracking = 0, working = 0;
+        const auto nanoseconds = [] { return std::chrono::steady_clock::now().time_since_epoch().count(); };
+        report(ends.finished(), ends.size());
+        parallel_blocks(ends.size(), ends.block(), options_.threads, [&](std::size_t first, std::size_t last) {
+            const std::uint64_t which = first / ends.block();
+            if (ends.has_block(which) || cancelled()) return;
+            const auto started = nanoseconds();
+            std::vector<std::uint64_t> paths(last - first);
+            std::iota(paths.begin(), paths.end(), first);
+            std::vector<Endpoint<M>> block(paths.size());
+            track_lanes<Pack, pivoted>(homotopy_, options_.tracker, std::span<const std::uint64_t>(paths), start,
+                                       std::span(block));
+            tracking += nanoseconds() - started;
+            polish(block);
+            std::uint64_t retracked = 0;
+            for (std::size_t k = 0; k < block.size(); ++k)
+                if (block[k].status == PathStatus::failed) retracked += finish(block[k], start(paths[k]));
+            working += nanoseconds() - started;
+            ends.put(which, block, retracked);
+            report(last - first, ends.size());
         });
+        // the threads' share of tracking proper, polishing and endgames left out
         tracking_seconds_ = seconds_since(begin);
-        std::atomic<std::uint64_t> retracked = 0;
-        parallel_blocks(paths.size(), 64 * native_lanes, options_.threads, [&](std::size_t first, std::size_t last) {
-            polish(std::span(ends).subspan(first, last - first));
-            for (std::size_t k = first; k < last; ++k)
-                if (ends[k].status == PathStatus::failed) retracked += finish(ends[k], start(paths[k]));
-        });
-        counts.retracked += retracked;
-        uncross(paths, start, ends, resting, reflected, counts);
-        for (const auto& end : ends) counts.steps += static_cast<std::uint64_t>(end.steps);
-        counts.tracked += paths.size();
-        return ends;
+        if (working > 0) tracking_seconds_ *= static_cast<double>(tracking) / static_cast<double>(working);
+        counts.retracked += ends.retracked();
+        if (ends.complete()) uncross(start, ends, resting, reflected, counts);
+        for (std::uint64_t k = 0; k < ends.size(); ++k)
+            if (ends.finished(k)) counts.steps += static_cast<std::uint64_t>(ends[k].steps);
+        counts.tracked += ends.finished();
     }
 
     double tracking_seconds() const { return tracking_seconds_; }
     const Polisher<M, Kind, C>& polisher() const { return polisher_; }
 
 private:
+    bool cancelled() const { return options_.cancel && options_.cancel->load(std::memory_order_relaxed); }
+
     std::size_t block(std::size_t size) const {
-        // lanes idle at the end of a block: few blocks, but enough to keep all threads busy
+        // lanes idle at the end of a block: few blocks, but enough to keep all threads busy, and to lose little of the work
+        // where the run is cancelled or killed
+        if (options_.cancel || !options_.checkpoint.empty())
+            return std::clamp<std::size_t>(size / 64, 8 * native_lanes, 512);
         if (options_.threads == 1) return 4096;
         return std::clamp<std::size_t>(size / (8 * std::max(2u, options_.threads)), 8 * native_lanes, 4096);
     }
@@ -153,8 +199,8 @@ private:
 
     /// Two paths cannot end at one regular solution: where they seem to, one of them jumped.
     template <class Start>
-    void uncross(std::span<const std::uint64_t> paths, Start&& start, std::vector<Endpoint<M>>& ends,
-                 std::span<const Endpoint<M>> resting, bool reflected, PathCounts& counts) const {
+    void uncross(Start&& start, EndpointStore<M>& ends, std::span<const Endpoint<M>> resting, bool reflected,
+                 PathCounts& counts) const {
         const CoincidenceFinder<M> finder(reflected);
         const auto point = [&](std::size_t k) -> const Point<M, double>* {
             const Endpoint<M>& end = k < ends.size() ? ends[k] : resting[k - ends.size()];
@@ -168,15 +214,23 @@ private:
             for (const auto& group : groups)
                 for (const std::size_t k : group) {
                     if (k >= ends.size()) continue;
-                    const Point<M, double> before = ends[k].q;
-                    track_again(ends[k], start(paths[k]), careful);
+                    if (cancelled()) {
+                        ends.unsettle(k);
+                        continue;
+                    }
+                    Endpoint<M> end = ends[k];
+                    const Point<M, double> before = end.q;
+                    track_again(end, start(k), careful);
                     ++counts.retracked;
-                    counts.crossed += ends[k].status != PathStatus::finite || !finder.same(before, ends[k].q, 1e-9);
+                    counts.crossed += end.status != PathStatus::finite || !finder.same(before, end.q, 1e-9);
+                    ends.replace(k, end);
                 }
+            if (!ends.complete()) return;
         }
     }
 
     Homotopy<M, Kind, C> homotopy_;
+    Parameters<M, C> parameters_;
     Polisher<M, Kind, C> polisher_;
     EnumerateOptions options_;
     std::mutex progress_guard_;

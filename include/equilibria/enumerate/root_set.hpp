@@ -48,15 +48,16 @@ struct Equilibrium {
     bool stable() const { return index == 0 && nullity == 0; }
 };
 
-/// The paths of an enumeration. finite + at_infinity + singular + failed == total, always.
+/// The paths of an enumeration. finite + at_infinity + singular + failed + cancelled == total, always.
 struct PathCounts {
     std::uint64_t total = 0;        ///< the bound: all paths, those known by symmetry included
     std::uint64_t finite = 0, at_infinity = 0, singular = 0, failed = 0;
+    std::uint64_t cancelled = 0;    ///< not finished, since the run was cancelled: 0 for every run that was not
     std::uint64_t tracked = 0;      ///< paths that were computed; the others are their mirror images, or rest
     std::uint64_t retracked = 0;    ///< paths tracked again, more carefully
     std::uint64_t crossed = 0;      ///< among those: paths that had run into another one's endpoint
     std::uint64_t steps = 0;
-    bool accounted_for() const { return finite + at_infinity + singular + failed == total; }
+    bool accounted_for() const { return finite + at_infinity + singular + failed + cancelled == total; }
 };
 
 /// A path that failed, and why.
@@ -84,10 +85,13 @@ struct RootSet {
         return static_cast<std::uint64_t>(
             std::count_if(equilibria.begin(), equilibria.end(), [](const auto& e) { return e.degenerate(); }));
     }
-    /// Whether nothing speaks against the count of equilibria: no path failed, every root is regular and reached by a
+    /// Whether the run was cancelled before all paths were finished. What is here is what was found until then; paths that
+    /// ran into each other are not told apart.
+    bool cancelled() const { return paths.cancelled > 0; }
+    /// Whether nothing speaks against the count of equilibria: the run was not cancelled, no path failed, every root is regular and reached by a
     /// path of its own, and the Morse relations hold where they apply.
     bool clean() const {
-        return paths.failed == 0 && paths.singular == 0 && degenerate() == 0 && paths.finite == distinct() &&
+        return !cancelled() && paths.failed == 0 && paths.singular == 0 && degenerate() == 0 && paths.finite == distinct() &&
                (!morse_applies() || morse());
     }
 
@@ -98,10 +102,10 @@ struct RootSet {
             if (!e.degenerate()) ++counts[static_cast<std::size_t>(e.index)];
         return counts;
     }
-    /// Whether the Morse relations of the n-torus apply: only angles, a potential, nothing degenerate. (Singular endpoints
-    /// that are not real may lie on curves of equilibria.)
+    /// Whether the Morse relations of the n-torus apply: only angles, a potential, nothing degenerate, a finished run.
+    /// (Singular endpoints that are not real may lie on curves of equilibria.)
     bool morse_applies() const {
-        return n_coordinates<M> == 0 && PotentialModel<M> && degenerate() == 0 && paths.singular == 0;
+        return n_coordinates<M> == 0 && PotentialModel<M> && degenerate() == 0 && paths.singular == 0 && !cancelled();
     }
     /// The Morse relations hold. False where they do not apply.
     bool morse() const { return morse_applies() && morse_relations(by_index()).all(); }
@@ -116,7 +120,8 @@ struct RootSet {
         if (r.degenerate() > 0) out << ", degenerate: " << r.degenerate();
         if (r.morse_applies()) out << (r.morse() ? "; Morse relations hold" : "; MORSE RELATIONS VIOLATED: roots are missing");
         if (r.paths.singular > 0) out << "; SINGULAR: equilibria coincide, or form curves";
-        if (r.paths.finite > 0 && r.paths.singular == 0 && r.paths.finite != r.distinct())
+        if (r.cancelled()) out << "; CANCELLED: " << r.paths.cancelled << " paths are not finished";
+        if (r.paths.finite > 0 && r.paths.singular == 0 && r.paths.finite != r.distinct() && !r.cancelled())
             out << "; " << r.paths.finite - r.distinct() << " paths ended on another's root: roots may be missing";
         return out;
     }

@@ -69,13 +69,16 @@ struct BifurcationDiagram {
 /// The equilibria for all values in [low, high] of the parameter number Active. Fixed: the number of another parameter,
 /// in whose neighbourhood the generic line of the fold system is taken.
 ///
-/// Throws InvalidArgument for an interval that is empty, reversed or not finite.
+/// Throws InvalidArgument for an interval that is empty, reversed or not finite, and for options with a checkpoint or a
+/// cancel: these are of one enumeration, and a diagram takes many.
 template <Model M, int Active, int Fixed>
 BifurcationDiagram<M> trace_diagram(const Parameters<M>& p, double low, double high,
                                     const EnumerateOptions& options = {}, ArcLengthOptions arc_length = {}) {
     require_finite(p, "parameters");
     require(std::isfinite(low) && std::isfinite(high) && low < high, "interval", to_text(low) + ":" + to_text(high),
             "must be finite and run from the smaller to the larger value");
+    require(options.checkpoint.empty(), "checkpoint", options.checkpoint, "must be empty: it keeps a single enumeration");
+    require(options.cancel == nullptr, "cancel", "given", "must be empty: a diagram cannot be cancelled");
     BifurcationDiagram<M> diagram;
     const double around = 0.3 * std::max(std::abs(p[Fixed]), 1e-3);
     const LineSolver<M, Active> solver(p, Fixed, p[Fixed] - around, p[Fixed] + around, options);

@@ -1,0 +1,83 @@
+/// \file
+/// Enumerations that do not fit into memory: roots are handed to a function instead of kept, and the checkpoint is
+/// where the endpoints wait until all paths are done. Only then is it known which paths had run into another one's
+/// endpoint.
+///
+/// What stays in memory: 24 + 8 + 1 bytes a tracked path while coincident endpoints are looked for (a key, the sizes
+/// and the number of each), 5 a tracked path for the merging, and the endpoints that were tracked again.
+#pragma once
+
+#include <algorithm>
+#include <concepts>
+#include <cstdint>
+#include <limits>
+#include <ostream>
+#include <vector>
+
+#include <equilibria/enumerate/enumerate.hpp>
+
+namespace equilibria {
+
+/// What is known of an enumeration whose roots were handed on: RootSet without the roots.
+template <Model M>
+struct StreamedRoots {
+    Parameters<M> parameters;
+    std::uint64_t seed = 0;
+    PathCounts paths;
+    std::vector<FailedPath> failures;
+    std::uint64_t distinct = 0, real = 0, degenerate = 0;
+    /// Nondegenerate equilibria of each index 0 .. n.
+    std::vector<std::int64_t> by_index = std::vector<std::int64_t>(static_cast<std::size_t>(n_unknowns<M>) + 1);
+    double largest_real_imaginary = 0;  ///< as of RootSet
+    double smallest_nonreal_imaginary = std::numeric_limits<double>::infinity();
+    double tracking_seconds = 0, seconds = 0;
+
+    bool cancelled() const { return paths.cancelled > 0; }
+    bool morse_applies() const {
+        return n_coordinates<M> == 0 && PotentialModel<M> && degenerate == 0 && paths.singular == 0 && !cancelled();
+    }
+    bool morse() const { return morse_applies() && morse_relations(by_index).all(); }
+    /// As RootSet::clean.
+    bool clean() const {
+        return !cancelled() && paths.failed == 0 && paths.singular == 0 && degenerate == 0 &&
+               paths.finite == distinct && (!morse_applies() || morse());
+    }
+};
+
+/// `enumerate`, with the roots handed to take(root, equilibrium) one after the other; the equilibrium is nullptr where
+/// the root is not real. A mirror image comes after its original, otherwise they come by path number; roots that are
+/// their own mirror images are last. Sorted by path they are those of `enumerate`, bit by bit.
+///
+/// options.checkpoint must name a file, of about 32 n + 40 bytes a tracked path for n angles. Of a cancelled run no
+/// root is handed on. Throws InvalidArgument as `enumerate` does, and what `take` throws.
+template <Model M, StartKind Kind = natural_start<M>(), class Take>
+requires std::invocable < Take&, const Root<M>
+&, const Equilibrium<M>* >
+       StreamedRoots<M> enumerate(const Parameters<M>& p, const EnumerateOptions& options, Take&& take) {
+    require_finite(p, "parameters");
+    options.validate();
+    require(!options.checkpoint.empty(), "checkpoint", "''", "must name a file: roots that are streamed wait there");
+    const auto begin = std::chrono::steady_clock::now();
+    StreamedRoots<M> set;
+    detail::solve_total_degree<M, Kind>(set, p, options, true, [&](const Root<M>& root) {
+        if (set.cancelled()) return;
+        ++set.distinct;
+        const double imaginary = detail::largest_imaginary(root);
+        Unknowns<M> q;
+        if (!detail::is_real(root, p, q)) {
+            set.smallest_nonreal_imaginary = std::min(set.smallest_nonreal_imaginary, imaginary);
+            take(root, static_cast<const Equilibrium<M>*>(nullptr));
+            return;
+        }
+        const Equilibrium<M> e = detail::classified(root, q, p);
+        ++set.real;
+        set.degenerate += e.degenerate();
+        if (!e.degenerate()) ++set.by_index[static_cast<std::size_t>(e.index)];
+        set.largest_real_imaginary = std::max(set.largest_real_imaginary, imaginary);
+        take(root, &e);
+    });
+    set.seconds = detail::seconds_since(begin);
+    return set;
+}
+
+}  // namespace equilibria

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <equilibria/enumerate/classify.hpp>
+#include <equilibria/enumerate/families.hpp>
 #include <equilibria/enumerate/path_solver.hpp>
 #include <equilibria/enumerate/root_set.hpp>
 
@@ -142,6 +143,7 @@ RootSet<M> enumerate_total_degree(const Parameters<M>& p, const EnumerateOptions
     const auto ends = solver.run(paths, points, resting, symmetric, set.paths);
     set.tracking_seconds = solver.tracking_seconds();
     collect(set, paths, ends, resting_paths, resting, symmetric, [&](std::uint64_t path) { return points.mirror(path); });
+    find_families(set, solver.polisher(), options.threads);
     find_equilibria(set, options.threads);
     set.seconds = seconds_since(begin);
     return set;
@@ -176,6 +178,7 @@ RootSet<M> enumerate_from(const std::vector<Root<M>>& roots, const Parameters<M>
     const auto ends = solver.run(paths, start, {}, false, set.paths);
     set.tracking_seconds = solver.tracking_seconds();
     collect<M>(set, paths, ends, {}, {}, false, [](std::uint64_t path) { return path; });
+    find_families(set, solver.polisher(), options.threads);
     find_equilibria(set, options.threads);
     set.seconds = seconds_since(begin);
     return set;

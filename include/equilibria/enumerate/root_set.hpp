@@ -10,6 +10,7 @@
 #include <vector>
 
 #include <equilibria/algebra/formulation.hpp>
+#include <equilibria/enumerate/family.hpp>
 #include <equilibria/homotopy/path.hpp>
 #include <equilibria/model/derivatives.hpp>
 #include <equilibria/stability/inertia.hpp>
@@ -70,8 +71,9 @@ struct RootSet {
     Parameters<M> parameters;
     std::uint64_t seed = 0;
     PathCounts paths;
-    std::vector<Root<M>> roots;               ///< distinct, by path number
+    std::vector<Root<M>> roots;               ///< distinct and isolated, by path number
     std::vector<Equilibrium<M>> equilibria;   ///< the real ones, by index, then nullity, then path
+    std::vector<Family<M>> families;          ///< curves and surfaces of solutions: none of `roots` lies on one
     std::vector<FailedPath> failures;
     /// The imaginary parts that separated real from not: the largest among the real roots, the smallest among the
     /// others (infinity where there are none).
@@ -115,7 +117,13 @@ struct RootSet {
             out << (k == 0 ? ": index " : ", ") << k << ": " << counts[k];
         if (r.degenerate() > 0) out << ", degenerate: " << r.degenerate();
         if (r.morse_applies()) out << (r.morse() ? "; Morse relations hold" : "; MORSE RELATIONS VIOLATED: roots are missing");
-        if (r.paths.singular > 0) out << "; SINGULAR: equilibria coincide, or form curves";
+        std::uint64_t on_families = 0;
+        for (const auto& family : r.families) {
+            out << (on_families == 0 ? "; NOT ISOLATED: a " : ", a ") << (family.real() ? "real " : "")
+                << family_kind(family.dimension) << " of solutions (" << family.paths() << " paths)";
+            on_families += family.paths();
+        }
+        if (r.paths.singular > on_families) out << "; SINGULAR: equilibria coincide";
         if (r.paths.finite > 0 && r.paths.singular == 0 && r.paths.finite != r.distinct())
             out << "; " << r.paths.finite - r.distinct() << " paths ended on another's root: roots may be missing";
         return out;

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include <equilibria/enumerate/alarms.hpp>
 #include <equilibria/enumerate/classify.hpp>
 #include <equilibria/enumerate/families.hpp>
 #include <equilibria/enumerate/path_solver.hpp>
@@ -145,6 +146,7 @@ RootSet<M> enumerate_total_degree(const Parameters<M>& p, const EnumerateOptions
     collect(set, paths, ends, resting_paths, resting, symmetric, [&](std::uint64_t path) { return points.mirror(path); });
     find_families(set, solver.polisher(), options.threads);
     find_equilibria(set, options.threads);
+    set.alarms = check_alarms(set, options.threads);
     set.seconds = seconds_since(begin);
     return set;
 }
@@ -180,6 +182,7 @@ RootSet<M> enumerate_from(const std::vector<Root<M>>& roots, const Parameters<M>
     collect<M>(set, paths, ends, {}, {}, false, [](std::uint64_t path) { return path; });
     find_families(set, solver.polisher(), options.threads);
     find_equilibria(set, options.threads);
+    set.alarms = check_alarms(set, options.threads);
     set.seconds = seconds_since(begin);
     return set;
 }

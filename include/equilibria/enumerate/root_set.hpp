@@ -10,6 +10,7 @@
 #include <vector>
 
 #include <equilibria/algebra/formulation.hpp>
+#include <equilibria/enumerate/alarm.hpp>
 #include <equilibria/enumerate/family.hpp>
 #include <equilibria/homotopy/path.hpp>
 #include <equilibria/model/derivatives.hpp>
@@ -75,6 +76,7 @@ struct RootSet {
     std::vector<Equilibrium<M>> equilibria;   ///< the real ones, by index, then nullity, then path
     std::vector<Family<M>> families;          ///< curves and surfaces of solutions: none of `roots` lies on one
     std::vector<FailedPath> failures;
+    Alarms alarms;                            ///< tests that betray lost or doubled roots where no bound is sharp
     /// The imaginary parts that separated real from not: the largest among the real roots, the smallest among the
     /// others (infinity where there are none).
     double largest_real_imaginary = 0, smallest_nonreal_imaginary = 0;
@@ -87,9 +89,9 @@ struct RootSet {
             std::count_if(equilibria.begin(), equilibria.end(), [](const auto& e) { return e.degenerate(); }));
     }
     /// Whether nothing speaks against the count of equilibria: no path failed, every root is regular and reached by a
-    /// path of its own, and the Morse relations hold where they apply.
+    /// path of its own, no alarm is raised, and the Morse relations hold where they apply.
     bool clean() const {
-        return paths.failed == 0 && paths.singular == 0 && degenerate() == 0 && paths.finite == distinct() &&
+        return !alarms.raised() && paths.failed == 0 && paths.singular == 0 && degenerate() == 0 && paths.finite == distinct() &&
                (!morse_applies() || morse());
     }
 
@@ -126,6 +128,7 @@ struct RootSet {
         if (r.paths.singular > on_families) out << "; SINGULAR: equilibria coincide";
         if (r.paths.finite > 0 && r.paths.singular == 0 && r.paths.finite != r.distinct())
             out << "; " << r.paths.finite - r.distinct() << " paths ended on another's root: roots may be missing";
+        if (r.alarms.raised()) out << "; ALARM: " << r.alarms.sentences();
         return out;
     }
 };

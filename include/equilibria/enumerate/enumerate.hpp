@@ -82,7 +82,8 @@ void collect(RootSet<M>& set, std::span<const std::uint64_t> paths, const std::v
     }
     const CoincidenceFinder<M> finder(symmetric);
     std::vector<std::uint8_t> merged(size);
-    std::vector<std::int32_t> others(size);
+    std::vector<std::int32_t> others(size), winding(size);
+    for (std::size_t k = 0; k < size; ++k) winding[k] = end(k).winding_number;
     const auto merge = [&](PathStatus status, double tolerance) {
         const auto groups = finder.groups(
             size, [&](std::size_t k) { return end(k).status == status ? &end(k).q : nullptr; }, tolerance);
@@ -93,6 +94,7 @@ void collect(RootSet<M>& set, std::span<const std::uint64_t> paths, const std::v
                 if (k != leader) {
                     merged[k] = 1;
                     others[leader] += leader >= ends.size() ? weight(k) : 1;
+                    winding[leader] = std::max(winding[leader], winding[k]);
                 }
         }
     };
@@ -102,6 +104,7 @@ void collect(RootSet<M>& set, std::span<const std::uint64_t> paths, const std::v
         if (merged[k] || (end(k).status != PathStatus::finite && end(k).status != PathStatus::singular)) continue;
         Root<M> root = root_of(end(k), path(k));
         root.paths += others[k];
+        root.winding_number = winding[k];
         set.roots.push_back(root);
         if (weight(k) == 2) set.roots.push_back(reflected(root, mirror(path(k))));
     }
@@ -110,7 +113,8 @@ void collect(RootSet<M>& set, std::span<const std::uint64_t> paths, const std::v
 }
 
 template <Model M, StartKind Kind>
-RootSet<M> enumerate_total_degree(const Parameters<M>& p, const EnumerateOptions& options) {
+RootSet<M> enumerate_total_degree(const Parameters<M>& p, const EnumerateOptions& options,
+                                  Rescue<M, Kind, double> rescue = nullptr) {
     constexpr bool symmetric = Kind == StartKind::reflected;
     const auto begin = std::chrono::steady_clock::now();
     RootSet<M> set;
@@ -121,7 +125,7 @@ RootSet<M> enumerate_total_degree(const Parameters<M>& p, const EnumerateOptions
     const auto scale = equation_scales<M, double>(target);
     const TotalDegreeStart<M> start(Kind, scale, generator);
     const StartPoints<M> points(start);
-    PathSolver<M, Kind, double> solver(Homotopy<M, Kind, double>::total_degree(target, start), p, scale, options);
+    PathSolver<M, Kind, double> solver(Homotopy<M, Kind, double>::total_degree(target, start), p, scale, options, rescue);
 
     std::vector<std::uint64_t> paths, resting_paths;
     for (std::uint64_t path = 0; path < static_cast<std::uint64_t>(total_degree<M>()); ++path) {
@@ -149,6 +153,14 @@ RootSet<M> enumerate_total_degree(const Parameters<M>& p, const EnumerateOptions
     set.alarms = check_alarms(set, options.threads);
     set.seconds = seconds_since(begin);
     return set;
+}
+
+template <Model M, StartKind Kind>
+void check_arguments(const Parameters<M>& p, const EnumerateOptions& options) {
+    static_assert(Kind != StartKind::reflected || Formulation<M>::reflection_symmetric,
+                  "equilibria: the reflected start needs equations that are odd under theta -> -theta");
+    require_finite(p, "parameters");
+    options.validate();
 }
 
 /// Follows regular roots at parameters `from` to the roots at p, along a line in the space of coefficients.
@@ -210,10 +222,7 @@ constexpr StartKind natural_start() {
 /// Throws InvalidArgument for parameters that are not finite and for options out of range.
 template <Model M, StartKind Kind = natural_start<M>()>
 RootSet<M> enumerate(const Parameters<M>& p, const EnumerateOptions& options = {}) {
-    static_assert(Kind != StartKind::reflected || Formulation<M>::reflection_symmetric,
-                  "equilibria: the reflected start needs equations that are odd under theta -> -theta");
-    require_finite(p, "parameters");
-    options.validate();
+    detail::check_arguments<M, Kind>(p, options);
     return detail::enumerate_total_degree<M, Kind>(p, options);
 }
 

@@ -49,14 +49,21 @@ Array<double, n_unknowns<M>> equation_scales(const Array<C, Formulation<M>::term
     return scale;
 }
 
+/// Tracks a path that failed in double with more digits (see multiprecision.hpp). A pointer, so that only those who
+/// want it compile it.
+template <Model M, StartKind Kind, class C>
+using Rescue = void (*)(const Homotopy<M, Kind, C>&, const Polisher<M, Kind, C>&, const TrackerOptions&,
+                        const Point<M, double>& start, Endpoint<M>& end);
+
 template <Model M, StartKind Kind, class C>
 class PathSolver {
 public:
     using Pack = Lanes<native_lanes>;
 
     PathSolver(const Homotopy<M, Kind, C>& homotopy, const Parameters<M, C>& parameters,
-               const Array<double, n_unknowns<M>>& scale, const EnumerateOptions& options)
-        : homotopy_(homotopy), polisher_(homotopy_, parameters, scale), options_(options) {}
+               const Array<double, n_unknowns<M>>& scale, const EnumerateOptions& options,
+               Rescue<M, Kind, C> rescue = nullptr)
+        : homotopy_(homotopy), polisher_(homotopy_, parameters, scale), options_(options), rescue_(rescue) {}
     PathSolver(const PathSolver&) = delete;
 
     /// Tracks `paths` from start(path). resting: solutions that rest at every t (none of the paths may end there);
@@ -81,7 +88,9 @@ public:
                 if (ends[k].status == PathStatus::failed) retracked += finish(ends[k], start(paths[k]));
         });
         counts.retracked += retracked;
+        rescue_failed(paths, start, ends, counts);
         uncross(paths, start, ends, resting, reflected, counts);
+        rescue_failed(paths, start, ends, counts);
         for (const auto& end : ends) counts.steps += static_cast<std::uint64_t>(end.steps);
         counts.tracked += paths.size();
         return ends;
@@ -151,6 +160,23 @@ private:
         end.steps += steps;
     }
 
+    /// Tracks the failed paths with more digits, each once.
+    template <class Start>
+    void rescue_failed(std::span<const std::uint64_t> paths, Start&& start, std::vector<Endpoint<M>>& ends,
+                       PathCounts& counts) const {
+        if (!rescue_) return;
+        std::vector<std::size_t> failed;
+        for (std::size_t k = 0; k < ends.size(); ++k)
+            if (ends[k].status == PathStatus::failed && !ends[k].more_digits) failed.push_back(k);
+        TrackerOptions careful = options_.tracker.tightened();
+        careful.most_steps = std::max(careful.most_steps, 20000);
+        parallel_blocks(failed.size(), 1, options_.threads, [&](std::size_t at, std::size_t) {
+            rescue_(homotopy_, polisher_, careful, start(paths[failed[at]]), ends[failed[at]]);
+            ends[failed[at]].more_digits = true;
+        });
+        counts.more_digits += failed.size();
+    }
+
     /// Two paths cannot end at one regular solution: where they seem to, one of them jumped.
     template <class Start>
     void uncross(std::span<const std::uint64_t> paths, Start&& start, std::vector<Endpoint<M>>& ends,
@@ -179,6 +205,7 @@ private:
     Homotopy<M, Kind, C> homotopy_;
     Polisher<M, Kind, C> polisher_;
     EnumerateOptions options_;
+    Rescue<M, Kind, C> rescue_;
     std::mutex progress_guard_;
     std::uint64_t done_ = 0;
     double tracking_seconds_ = 0;

@@ -57,6 +57,7 @@ struct PathCounts {
     std::uint64_t tracked = 0;      ///< paths that were computed; the others are their mirror images, or rest
     std::uint64_t retracked = 0;    ///< paths tracked again, more carefully
     std::uint64_t crossed = 0;      ///< among those: paths that had run into another one's endpoint
+    std::uint64_t more_digits = 0;  ///< paths tracked with more digits than double has (`enumerate_carefully`)
     std::uint64_t steps = 0;
     bool accounted_for() const { return finite + at_infinity + singular + failed == total; }
 };

@@ -93,7 +93,7 @@ TEST_CASE("a curve of equilibria is a curve, its 8 isolated companions are isola
 }
 
 TEST_CASE("a curve without real points is a curve too, and is not called real") {
-    for (const std::uint64_t seed : {1, 2, 3}) {
+    for (const std::uint64_t seed : {1u, 2u, 3u}) {
         const auto r = enumerate<models::EqualAngles<3>>({1, 3.5}, {.seed = seed});
         check<3>(r, 3.5, false);
     }

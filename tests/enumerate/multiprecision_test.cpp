@@ -9,7 +9,7 @@ using namespace equilibria;
 TEST_CASE("paths to a surface of equilibria that double gives up are ended with more digits") {
     using M = models::EqualAngles<4>;
     std::uint64_t failed_in_double = 0, more_digits = 0;
-    for (const std::uint64_t seed : {1, 2, 3, 4, 5}) {
+    for (const std::uint64_t seed : {1u, 2u, 3u, 4u, 5u}) {
         CAPTURE(seed);
         const auto in_double = enumerate<M>({1, 0.7}, {.seed = seed});
         const auto r = enumerate_carefully<M>({1, 0.7}, {.seed = seed, .threads = 2});

@@ -64,7 +64,7 @@ std::vector<Endpoint<M>> ends(const Parameters<M>& p, std::uint64_t seed) {
 }  // namespace
 
 TEST_CASE("the endgame with 50 digits: regular, fold, cusp, one of each") {
-    for (const std::uint64_t seed : {1, 2, 3}) {
+    for (const std::uint64_t seed : {1u, 2u, 3u}) {
         for (const auto& end : ends<models::Pendulum>({0.5}, seed)) {
             CHECK(end.status == PathStatus::finite);
             CHECK(std::abs(end.q.s[0].re - 0.5) < 1e-14);

@@ -21,7 +21,7 @@ public:
     using Vector = std::vector<std::complex<double>>;
 
     /// a: column after column.
-    SingularValues(int rows, int columns, Vector a)
+    [[gnu::cold]] SingularValues(int rows, int columns, Vector a)
         : rows_(static_cast<std::size_t>(rows)), columns_(static_cast<std::size_t>(columns)), a_(std::move(a)) {
         v_.assign(columns_ * columns_, 0.0);
         for (std::size_t k = 0; k < columns_; ++k) v_[k * columns_ + k] = 1.0;
@@ -42,7 +42,7 @@ public:
     /// The singular value number k, the largest first.
     double operator[](int k) const { return values_[order_[static_cast<std::size_t>(k)]]; }
     /// The unit right singular vector of value number k.
-    Vector right(int k) const {
+    [[gnu::cold]] Vector right(int k) const {
         const auto first = v_.begin() + static_cast<std::ptrdiff_t>(order_[static_cast<std::size_t>(k)] * columns_);
         return Vector(first, first + static_cast<std::ptrdiff_t>(columns_));
     }
@@ -53,7 +53,7 @@ public:
         return r;
     }
     /// The shortest x of least |A x - b|, A being taken to have the given rank.
-    Vector solve(const Vector& b, int rank) const {
+    [[gnu::cold]] Vector solve(const Vector& b, int rank) const {
         Vector x(columns_);
         for (int k = 0; k < rank; ++k) {
             const std::size_t at = order_[static_cast<std::size_t>(k)];
@@ -67,7 +67,7 @@ public:
 
 private:
     /// One sweep over all pairs of columns; whether any was turned.
-    bool rotated() {
+    [[gnu::cold]] bool rotated() {
         bool any = false;
         for (std::size_t i = 0; i < columns_; ++i)
             for (std::size_t j = i + 1; j < columns_; ++j) {

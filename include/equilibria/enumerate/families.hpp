@@ -31,7 +31,7 @@ public:
     FamilyFinder(const FamilyProbe& probe, int n, int angles)
         : probe_(&probe), n_(n), angles_(static_cast<std::size_t>(angles)), walks_left_(20 + 40000 / (n * n * n)) {}
 
-    std::vector<Group> groups(const std::vector<Vector>& points, const std::vector<FamilyProbe::Finding>& found) {
+    [[gnu::cold]] std::vector<Group> groups(const std::vector<Vector>& points, const std::vector<FamilyProbe::Finding>& found) {
         std::vector<Group> y;
         for (std::size_t k = 0; k < points.size(); ++k) {
             const int d = found[k].dimension;
@@ -72,7 +72,7 @@ private:
     }
 
     /// A walk from q, a point of `from`, reaches a landmark of `to`.
-    bool connected(const Vector& q, const Group& from, const Group& to) {
+    [[gnu::cold]] bool connected(const Vector& q, const Group& from, const Group& to) {
         if (from.dimension != to.dimension) return false;
         for (const Vector& mark : to.landmarks) {
             if (walks_left_-- <= 0) return false;
@@ -91,7 +91,7 @@ private:
     }
 
     /// Some way off from one of the group's landmarks.
-    Vector detour(const Group& group) {
+    [[gnu::cold]] Vector detour(const Group& group) {
         if (walks_left_-- <= 0) return group.landmarks.front();
         const Vector& begin = group.landmarks[static_cast<std::size_t>(generator_() % group.landmarks.size())];
         Vector target = begin;
@@ -105,7 +105,7 @@ private:
     }
 
     /// A real point of the family with real neighbours, by a walk that lets the imaginary parts vanish.
-    void find_real_point(Group& group) {
+    [[gnu::cold]] void find_real_point(Group& group) {
         if (walks_left_-- <= 0) return;
         const auto direction = [](const Vector& at) -> std::optional<Vector> {
             Vector way(at.size());
@@ -159,7 +159,7 @@ FamilyProbe::System family_system(const P& polisher, const Array<double, n_unkno
 
 /// Moves the roots of `set` that lie on families to set.families, and counts their paths as singular.
 template <Model M, class P>
-void find_families(RootSet<M>& set, const P& polisher, unsigned threads) {
+[[gnu::cold]] void find_families(RootSet<M>& set, const P& polisher, unsigned threads) {
     constexpr int n = n_unknowns<M>;
     std::vector<std::size_t> suspects;
     for (std::size_t k = 0; k < set.roots.size(); ++k)

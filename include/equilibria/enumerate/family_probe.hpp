@@ -46,7 +46,7 @@ public:
     FamilyProbe(int n, System system) : n_(n), system_(std::move(system)) {}
 
     /// The local dimension of the solutions at q. real: within the real points, q being real.
-    Finding at(const Vector& q, bool real = false) const {
+    [[gnu::cold]] Finding at(const Vector& q, bool real = false) const {
         Finding y;
         Vector f, j;
         system_(q, f, j);
@@ -63,7 +63,7 @@ public:
 
     /// The nearest solution of F = 0 that Gauss-Newton steps of least length lead to, the Jacobian having that rank.
     /// Nothing if they do not converge, or lead farther away than `most`.
-    std::optional<Vector> projected(Vector q, int rank, double most) const {
+    [[gnu::cold]] std::optional<Vector> projected(Vector q, int rank, double most) const {
         const Vector begin = q;
         Vector f, j;
         for (int round = 0; round < 30; ++round) {
@@ -144,7 +144,7 @@ private:
     }
 
     /// Solutions on d random slices at distance, half of it and its double; the one at `distance` goes to y.
-    bool confirmed(const Vector& q, int d, double distance, bool real, Generator& generator, Finding& y) const {
+    [[gnu::cold]] bool confirmed(const Vector& q, int d, double distance, bool real, Generator& generator, Finding& y) const {
         // orthonormal rows a_i: random combinations of the null vectors; the complement serves to vary the first guess
         std::vector<Vector> rows;
         for (int r = 0; r < y.nullity; ++r) {
@@ -181,7 +181,7 @@ private:
         return true;
     }
 
-    bool solve_on_slices(Vector& q, const Vector& centre, const std::vector<Vector>& rows, const Vector& unit, int d,
+    [[gnu::cold]] bool solve_on_slices(Vector& q, const Vector& centre, const std::vector<Vector>& rows, const Vector& unit, int d,
                          double h, double& residual) const {
         Vector f, j;
         for (int round = 0; round < 40; ++round) {

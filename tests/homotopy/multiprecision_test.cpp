@@ -3,6 +3,7 @@
 #include <vector>
 
 #include <equilibria/enumerate/enumerate.hpp>
+#include <equilibria/homotopy/endgame.hpp>
 
 #include "support/catch.hpp"
 #include "support/models.hpp"
@@ -28,5 +29,57 @@ TEST_CASE("paths tracked with 50 digits arrive where those of double do") {
         CHECK(exact[k].arrival == Arrival::end);
         CHECK(std::abs(exact[k].q.s[0].re - 0.5) < 1e-9);
         CHECK(std::abs(exact[k].q.c[0].re - ends[k].q.c[0].re) < 1e-9);
+    }
+}
+
+namespace {
+
+/// x^3 - a x - b = 0.
+struct Cubic {
+    static constexpr int n_angles = 0, n_coordinates = 1;
+    enum Parameter { a, b, n_parameters };
+    constexpr auto equations(const auto&, const auto& x, const auto& p) const {
+        return std::array{pow(x[0], 3) - p[a] * x[0] - p[b]};
+    }
+};
+
+/// The ends of all paths, endgame included, with 50 digits.
+template <class M>
+std::vector<Endpoint<M>> ends(const Parameters<M>& p, std::uint64_t seed) {
+    constexpr auto kind = StartKind::general;
+    Generator generator(seed);
+    const auto target = coefficients<M, double>(p);
+    const auto scale = detail::equation_scales<M, double>(target);
+    const TotalDegreeStart<M> start(kind, scale, generator);
+    const auto h = Homotopy<M, kind, double>::total_degree(target, start);
+    const detail::Polisher<M, kind, double> polisher(h, p, scale);
+    const detail::StartPoints<M> points(start);
+    std::vector<Endpoint<M>> y;
+    for (std::uint64_t path = 0; path < static_cast<std::uint64_t>(total_degree<M>()); ++path)
+        y.push_back(
+            detail::Endgame<M, kind, double, Digits50>(h, polisher, TrackerOptions{}).from_start(points(path)));
+    return y;
+}
+
+}  // namespace
+
+TEST_CASE("the endgame with 50 digits: regular, fold, cusp, one of each") {
+    for (const std::uint64_t seed : {1u, 2u, 3u}) {
+        for (const auto& end : ends<models::Pendulum>({0.5}, seed)) {
+            CHECK(end.status == PathStatus::finite);
+            CHECK(std::abs(end.q.s[0].re - 0.5) < 1e-14);
+        }
+        for (const auto& end : ends<models::Pendulum>({1}, seed)) {
+            CHECK(end.status == PathStatus::singular);
+            CHECK(end.winding_number == 2);
+        }
+        for (const auto& end : ends<Cubic>({0, 0}, seed)) {
+            CHECK(end.status == PathStatus::singular);
+            CHECK(end.winding_number == 3);
+            CHECK(std::abs(end.q.x[0].re) + std::abs(end.q.x[0].im) < 1e-7);
+        }
+        int doubled = 0;
+        for (const auto& end : ends<Cubic>({3, 2}, seed)) doubled += end.winding_number == 2;
+        CHECK(doubled == 2);
     }
 }

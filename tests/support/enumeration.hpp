@@ -118,8 +118,16 @@ bool identical(const RootSet<M>& a, const RootSet<M>& b) {
     const auto& y = b.paths;
     if (x.total != y.total || x.finite != y.finite || x.at_infinity != y.at_infinity || x.singular != y.singular ||
         x.failed != y.failed || x.retracked != y.retracked || x.crossed != y.crossed || x.steps != y.steps ||
-        a.roots.size() != b.roots.size() || a.equilibria.size() != b.equilibria.size())
+        a.roots.size() != b.roots.size() || a.equilibria.size() != b.equilibria.size() ||
+        a.families.size() != b.families.size())
         return false;
+    for (std::size_t k = 0; k < a.families.size(); ++k) {
+        const auto &f = a.families[k], &g = b.families[k];
+        if (f.dimension != g.dimension || !(f.real_point == g.real_point) || f.points.size() != g.points.size())
+            return false;
+        for (std::size_t m = 0; m < f.points.size(); ++m)
+            if (!(f.points[m].q == g.points[m].q) || !(f.points[m].neighbour == g.points[m].neighbour)) return false;
+    }
     for (std::size_t k = 0; k < a.roots.size(); ++k) {
         const auto &r = a.roots[k], &s = b.roots[k];
         if (!(r.q == s.q) || r.residual != s.residual || r.condition != s.condition || r.path != s.path ||
@@ -164,6 +172,7 @@ void check_accounts(const RootSet<M>& r) {
     CHECK(r.real() <= r.distinct());
     std::uint64_t ends = 0;
     for (const auto& root : r.roots) ends += static_cast<std::uint64_t>(root.paths);
+    for (const auto& family : r.families) ends += family.paths();
     CHECK(ends == r.paths.finite + r.paths.singular);
     std::int64_t by_index = 0;
     for (const auto count : r.by_index()) by_index += count;

@@ -40,6 +40,23 @@ struct CoupledAngles {
     }
 };
 
+/// N equal angles, all-to-all coupling k, load on each: V = -k sum cos(theta_i - theta_j) - load sum cos theta_i, and
+/// F_i = Im(exp(i theta_i) (k T + load)) in the real case, T the sum of exp(-i theta_j). Solutions: T and its conjugate
+/// both -load/k, a family of dimension N - 2, real where load/k <= N; and z_i = +-1, 2^N isolated points.
+template <int N>
+struct EqualAngles {
+    static constexpr int n_angles = N;
+    enum Parameter { coupling, load, n_parameters };
+    constexpr auto potential(const auto& theta, const auto& p) const {
+        equilibria::scalar_of<decltype(theta)> v{};
+        for (int i = 0; i < N; ++i) {
+            v -= p[load] * cos(theta[i]);
+            for (int j = 0; j < i; ++j) v -= p[coupling] * cos(theta[i] - theta[j]);
+        }
+        return v;
+    }
+};
+
 /// The potential of the holonomic mechanism of the third seed, equation (1.14), with the force's -F x_2.
 struct TwoAngleMechanism {
     static constexpr int n_angles = 2;

@@ -27,7 +27,8 @@ namespace equilibria::detail {
 /// bindings name all fields of each type, so that one more cannot be forgotten here.
 template <class Archive, class E>
 void transfer(Archive& a, E& end) {
-    auto& [q, t, steps, arrival, status, reason, winding_number, evidence] = end;
+    // more_digits is false of all that is written: such paths are tracked after the others, from what is in the file
+    [[maybe_unused]] auto& [q, t, steps, arrival, status, reason, more_digits, winding_number, evidence] = end;
     auto& [c, s, x] = q;
     auto& [residual, condition, correction] = evidence;
     for (auto& z : c) a(z.re), a(z.im);

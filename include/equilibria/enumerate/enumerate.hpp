@@ -6,7 +6,9 @@
 #include <cstdint>
 #include <vector>
 
+#include <equilibria/enumerate/alarms.hpp>
 #include <equilibria/enumerate/classify.hpp>
+#include <equilibria/enumerate/families.hpp>
 #include <equilibria/enumerate/path_solver.hpp>
 #include <equilibria/enumerate/root_set.hpp>
 
@@ -120,7 +122,8 @@ void collect(PathCounts& paths, std::vector<FailedPath>& failures, EndpointStore
     std::sort(failures.begin(), failures.end(), [](const auto& a, const auto& b) { return a.path < b.path; });
     const CoincidenceFinder<M> finder(symmetric);
     std::vector<std::uint8_t> merged(size);
-    std::vector<std::int32_t> others(size);
+    std::vector<std::int32_t> others(size), winding(size);
+    for (std::size_t k = 0; k < size; ++k) winding[k] = end(k).winding_number;
     const auto merge = [&](PathStatus status, double tolerance) {
         const auto groups = finder.groups(
             size,
@@ -132,6 +135,7 @@ void collect(PathCounts& paths, std::vector<FailedPath>& failures, EndpointStore
                 if (k != leader) {
                     merged[k] = 1;
                     others[leader] += leader >= ends.size() ? weight(k) : 1;
+                    winding[leader] = std::max(winding[leader], winding[k]);
                 }
         }
     };
@@ -142,14 +146,17 @@ void collect(PathCounts& paths, std::vector<FailedPath>& failures, EndpointStore
         if (end(k).status != PathStatus::finite && end(k).status != PathStatus::singular) continue;
         Root<M> root = root_of(end(k), path(k));
         root.paths += others[k];
+        root.winding_number = winding[k];
         take(root);
         if (weight(k) == 2) take(reflected(root, mirror(path(k))));
     }
 }
 
-/// Tracks all paths from a total-degree start, fills in what `set` says of them and calls take(root) as `collect` does.
-template <Model M, StartKind Kind, class Set, class Take>
-void solve_total_degree(Set& set, const Parameters<M>& p, const EnumerateOptions& options, bool streamed, Take&& take) {
+/// Tracks all paths from a total-degree start, fills in what `set` says of them, calls take(root) as `collect` does, and in
+/// the end done(polisher).
+template <Model M, StartKind Kind, class Set, class Take, class Done>
+void solve_total_degree(Set& set, const Parameters<M>& p, const EnumerateOptions& options, bool streamed,
+                        Rescue<M, Kind, double> rescue, Take&& take, Done&& done) {
     constexpr bool symmetric = Kind == StartKind::reflected;
     set.parameters = p;
     set.seed = options.seed;
@@ -158,7 +165,7 @@ void solve_total_degree(Set& set, const Parameters<M>& p, const EnumerateOptions
     const auto scale = equation_scales<M, double>(target);
     const TotalDegreeStart<M> start(Kind, scale, generator);
     const StartPoints<M> points(start);
-    PathSolver<M, Kind, double> solver(Homotopy<M, Kind, double>::total_degree(target, start), p, scale, options);
+    PathSolver<M, Kind, double> solver(Homotopy<M, Kind, double>::total_degree(target, start), p, scale, options, rescue);
 
     const auto path_of = [&](std::uint64_t k) { return symmetric ? points.pair_path(k) : k; };
     const auto start_of = [&](std::uint64_t k) { return points(path_of(k)); };
@@ -177,6 +184,7 @@ void solve_total_degree(Set& set, const Parameters<M>& p, const EnumerateOptions
     set.tracking_seconds = solver.tracking_seconds();
     collect<M>(set.paths, set.failures, ends, path_of, resting, resting_path, symmetric,
                [&](std::uint64_t path) { return points.mirror(path); }, take);
+    done(solver.polisher());
 }
 
 template <Model M>
@@ -185,14 +193,28 @@ void sort_by_path(std::vector<Root<M>>& roots) {
 }
 
 template <Model M, StartKind Kind>
-RootSet<M> enumerate_total_degree(const Parameters<M>& p, const EnumerateOptions& options) {
+RootSet<M> enumerate_total_degree(const Parameters<M>& p, const EnumerateOptions& options,
+                                  Rescue<M, Kind, double> rescue = nullptr) {
     const auto begin = std::chrono::steady_clock::now();
     RootSet<M> set;
-    solve_total_degree<M, Kind>(set, p, options, false, [&](const Root<M>& root) { set.roots.push_back(root); });
-    sort_by_path(set.roots);
+    solve_total_degree<M, Kind>(
+        set, p, options, false, rescue, [&](const Root<M>& root) { set.roots.push_back(root); },
+        [&](const auto& polisher) {
+            sort_by_path(set.roots);
+            find_families(set, polisher, options.threads);
+        });
     find_equilibria(set, options.threads);
+    set.alarms = check_alarms(set, options.threads);
     set.seconds = seconds_since(begin);
     return set;
+}
+
+template <Model M, StartKind Kind>
+void check_arguments(const Parameters<M>& p, const EnumerateOptions& options) {
+    static_assert(Kind != StartKind::reflected || Formulation<M>::reflection_symmetric,
+                  "equilibria: the reflected start needs equations that are odd under theta -> -theta");
+    require_finite(p, "parameters");
+    options.validate();
 }
 
 /// Follows regular roots at parameters `from` to the roots at p, along a line in the space of coefficients.
@@ -226,7 +248,9 @@ RootSet<M> enumerate_from(const std::vector<Root<M>>& roots, const Parameters<M>
     collect<M>(set.paths, set.failures, ends, same, {}, same, false, same,
                [&](const Root<M>& root) { set.roots.push_back(root); });
     sort_by_path(set.roots);
+    find_families(set, solver.polisher(), options.threads);
     find_equilibria(set, options.threads);
+    set.alarms = check_alarms(set, options.threads);
     set.seconds = seconds_since(begin);
     return set;
 }
@@ -255,10 +279,7 @@ constexpr StartKind natural_start() {
 /// for a checkpoint that cannot be used.
 template <Model M, StartKind Kind = natural_start<M>()>
 RootSet<M> enumerate(const Parameters<M>& p, const EnumerateOptions& options = {}) {
-    static_assert(Kind != StartKind::reflected || Formulation<M>::reflection_symmetric,
-                  "equilibria: the reflected start needs equations that are odd under theta -> -theta");
-    require_finite(p, "parameters");
-    options.validate();
+    detail::check_arguments<M, Kind>(p, options);
     return detail::enumerate_total_degree<M, Kind>(p, options);
 }
 

@@ -59,14 +59,22 @@ Array<double, n_unknowns<M>> equation_scales(const Array<C, Formulation<M>::term
     return scale;
 }
 
+/// Tracks a path that failed in double with more digits (see multiprecision.hpp). A pointer, so that only those who
+/// want it compile it.
+template <Model M, StartKind Kind, class C>
+using Rescue = void (*)(const Homotopy<M, Kind, C>&, const Polisher<M, Kind, C>&, const TrackerOptions&,
+                        const Point<M, double>& start, Endpoint<M>& end);
+
 template <Model M, StartKind Kind, class C>
 class PathSolver {
 public:
     using Pack = Lanes<native_lanes>;
 
     PathSolver(const Homotopy<M, Kind, C>& homotopy, const Parameters<M, C>& parameters,
-               const Array<double, n_unknowns<M>>& scale, const EnumerateOptions& options)
-        : homotopy_(homotopy), parameters_(parameters), polisher_(homotopy_, parameters, scale), options_(options) {}
+               const Array<double, n_unknowns<M>>& scale, const EnumerateOptions& options,
+               Rescue<M, Kind, C> rescue = nullptr)
+        : homotopy_(homotopy), parameters_(parameters), polisher_(homotopy_, parameters, scale), options_(options),
+          rescue_(rescue) {}
     PathSolver(const PathSolver&) = delete;
 
     /// Where the endpoints of paths 0 .. size-1 from start(path) go: to memory, or to the checkpoint that the options
@@ -122,7 +130,11 @@ public:
         tracking_seconds_ = seconds_since(begin);
         if (working > 0) tracking_seconds_ *= static_cast<double>(tracking) / static_cast<double>(working);
         counts.retracked += ends.retracked();
-        if (ends.complete()) uncross(start, ends, resting, reflected, counts);
+        if (ends.complete()) {
+            rescue_failed(start, ends, counts);
+            uncross(start, ends, resting, reflected, counts);
+            rescue_failed(start, ends, counts);
+        }
         for (std::uint64_t k = 0; k < ends.size(); ++k)
             if (ends.finished(k)) counts.steps += static_cast<std::uint64_t>(ends[k].steps);
         counts.tracked += ends.finished();
@@ -197,6 +209,25 @@ private:
         end.steps += steps;
     }
 
+    /// Tracks the failed paths with more digits, each once.
+    template <class Start>
+    void rescue_failed(Start&& start, EndpointStore<M>& ends, PathCounts& counts) const {
+        if (!rescue_) return;
+        std::vector<std::pair<std::uint64_t, Endpoint<M>>> failed;
+        for (std::uint64_t k = 0; k < ends.size(); ++k)
+            if (const Endpoint<M>& end = ends[k]; end.status == PathStatus::failed && !end.more_digits)
+                failed.emplace_back(k, end);
+        TrackerOptions careful = options_.tracker.tightened();
+        careful.most_steps = std::max(careful.most_steps, 20000);
+        parallel_blocks(failed.size(), 1, options_.threads, [&](std::size_t at, std::size_t) {
+            auto& [k, end] = failed[at];
+            rescue_(homotopy_, polisher_, careful, start(k), end);
+            end.more_digits = true;
+        });
+        for (const auto& [k, end] : failed) ends.replace(k, end);
+        counts.more_digits += failed.size();
+    }
+
     /// Two paths cannot end at one regular solution: where they seem to, one of them jumped.
     template <class Start>
     void uncross(Start&& start, EndpointStore<M>& ends, std::span<const Endpoint<M>> resting, bool reflected,
@@ -233,6 +264,7 @@ private:
     Parameters<M, C> parameters_;
     Polisher<M, Kind, C> polisher_;
     EnumerateOptions options_;
+    Rescue<M, Kind, C> rescue_;
     std::mutex progress_guard_;
     std::uint64_t done_ = 0;
     double tracking_seconds_ = 0;

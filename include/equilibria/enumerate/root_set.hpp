@@ -10,6 +10,8 @@
 #include <vector>
 
 #include <equilibria/algebra/formulation.hpp>
+#include <equilibria/enumerate/alarm.hpp>
+#include <equilibria/enumerate/family.hpp>
 #include <equilibria/homotopy/path.hpp>
 #include <equilibria/model/derivatives.hpp>
 #include <equilibria/stability/inertia.hpp>
@@ -56,6 +58,7 @@ struct PathCounts {
     std::uint64_t tracked = 0;      ///< paths that were computed; the others are their mirror images, or rest
     std::uint64_t retracked = 0;    ///< paths tracked again, more carefully
     std::uint64_t crossed = 0;      ///< among those: paths that had run into another one's endpoint
+    std::uint64_t more_digits = 0;  ///< paths tracked with more digits than double has (`enumerate_carefully`)
     std::uint64_t steps = 0;
     bool accounted_for() const { return finite + at_infinity + singular + failed + cancelled == total; }
 };
@@ -71,9 +74,11 @@ struct RootSet {
     Parameters<M> parameters;
     std::uint64_t seed = 0;
     PathCounts paths;
-    std::vector<Root<M>> roots;               ///< distinct, by path number
+    std::vector<Root<M>> roots;               ///< distinct and isolated, by path number
     std::vector<Equilibrium<M>> equilibria;   ///< the real ones, by index, then nullity, then path
+    std::vector<Family<M>> families;          ///< curves and surfaces of solutions: none of `roots` lies on one
     std::vector<FailedPath> failures;
+    Alarms alarms;                            ///< tests that betray lost or doubled roots where no bound is sharp
     /// The imaginary parts that separated real from not: the largest among the real roots, the smallest among the
     /// others (infinity where there are none).
     double largest_real_imaginary = 0, smallest_nonreal_imaginary = 0;
@@ -88,10 +93,11 @@ struct RootSet {
     /// Whether the run was cancelled before all paths were finished. What is here is what was found until then; paths that
     /// ran into each other are not told apart.
     bool cancelled() const { return paths.cancelled > 0; }
-    /// Whether nothing speaks against the count of equilibria: the run was not cancelled, no path failed, every root is regular and reached by a
-    /// path of its own, and the Morse relations hold where they apply.
+    /// Whether nothing speaks against the count of equilibria: the run was not cancelled, no path failed, every root is
+    /// regular and reached by a path of its own, no alarm is raised, and the Morse relations hold where they apply.
     bool clean() const {
-        return !cancelled() && paths.failed == 0 && paths.singular == 0 && degenerate() == 0 && paths.finite == distinct() &&
+        return !cancelled() && !alarms.raised() && paths.failed == 0 && paths.singular == 0 && degenerate() == 0 &&
+               paths.finite == distinct() &&
                (!morse_applies() || morse());
     }
 
@@ -119,10 +125,17 @@ struct RootSet {
             out << (k == 0 ? ": index " : ", ") << k << ": " << counts[k];
         if (r.degenerate() > 0) out << ", degenerate: " << r.degenerate();
         if (r.morse_applies()) out << (r.morse() ? "; Morse relations hold" : "; MORSE RELATIONS VIOLATED: roots are missing");
-        if (r.paths.singular > 0) out << "; SINGULAR: equilibria coincide, or form curves";
+        std::uint64_t on_families = 0;
+        for (const auto& family : r.families) {
+            out << (on_families == 0 ? "; NOT ISOLATED: a " : ", a ") << (family.real() ? "real " : "")
+                << family_kind(family.dimension) << " of solutions (" << family.paths() << " paths)";
+            on_families += family.paths();
+        }
+        if (r.paths.singular > on_families) out << "; SINGULAR: equilibria coincide";
         if (r.cancelled()) out << "; CANCELLED: " << r.paths.cancelled << " paths are not finished";
         if (r.paths.finite > 0 && r.paths.singular == 0 && r.paths.finite != r.distinct() && !r.cancelled())
             out << "; " << r.paths.finite - r.distinct() << " paths ended on another's root: roots may be missing";
+        if (r.alarms.raised()) out << "; ALARM: " << r.alarms.sentences();
         return out;
     }
 };

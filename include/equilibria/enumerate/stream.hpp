@@ -59,7 +59,7 @@ requires std::invocable < Take&, const Root<M>
     require(!options.checkpoint.empty(), "checkpoint", "''", "must name a file: roots that are streamed wait there");
     const auto begin = std::chrono::steady_clock::now();
     StreamedRoots<M> set;
-    detail::solve_total_degree<M, Kind>(set, p, options, true, [&](const Root<M>& root) {
+    const auto take_root = [&](const Root<M>& root) {
         if (set.cancelled()) return;
         ++set.distinct;
         const double imaginary = detail::largest_imaginary(root);
@@ -75,7 +75,8 @@ requires std::invocable < Take&, const Root<M>
         if (!e.degenerate()) ++set.by_index[static_cast<std::size_t>(e.index)];
         set.largest_real_imaginary = std::max(set.largest_real_imaginary, imaginary);
         take(root, &e);
-    });
+    };
+    detail::solve_total_degree<M, Kind>(set, p, options, true, nullptr, take_root, [](const auto&) {});
     set.seconds = detail::seconds_since(begin);
     return set;
 }

@@ -21,10 +21,13 @@ inline constexpr double regular_condition = 1e8;
 
 namespace detail {
 
-template <Model M, StartKind Kind, class C>
+/// R: double, or a multiprecision float, which tracks and closes loops with more digits; what is polished, and what
+/// counts as regular, is decided in double all the same.
+template <Model M, StartKind Kind, class C, class R = double>
 class Endgame {
 public:
-    using Z = Complex<double>;
+    using Z = Complex<R>;
+    using At = Point<M, R>;
     static constexpr int n = n_unknowns<M>;
 
     Endgame(const Homotopy<M, Kind, C>& h, const Polisher<M, Kind, C>& polisher, const TrackerOptions& options)
@@ -33,31 +36,57 @@ public:
     /// Tracks the path from its start, slowly, and ends it with the endgame wherever it leads.
     Endpoint<M> from_start(const Point<M, double>& start) {
         Endpoint<M> end;
-        end.q = start;
+        At q;
+        copy_lane(start, 0, q, 0);
         double reached = 0;
-        const Progress progress = track(end.q, {0, 0}, {1 - 1e-3, 0}, end.steps, &reached);
+        const Progress progress = track(q, time(1), time(1e-3), end.steps, &reached);
+        copy_lane(q, 0, end.q, 0);
         if (progress == Progress::stuck) {
             end.reason = end.steps >= options_.most_steps ? FailureReason::too_many_steps : FailureReason::step_too_small;
             return end;
         }
-        finish(end, 1 - reached * (1 - 1e-3));
+        finish(end, q, 1 - reached * (1 - 1e-3));
         return end;
     }
 
     /// Ends a path that has come to t = 1 - r.
     void finish(Endpoint<M>& end, double r) {
+        At q;
+        copy_lane(end.q, 0, q, 0);
+        finish(end, q, r);
+    }
+
+    enum class Progress { arrived, far, stuck };
+
+private:
+    static constexpr bool exact = !std::is_same_v<R, double>;
+    /// What a difference, a radius and a step may be with the digits of R: rounding of 1e-16 in double.
+    static constexpr double closed = exact ? 1e-22 : 1e-11;
+    static constexpr double smallest_radius = exact ? 1e-24 : 1e-13;
+    static constexpr double shortest_step = exact ? 1e-18 : 1e-9;
+
+    /// The point 1 - r of the time.
+    static Z time(const std::complex<double>& r) { return {1.0 - R(r.real()), -R(r.imag())}; }
+    static double size2(const At& q) { return static_cast<double>(farthest2(q)); }
+
+    void finish(Endpoint<M>& end, At& q, double r) {
+        decide(end, q, r);
+        if (end.status == PathStatus::at_infinity || end.status == PathStatus::failed) copy_lane(q, 0, end.q, 0);
+    }
+
+    void decide(Endpoint<M>& end, At& at, double r) {
         Array<double, n> before;
         bool have_estimate = false, diverging = false;
-        Point<M, double> estimate;
+        At estimate;
         for (double& nu : before) nu = -1;
-        while (r > 1e-13) {
-            const Array<double, n> nu = valuations(end.q, r);
-            diverging = diverges(end.q, nu, before);
+        while (r > smallest_radius) {
+            const Array<double, n> nu = valuations(at, r);
+            diverging = diverges(at, nu, before);
             // a finite solution that is merely far away looks the same down to r = 1 / (its size): go on
-            if (diverging && (r < 2e-9 || farthest2(end.q) > far_away2)) break;
+            if (diverging && (r < 2e-9 || size2(at) > far_away2)) break;
             before = nu;
-            Point<M, double> mean;
-            const int winding = diverging || farthest2(end.q) > far_away2 ? 0 : loop(end.q, r, mean, end.steps);
+            At mean;
+            const int winding = diverging || size2(at) > far_away2 ? 0 : loop(at, r, mean, end.steps);
             if (winding > 0) {
                 if (have_estimate && distance(mean, estimate) < 1e-7 && settle(end, mean, winding)) return;
                 estimate = mean;
@@ -68,7 +97,7 @@ public:
             for (const double v : nu) fastest = std::max(fastest, v);
             const double smaller = r * std::max(0.1, std::exp(-3 / (fastest + 1e-3)));
             double reached = 0;
-            if (track(end.q, {1 - r, 0}, {1 - smaller, 0}, end.steps, &reached) == Progress::stuck) break;
+            if (track(at, time(r), time(smaller), end.steps, &reached) == Progress::stuck) break;
             r -= reached * (r - smaller);
         }
         if (diverging) {
@@ -76,9 +105,10 @@ public:
             return;
         }
         // no singularity on any scale: the path is regular there, only badly conditioned
-        if (r <= 1e-12) {
-            Point<M, double> q = end.q;
-            if (track(q, {1 - r, 0}, {1, 0}, end.steps) == Progress::arrived) {
+        if (r <= 10 * smallest_radius) {
+            if (track(at, time(r), time(0), end.steps) == Progress::arrived) {
+                Point<M, double> q;
+                copy_lane(at, 0, q, 0);
                 polisher_->run(q, &end.evidence);
                 if (end.evidence.condition < regular_condition && end.evidence.correction < 1e-8) {
                     end.q = q;
@@ -91,38 +121,37 @@ public:
         end.reason = FailureReason::endgame_undecided;
     }
 
-    enum class Progress { arrived, far, stuck };
-
     /// Moves q along the segment from t = a to t = b; stops where q is far away. `reached`: the part of the way.
-    Progress track(Point<M, double>& q, std::complex<double> a, std::complex<double> b, std::int32_t& steps,
-                   double* reached = nullptr) {
-        stepper_.set_segment({a.real(), a.imag()}, {b.real() - a.real(), b.imag() - a.imag()});
-        double tau = 0, h = 0;
-        const bool was_far = farthest2(q) > far_away2;
+    Progress track(At& q, const Z& a, const Z& b, std::int32_t& steps, double* reached = nullptr) {
+        stepper_.set_segment(a, b - a);
+        R tau = 0, h = 0;
+        const bool was_far = size2(q) > far_away2;
         while (tau < 1) {
             if (++steps > options_.most_steps) return Progress::stuck;
             stepper_.expand(q, tau);
             if (h == 0) h = stepper_.first_step();
-            const auto outcome = stepper_.step(q, tau, std::min(h, 1 - tau));
+            const auto outcome = stepper_.step(q, tau, lane_min<R>(h, 1 - tau));
             h = outcome.next_step;
             if (outcome.accepted) {
                 q = outcome.q;
-                tau = outcome.step >= 1 - tau ? 1 : tau + outcome.step;
-                if (reached) *reached = tau;
-                if (!was_far && reached && farthest2(q) > far_away2) return Progress::far;
-            } else if (!(h > 1e-9)) {
+                tau = outcome.step >= 1 - tau ? R(1) : R(tau + outcome.step);
+                if (reached) *reached = static_cast<double>(tau);
+                if (!was_far && reached && size2(q) > far_away2) return Progress::far;
+            } else if (!(h > shortest_step)) {
                 return Progress::stuck;
             }
         }
-        stepper_.expand(q, 1.0);  // one more correction: the loops average these points
+        // one more correction, or three for all the digits: the loops average these points
+        for (int k = 0; k < (exact ? 3 : 1); ++k) stepper_.expand(q, R(1.0));
         return Progress::arrived;
     }
 
     /// The largest difference of two points: of (c, s) relative to their size, of coordinates against 1 + |x|.
-    static double distance(const Point<M, double>& a, const Point<M, double>& b) {
+    template <class Q>
+    static double distance(const Point<M, Q>& a, const Point<M, Q>& b) {
         double largest = 0;
-        const auto take = [&](double difference2, double size2) {
-            largest = std::max(largest, std::sqrt(difference2 / size2));
+        const auto take = [&](const Q& difference2, const Q& size2) {
+            largest = std::max(largest, std::sqrt(static_cast<double>(difference2 / size2)));
             if (!(difference2 < 1e300)) largest = 1e300;
         };
         for (int i = 0; i < n_angles<M>; ++i)
@@ -131,19 +160,18 @@ public:
         return largest;
     }
 
-private:
-    Array<double, n> valuations(Point<M, double>& q, double r) {
-        stepper_.set_segment({1 - r, 0}, {r, 0});
-        stepper_.expand(q, 0.0);
+    Array<double, n> valuations(At& q, double r) {
+        stepper_.set_segment(time(r), {R(r), R(0.0)});
+        stepper_.expand(q, R(0.0));
         Array<double, n> nu;
         for (int u = 0; u < n; ++u) {
-            nu[u] = std::sqrt(norm2(stepper_.coefficient(1, u)));
-            if (u >= n_angles<M>) nu[u] /= 1e-30 + std::sqrt(norm2(q.x[u - n_angles<M>]));
+            nu[u] = std::sqrt(static_cast<double>(norm2(stepper_.coefficient(1, u))));
+            if (u >= n_angles<M>) nu[u] /= 1e-30 + std::sqrt(static_cast<double>(norm2(q.x[u - n_angles<M>])));
         }
         return nu;
     }
     /// Some unknown is far out, and its valuation is positive and the same on two scales.
-    static bool diverges(const Point<M, double>& q, const Array<double, n>& nu, const Array<double, n>& before) {
+    static bool diverges(const At& q, const Array<double, n>& nu, const Array<double, n>& before) {
         for (int u = 0; u < n; ++u)
             if (unknown_size2(q, u) > 100 && nu[u] > 0.05 && before[u] > 0 && std::abs(nu[u] - before[u]) < 0.05 * nu[u])
                 return true;
@@ -151,26 +179,25 @@ private:
     }
 
     /// Turns around t = 1 at radius r until the path closes: the winding number and the mean of the points, 0 if it
-    /// does not within 12 turns. q is moved once around and stays on the path.
-    int loop(Point<M, double>& q, double r, Point<M, double>& mean, std::int32_t& steps) {
+    /// does not within 12 turns.
+    int loop(const At& first, double r, At& mean, std::int32_t& steps) {
         constexpr int samples = 8;
-        const Point<M, double> first = q;
-        mean = Point<M, double>{};
+        mean = At{};
         double excursion = 0;
-        Point<M, double> at = q;
+        At at = first;
         for (int turn = 1; turn <= 12; ++turn) {
             for (int k = 0; k < samples; ++k) {
                 for (int i = 0; i < n_angles<M>; ++i) mean.c[i] += at.c[i], mean.s[i] += at.s[i];
                 for (int j = 0; j < n_coordinates<M>; ++j) mean.x[j] += at.x[j];
                 const auto point = [&](int m) {
-                    return m % samples == 0 ? std::complex<double>(1 - r)
-                                            : 1.0 - std::polar(r, 2 * std::numbers::pi * m / samples);
+                    return time(m % samples == 0 ? std::complex<double>(r)
+                                                 : std::polar(r, 2 * std::numbers::pi * m / samples));
                 };
                 if (track(at, point(k), point(k + 1), steps) != Progress::arrived) return 0;
                 excursion = std::max(excursion, distance(first, at));
             }
-            if (distance(first, at) < 1e-3 * excursion + 1e-11) {
-                const double by = 1.0 / (samples * turn);
+            if (distance(first, at) < 1e-3 * excursion + closed) {
+                const R by = 1.0 / R(samples * turn);
                 for (int i = 0; i < n_angles<M>; ++i) {
                     mean.c[i] *= by;
                     mean.s[i] *= by;
@@ -186,7 +213,9 @@ private:
     }
 
     /// Decides at a settled estimate of the endpoint; false if the radius is still too large to tell.
-    bool settle(Endpoint<M>& end, const Point<M, double>& estimate, int winding) {
+    bool settle(Endpoint<M>& end, const At& mean, int winding) {
+        Point<M, double> estimate;
+        copy_lane(mean, 0, estimate, 0);
         Point<M, double> q = estimate;
         polisher_->run(q, &end.evidence);
         if (end.evidence.condition < regular_condition && end.evidence.correction < 1e-8) {
@@ -209,7 +238,7 @@ private:
     }
 
     TrackerOptions options_;
-    Stepper<M, Kind, C, double, Complex<double>, true> stepper_;
+    Stepper<M, Kind, C, R, Complex<R>, true> stepper_;
     const Polisher<M, Kind, C>* polisher_;
 };
 

@@ -26,6 +26,7 @@ struct Endpoint {
     Arrival arrival = Arrival::stuck;
     PathStatus status = PathStatus::failed;
     FailureReason reason = FailureReason::none;
+    bool more_digits = false;         ///< tracked with more digits than double has
     std::int16_t winding_number = 1;  ///< of the path at t = 1; more than 1 only at a singular endpoint
     PolishedEvidence evidence;
 };

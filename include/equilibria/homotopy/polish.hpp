@@ -68,6 +68,18 @@ public:
         }
     }
 
+    /// The residual and the Jacobian at q, and the size of rounding-free terms of each equation there: its largest
+    /// coefficient times the size of the point to the equation's degree.
+    void linearize(const Point<M, double>& q, Complex<double> (&f)[n], Complex<double> (&j)[n][n],
+                   double (&size)[n]) const {
+        Evaluation<M, Kind, C, double, Complex<double>> evaluation(*h_);
+        evaluation.jacobian(q, Complex<double>(1.0), f, j);
+        residual(q, f);
+        complete(j);
+        const double far = std::max(1.0, std::sqrt(farthest2(q)));
+        for (int i = 0; i < n; ++i) size[i] = scale_[i] * std::pow(far, Formulation<M>::degrees[i]);
+    }
+
 private:
     /// Of the evaluations that the trackers use anyway.
     template <class R>

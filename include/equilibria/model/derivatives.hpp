@@ -112,7 +112,7 @@ Unknowns<M, S> parameter_derivative(const Unknowns<M, S>& q, const Parameters<M,
 /// d^k/de^k F(q + e v, p + e w) at e = 0, for k = Order.
 template <int Order, Model M, class S = double>
 Unknowns<M, S> directional_derivative(const Unknowns<M, S>& q, const Unknowns<M, S>& v, const Parameters<M, S>& p,
-                                      const Parameters<M, S>& w = {}) {
+                                      const Parameters<M, S>& w = Parameters<M, S>()) {
     if constexpr (Order == 0) {
         return equations<M, S>(q, p);
     } else {

@@ -1,0 +1,148 @@
+/// \file
+/// Tests of a root set that cost no path: laws that the complete set obeys. None is a proof: roots lost in pairs of
+/// opposite index pass Poincare-Hopf, conjugate pairs pass the conjugates. (See torque_trace.hpp for a test that both
+/// fail.)
+///
+/// Partners are looked for by a key that conjugation and theta -> -theta leave as it is, so that one pass over the
+/// roots in the order of their keys finds images and duplicates, n log n in all.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <complex>
+#include <cstdint>
+#include <numbers>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <equilibria/enumerate/parallel.hpp>
+#include <equilibria/enumerate/root_set.hpp>
+
+namespace equilibria {
+
+namespace detail {
+
+/// Whether a and image(b) differ by at most `most`: angles modulo 2 pi, coordinates against 1 + |x|.
+template <Model M>
+bool close_roots(const Root<M>& a, const Root<M>& b, bool conjugated, bool reflected, double most) {
+    for (int u = 0; u < n_unknowns<M>; ++u) {
+        const double sign = reflected ? -1 : 1;
+        double re = std::abs(a.q[u].real() - sign * b.q[u].real());
+        const double im = a.q[u].imag() - (conjugated ? -sign : sign) * b.q[u].imag();
+        if (u < n_angles<M> && re > std::numbers::pi) re = 2 * std::numbers::pi - re;
+        const double size = u < n_angles<M> ? 1 : 1 + std::abs(a.q[u]);
+        if (!(re * re + im * im <= most * most * size * size)) return false;
+    }
+    return true;
+}
+
+/// The roots without an image among the roots, and those with a duplicate.
+template <Model M>
+class RootPartners {
+public:
+    std::uint64_t without_conjugate = 0, without_mirror_image = 0, doubled = 0;
+
+    RootPartners(const std::vector<Root<M>>& roots, unsigned threads) : roots_(&roots), entries_(roots.size()) {
+        parallel_blocks(roots.size(), 4096, threads, [&](std::size_t first, std::size_t last) {
+            for (std::size_t k = first; k < last; ++k) entries_[k] = entry(roots[k], k);
+        });
+        std::sort(entries_.begin(), entries_.end(),
+                  [](const Entry& a, const Entry& b) { return std::pair(a.key, a.root) < std::pair(b.key, b.root); });
+        std::vector<std::array<std::uint8_t, 3>> found(roots.size());
+        parallel_blocks(roots.size(), 4096, threads, [&](std::size_t first, std::size_t last) {
+            for (std::size_t e = first; e < last; ++e) found[e] = partners(e);
+        });
+        for (const auto& f : found) without_conjugate += !f[0], without_mirror_image += !f[1], doubled += f[2];
+    }
+
+private:
+    struct Entry {
+        double key, size;  ///< size: how much the key changes at most for a change of 1 in the root
+        std::size_t root;
+    };
+
+    /// Conjugation and reflection change the signs of all imaginary parts, or of all parts.
+    static Entry entry(const Root<M>& root, std::size_t k) {
+        // fixed numbers without relations: 1/sqrt of primes
+        static constexpr double weights[] = {0.70710678, 0.57735027, 0.44721360, 0.37796447,
+                                             0.30151134, 0.27735010, 0.24253563, 0.22941573};
+        Entry e{0, 2.0 * n_unknowns<M>, k};
+        for (int u = 0; u < n_unknowns<M>; ++u) {
+            const double w = weights[u % 8] / (1 + u / 8);
+            if (u < n_angles<M>) {
+                e.key += w * std::cos(root.q[u].real()) + (1 - w) * std::abs(root.q[u].imag());
+            } else {
+                e.key += w * root.q[u].real();
+                e.size += 2 * std::abs(root.q[u]);
+            }
+        }
+        return e;
+    }
+
+    /// How far the computed root may be from the true one.
+    static double accuracy(const Root<M>& root) {
+        return root.status == PathStatus::singular ? 1e-4 : 1e-9 + 1e-13 * root.condition;
+    }
+    /// Two regular roots have a distance of the order of 1 / condition.
+    static double duplicate_distance(const Root<M>& root) {
+        return root.status == PathStatus::singular ? 0 : std::clamp(1e-3 / root.condition, 1e-10, 1e-6);
+    }
+
+    /// Whether entry e has a conjugate, a mirror image, a duplicate.
+    std::array<std::uint8_t, 3> partners(std::size_t e) const {
+        const Root<M>& root = (*roots_)[entries_[e].root];
+        const double near = accuracy(root), same = duplicate_distance(root);
+        std::array<std::uint8_t, 3> found{};
+        const auto look = [&](std::size_t other) {
+            const Root<M>& partner = (*roots_)[entries_[other].root];
+            if (!found[0]) found[0] = close_roots(root, partner, true, false, near);
+            if (!found[1]) found[1] = close_roots(root, partner, false, true, near);
+            if (!found[2]) found[2] = other != e && close_roots(root, partner, false, false, same);
+        };
+        const double reach = std::max(near, same) * entries_[e].size;
+        for (std::size_t k = e; k < entries_.size() && entries_[k].key - entries_[e].key <= reach; ++k) look(k);
+        for (std::size_t k = e; k-- > 0 && entries_[e].key - entries_[k].key <= reach;) look(k);
+        return found;
+    }
+
+    const std::vector<Root<M>>* roots_;
+    std::vector<Entry> entries_;
+};
+
+}  // namespace detail
+
+/// The tests that cost no path, done on the set as it is. set.alarms is not read: `enumerate` stores there what this
+/// returns. The trace test comes out as not applied.
+template <Model M>
+Alarms check_alarms(const RootSet<M>& set, unsigned threads = 1) {
+    Alarms y;
+    const auto count = [](const Alarm& a) { return std::to_string(static_cast<std::int64_t>(a.value)); };
+    if (n_coordinates < M >> 0) {
+        y.poincare_hopf.sentence = "Poincare-Hopf does not apply: the unknowns are not only angles";
+    } else if (set.degenerate() > 0 || set.paths.singular > 0) {
+        y.poincare_hopf.sentence = "Poincare-Hopf does not apply: there are singular roots";
+    } else {
+        std::int64_t sum = 0;
+        for (const auto& e : set.equilibria) sum += e.index % 2 == 0 ? 1 : -1;
+        y.poincare_hopf.applied = true;
+        y.poincare_hopf.value = static_cast<double>(sum);
+        y.poincare_hopf.sentence = "the sum of (-1)^index is " + count(y.poincare_hopf) + ", on a torus it is 0";
+    }
+    const detail::RootPartners<M> partners(set.roots, threads);
+    y.conjugates = {true, static_cast<double>(partners.without_conjugate), 0, {}};
+    y.conjugates.sentence = count(y.conjugates) + " roots lack their complex conjugate";
+    if (Formulation<M>::reflection_symmetric) {
+        y.mirror = {true, static_cast<double>(partners.without_mirror_image), 0, {}};
+        y.mirror.sentence = count(y.mirror) + " roots lack their image under theta -> -theta";
+    } else {
+        y.mirror.sentence = "the model has no symmetry theta -> -theta";
+    }
+    y.duplicates = {true, static_cast<double>(partners.doubled), 0, {}};
+    y.duplicates.sentence = count(y.duplicates) + " roots are closer to another one than regular roots can be";
+    y.trace.sentence = "the trace test was not done";
+    return y;
+}
+
+}  // namespace equilibria

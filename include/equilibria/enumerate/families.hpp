@@ -1,0 +1,231 @@
+/// \file
+/// Takes the endpoints that lie on families of solutions out of the roots of an enumeration: probed one by one, then
+/// connected by walks on the families, and led to real points where there are any.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <numbers>
+#include <vector>
+
+#include <equilibria/enumerate/family_probe.hpp>
+#include <equilibria/enumerate/parallel.hpp>
+#include <equilibria/enumerate/root_set.hpp>
+#include <equilibria/homotopy/polish.hpp>
+
+namespace equilibria::detail {
+
+/// Which of the solutions on families belong together, for any system.
+class FamilyFinder {
+public:
+    using Vector = FamilyProbe::Vector;
+    struct Group {
+        int dimension;
+        std::vector<std::size_t> members;  ///< numbers of points
+        std::optional<Vector> real_point;
+        std::vector<Vector> landmarks;  ///< points of it that others walk to
+    };
+
+    /// angles: how many of the n unknowns are defined modulo 2 pi.
+    FamilyFinder(const FamilyProbe& probe, int n, int angles)
+        : probe_(&probe), n_(n), angles_(static_cast<std::size_t>(angles)), walks_left_(20 + 40000 / (n * n * n)) {}
+
+    [[gnu::cold]] std::vector<Group> groups(const std::vector<Vector>& points, const std::vector<FamilyProbe::Finding>& found) {
+        std::vector<Group> y;
+        for (std::size_t k = 0; k < points.size(); ++k) {
+            const int d = found[k].dimension;
+            const Vector q = probe_->projected(points[k], n_ - d, 1e-3).value_or(points[k]);
+            Group group{d, {k}, std::nullopt, {q}};
+            const auto home = std::find_if(y.begin(), y.end(), [&](const Group& g) { return connected(q, group, g); });
+            if (home == y.end()) {
+                find_real_point(group);
+                y.push_back(std::move(group));
+            } else {
+                join(*home, std::move(group));
+                if (!home->real_point) find_real_point(*home);
+            }
+        }
+        // steepest descent may be caught on its way: again, from where a random detour leads
+        for (int round = 0; round < 10 && y.size() > 1; ++round)
+            for (std::size_t k = y.size(); k-- > 1;) {
+                const Vector q = detour(y[k]);
+                for (std::size_t g = 0; g < k; ++g)
+                    if (connected(q, y[k], y[g])) {
+                        join(y[g], std::move(y[k]));
+                        y.erase(y.begin() + static_cast<std::ptrdiff_t>(k));
+                        break;
+                    }
+            }
+        for (Group& g : y) std::sort(g.members.begin(), g.members.end());
+        return y;
+    }
+
+private:
+    static constexpr std::size_t most_landmarks = 8;
+
+    static void join(Group& home, Group&& guest) {
+        home.members.insert(home.members.end(), guest.members.begin(), guest.members.end());
+        if (!home.real_point) home.real_point = guest.real_point;
+        for (Vector& q : guest.landmarks)
+            if (home.landmarks.size() < most_landmarks) home.landmarks.push_back(std::move(q));
+    }
+
+    /// A walk from q, a point of `from`, reaches a landmark of `to`.
+    [[gnu::cold]] bool connected(const Vector& q, const Group& from, const Group& to) {
+        if (from.dimension != to.dimension) return false;
+        for (const Vector& mark : to.landmarks) {
+            if (walks_left_-- <= 0) return false;
+            const auto direction = [&](const Vector& at) -> std::optional<Vector> {
+                Vector way = mark;
+                for (std::size_t i = 0; i < way.size(); ++i) {
+                    way[i] -= at[i];
+                    if (i < angles_) way[i].real(std::remainder(way[i].real(), 2 * std::numbers::pi));
+                }
+                if (FamilyProbe::largest(way) < 1e-6) return std::nullopt;
+                return way;
+            };
+            if (probe_->walk(q, from.dimension, direction, 80).arrived) return true;
+        }
+        return false;
+    }
+
+    /// Some way off from one of the group's landmarks.
+    [[gnu::cold]] Vector detour(const Group& group) {
+        if (walks_left_-- <= 0) return group.landmarks.front();
+        const Vector& begin = group.landmarks[static_cast<std::size_t>(generator_() % group.landmarks.size())];
+        Vector target = begin;
+        for (auto& x : target) x += std::polar(uniform(generator_, 1, 4), 2 * std::numbers::pi * uniform(generator_));
+        const auto direction = [&](const Vector& at) -> std::optional<Vector> {
+            Vector way = target;
+            for (std::size_t i = 0; i < way.size(); ++i) way[i] -= at[i];
+            return way;
+        };
+        return probe_->walk(begin, group.dimension, direction, 30).at;
+    }
+
+    /// A real point of the family with real neighbours, by a walk that lets the imaginary parts vanish.
+    [[gnu::cold]] void find_real_point(Group& group) {
+        if (walks_left_-- <= 0) return;
+        const auto direction = [](const Vector& at) -> std::optional<Vector> {
+            Vector way(at.size());
+            for (std::size_t i = 0; i < at.size(); ++i) way[i] = {0, -at[i].imag()};
+            if (FamilyProbe::largest(way) < 1e-7) return std::nullopt;
+            return way;
+        };
+        const auto arrived = probe_->walk(group.landmarks.back(), group.dimension, direction, 120);
+        if (!arrived.arrived) return;
+        Vector real = arrived.at;
+        for (auto& x : real) x = x.real();
+        const auto landed = probe_->projected(real, n_ - group.dimension, 1e-5);
+        if (!landed || probe_->at(*landed, true).dimension != group.dimension) return;
+        group.real_point = landed;
+        group.landmarks.push_back(*landed);
+    }
+
+    const FamilyProbe* probe_;
+    int n_;
+    std::size_t angles_;
+    int walks_left_;  // about a second's worth: what they leave unconnected stays apart
+    Generator generator_{0x6a09e667f3bcc909};
+};
+
+/// A root that is worse conditioned than this is probed, even if it passed for regular.
+inline constexpr double suspect_condition = 1e5;
+
+/// The equations of the polisher as a system for a FamilyProbe, near a point whose coordinates have the sizes `unit`.
+template <Model M, class P>
+FamilyProbe::System family_system(const P& polisher, const Array<double, n_unknowns<M>>& unit) {
+    return [&polisher, unit](const FamilyProbe::Vector& q, FamilyProbe::Vector& f, FamilyProbe::Vector& j) {
+        constexpr int n = n_unknowns<M>;
+        constexpr auto at = [](int i) { return static_cast<std::size_t>(i); };
+        Point<M, double> point;
+        for (int i = 0; i < n_angles<M>; ++i) {
+            set_lane(point.c[i], 0, std::cos(q[at(i)]));
+            set_lane(point.s[i], 0, std::sin(q[at(i)]));
+        }
+        for (int i = n_angles<M>; i < n; ++i) set_lane(point.x[i - n_angles<M>], 0, unit[i] * q[at(i)]);
+        Complex<double> value[n], slope[n][n];
+        double size[n];
+        polisher.linearize(point, value, slope, size);
+        f.assign(at(n), 0.0);
+        j.assign(at(n * n), 0.0);
+        for (int r = 0; r < n; ++r) {
+            f[at(r)] = lane(value[r], 0) / size[r];
+            for (int c = 0; c < n; ++c) j[at(c * n + r)] = lane(slope[r][c], 0) * unit[c] / size[r];
+        }
+    };
+}
+
+/// Moves the roots of `set` that lie on families to set.families, and counts their paths as singular.
+template <Model M, class P>
+[[gnu::cold]] void find_families(RootSet<M>& set, const P& polisher, unsigned threads) {
+    constexpr int n = n_unknowns<M>;
+    std::vector<std::size_t> suspects;
+    for (std::size_t k = 0; k < set.roots.size(); ++k)
+        if (set.roots[k].status == PathStatus::singular || !(set.roots[k].condition < suspect_condition))
+            suspects.push_back(k);
+    if (suspects.empty()) return;
+    Array<double, n> unit;
+    for (int u = 0; u < n; ++u) {
+        unit[u] = 1;
+        for (const std::size_t k : suspects)
+            if (u >= n_angles<M>) unit[u] = std::max(unit[u], std::abs(set.roots[k].q[u]));
+    }
+    const FamilyProbe probe(n, family_system<M>(polisher, unit));
+    std::vector<FamilyProbe::Vector> points(suspects.size());
+    std::vector<FamilyProbe::Finding> found(suspects.size());
+    parallel_blocks(suspects.size(), 16, threads, [&](std::size_t first, std::size_t last) {
+        for (std::size_t k = first; k < last; ++k) {
+            for (int u = 0; u < n; ++u) points[k].push_back(set.roots[suspects[k]].q[u] / unit[u]);
+            found[k] = probe.at(points[k]);
+        }
+    });
+    std::vector<std::size_t> member;
+    for (std::size_t k = 0; k < suspects.size(); ++k)
+        if (found[k].dimension > 0) {
+            if (member.size() != k)
+                std::swap(points[member.size()], points[k]), std::swap(found[member.size()], found[k]);
+            member.push_back(suspects[k]);
+        }
+    points.resize(member.size());
+    found.resize(member.size());
+    const auto scaled = [&](const FamilyProbe::Vector& q) {
+        typename FamilyPoint<M>::Vector y;
+        for (int u = 0; u < n; ++u) y[u] = q[static_cast<std::size_t>(u)] * unit[u];
+        return y;
+    };
+    for (const auto& group : FamilyFinder(probe, n, n_angles<M>).groups(points, found)) {
+        Family<M> family{group.dimension, std::nullopt, {}};
+        for (const std::size_t m : group.members) {
+            Root<M>& root = set.roots[member[m]];
+            const auto w = static_cast<std::uint64_t>(root.paths);
+            if (root.status == PathStatus::finite) set.paths.finite -= w, set.paths.singular += w;
+            FamilyPoint<M> point{root.q,
+                                 found[m].nullity,
+                                 {},
+                                 scaled(found[m].neighbour),
+                                 found[m].distance,
+                                 found[m].residual,
+                                 root.condition,
+                                 root.path,
+                                 root.paths};
+            for (const auto& t : found[m].tangent) point.tangent.push_back(scaled(t));
+            family.points.push_back(point);
+            root.paths = 0;  // to be erased
+        }
+        if (group.real_point) {
+            const auto q = scaled(*group.real_point);
+            Unknowns<M>& real = family.real_point.emplace();
+            for (int u = 0; u < n; ++u)
+                real[u] = u < n_angles<M> ? std::remainder(q[u].real(), 2 * std::numbers::pi) : q[u].real();
+        }
+        set.families.push_back(std::move(family));
+    }
+    std::erase_if(set.roots, [](const Root<M>& root) { return root.paths == 0; });
+    const auto order = [](const Family<M>& f) { return std::pair(-f.dimension, f.points.front().path); };
+    std::sort(set.families.begin(), set.families.end(),
+              [&](const auto& a, const auto& b) { return order(a) < order(b); });
+}
+
+}  // namespace equilibria::detail

@@ -2,6 +2,7 @@
 //
 //   rotating_chain --links 2 --lengths 1,1.5 --masses .7,.3 --omega 2
 //   rotating_chain --links 6 --omega 1.7 --threads 2 --json equilibria.json
+//   rotating_chain --links 3 --prove --digits 100
 //   rotating_chain --links 8 --checkpoint chain.ckpt    (after Ctrl-C, or worse, the same command goes on)
 #include "020_rotating_chain/chain.hpp"
 
@@ -64,15 +65,33 @@ std::string json(const Chain& chain, const Options& options, const ChainResult& 
         {"real", r.equilibria.size()},
         {"by_index", r.by_index},
         {"degenerate", r.degenerate},
-        {"complete", r.clean},
+        {"multiplicities", r.multiplicities},
+        {"winding_numbers", r.winding_numbers},
+        {"families", r.families},
+        {"clean", r.clean},
+        {"alarms", r.alarms},
         {"morse", r.morse},
+        {"complete", r.proof && r.proof->complete},
+        {"reason", r.proof ? r.proof->reason : "nothing was proved: --prove was not given"},
         {"tracking_seconds", r.tracking_seconds},
         {"seconds", r.seconds},
         {"failures", nlohmann::ordered_json::array()},
         {"equilibria", nlohmann::ordered_json::array()},
     };
+    if (const auto& p = r.proof) {
+        out["bound"] = p->bound;
+        out["proved_distinct"] = p->distinct;
+        out["proved_real"] = p->real;
+        out["proved_non_real"] = p->non_real;
+        out["undecided"] = p->undecided;
+        out["duplicates"] = p->duplicates;
+        out["proved_index"] = p->index;
+        out["contradictions"] = p->contradictions;
+        out["more_digits"] = p->more_digits;
+        out["proving_seconds"] = p->seconds;
+    }
     for (const auto& f : r.failures) out["failures"].push_back({{"path", f.path}, {"reason", f.reason}});
-    for (const auto& e : r.equilibria)
+    for (const auto& e : r.equilibria) {
         out["equilibria"].push_back({{"angles", e.angles},
                                      {"index", e.index},
                                      {"degenerate", e.nullity > 0},
@@ -83,6 +102,20 @@ std::string json(const Chain& chain, const Options& options, const ChainResult& 
                                      {"residual", e.residual},
                                      {"condition", e.condition},
                                      {"margin", e.margin}});
+        if (const auto& c = e.certificate)
+            out["equilibria"].back()["certificate"] = {{"exists", c->exists},
+                                                       {"distinct", c->distinct},
+                                                       {"reality", name(c->reality)},
+                                                       {"index_proved", c->index_proved},
+                                                       {"index", c->index},
+                                                       {"radius", c->radius},
+                                                       {"digits", c->digits}};
+        if (const auto& d = e.digits) {
+            out["equilibria"].back()["angles_in_digits"] = d->angles;
+            out["equilibria"].back()["digits_proved"] = d->proved;
+            out["equilibria"].back()["digits_error"] = d->error;
+        }
+    }
     return out.dump(2) + "\n";
 }
 
@@ -101,6 +134,9 @@ void print(const Chain& chain, const ChainResult& r) {
         }
         std::printf("%-*s  %5d  %-14.8g  %-8.1e  %.1e%s\n", width, angles.c_str(), e.index, e.energy, e.residual,
                     e.condition, e.nullity > 0 ? "  degenerate" : "");
+        if (const auto& d = e.digits)
+            for (const std::string& angle : d->angles)
+                std::printf("    %s%s\n", angle.c_str(), d->proved ? "" : "  (not proved)");
     }
     const auto& n = r.paths;
     const auto count = [](auto value) { return static_cast<unsigned long long>(value); };
@@ -113,7 +149,14 @@ void print(const Chain& chain, const ChainResult& r) {
     if (r.degenerate > 0) std::printf(", degenerate: %llu", count(r.degenerate));
     std::printf("\n");
     if (r.clean)
-        std::printf("Complete: each path accounted for, each root regular and reached by a path of its own.\n");
+        std::printf("Each path is accounted for, each root regular and reached by a path of its own.\n");
+    for (const std::string& family : r.families) std::printf("NOT ISOLATED: %s.\n", family.c_str());
+    if (!r.alarms.empty()) std::printf("ALARM: %s.\n", r.alarms.c_str());
+    if (const auto& p = r.proof) {
+        std::printf("%llu distinct roots proved, %llu real, %llu non-real, %llu undecided, %llu with their index.\n",
+                    count(p->distinct), count(p->real), count(p->non_real), count(p->undecided), count(p->index));
+        std::printf("%s: %s.\n", p->complete ? "PROVED COMPLETE" : "Not proved complete", p->reason.c_str());
+    }
     if (n.failed > 0) std::printf("INCOMPLETE: %llu paths failed; equilibria may be missing.\n", count(n.failed));
     if (n.singular > 0 || r.degenerate > 0)
         std::printf(
@@ -127,6 +170,7 @@ void print(const Chain& chain, const ChainResult& r) {
         std::printf(r.morse ? "The Morse relations of the torus hold.\n"
                             : "THE MORSE RELATIONS ARE VIOLATED: equilibria are missing.\n");
     std::printf("%.3g s, %.3g s of it tracking\n", r.seconds, r.tracking_seconds);
+    if (r.proof) std::printf("%.3g s for the proofs\n", r.proof->seconds);
 }
 
 std::atomic<bool> cancelled = false;
@@ -160,7 +204,9 @@ int main(int argc, char** argv) {
         "vertical through its first joint (Baillieul, equations 3.1), with its index: the number of directions in "
         "which "
         "it is unstable."};
-    app.add_option("--links", links, "number of links, 1 to 10 (default 2)");
+    bool prove = false;
+    std::string digits = "0";
+    app.add_option("--links", links, "number of links, 1 to 8 (default 2)");
     app.add_option("--lengths", lengths, "length of each link, positive, commas between (default: all 1)");
     app.add_option("--masses", masses, "mass at the end of each link, positive, commas between (default: all 1)");
     app.add_option("--omega", omega, "angular speed, radians a unit of time (default 2)");
@@ -168,6 +214,8 @@ int main(int argc, char** argv) {
     app.add_option("--seed", seed,
                    "of the random start system, an integer (default 1); the same seed, the same result");
     app.add_option("--threads", threads, "1 to 1024, 0 for one each core (default 1); does not change the result");
+    app.add_flag("--prove", prove, "prove each root, its reality and index, and that none is missing");
+    app.add_option("--digits", digits, "give the angles to that many digits, 1 to 1000, with a proved error");
     app.add_option("--json", json_name, "write JSON to this file, or to stdout for -, instead of a table");
     app.add_option("--checkpoint", checkpoint,
                    "keep what is finished in this file, and go on from it if it is there already; Ctrl-C ends the "
@@ -188,8 +236,11 @@ int main(int argc, char** argv) {
     std::optional<support::ProgressBar> bar("tracking");
     const Options options{support::integer<std::uint64_t>("--seed", seed, 0, UINT64_MAX),
                           support::integer<unsigned>("--threads", threads, 0, 1024),
-                          [&](std::uint64_t done, std::uint64_t all) { bar->update(done, all); }, checkpoint,
-                          &cancelled};
+                          [&](std::uint64_t done, std::uint64_t all) { bar->update(done, all); },
+                          checkpoint,
+                          &cancelled,
+                          prove,
+                          app.count("--digits") > 0 ? support::integer("--digits", digits, 1, 1000) : 0};
     std::optional<support::OutputFile> file;
     if (app.count("--json") > 0) file.emplace("--json", json_name);
     cancel_on_interrupt();
@@ -210,11 +261,11 @@ int main(int argc, char** argv) {
 // clang-format off
 /* Refused:
 --links 0
-    rotating_chain: --links 0: must be an integer from 1 to 10
---links 11
-    rotating_chain: --links 11: must be an integer from 1 to 10
+    rotating_chain: --links 0: must be an integer from 1 to 8
+--links 9
+    rotating_chain: --links 9: must be an integer from 1 to 8
 --links 2.5
-    rotating_chain: --links 2.5: must be an integer from 1 to 10
+    rotating_chain: --links 2.5: must be an integer from 1 to 8
 --links
     rotating_chain: --links: must be followed by a value
 --links 2 --links 3
@@ -247,6 +298,10 @@ int main(int argc, char** argv) {
     rotating_chain: --json .: is a folder; must be a file that can be written
 --json good.json --omega nan
     rotating_chain: --omega nan: must be a finite number
+--digits 0
+    rotating_chain: --digits 0: must be an integer from 1 to 1000
+--digits 1001
+    rotating_chain: --digits 1001: must be an integer from 1 to 1000
 --checkpoint missing/folder.ckpt
     rotating_chain: --checkpoint missing/folder.ckpt: cannot be created (No such file or directory)
 --checkpoint .

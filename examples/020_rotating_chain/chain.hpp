@@ -4,8 +4,10 @@
 
 #include <atomic>
 #include <cstdint>
+#include <equilibria/certify/certificate.hpp>
 #include <equilibria/enumerate/root_set.hpp>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,12 +22,30 @@ struct Options {
     std::function<void(std::uint64_t done, std::uint64_t all)> progress;
     std::string checkpoint;
     const std::atomic<bool>* cancel;
+    bool prove;
+    int digits;  // 0: none
+};
+
+struct ManyDigits {
+    std::vector<std::string> angles;
+    bool proved;
+    std::string error;
 };
 
 struct ChainEquilibrium {
     std::vector<double> angles;  // radians, in (-pi, pi]
     int index, nullity, multiplicity;
     double energy, residual, condition, margin;
+    std::optional<equilibria::Certificate> certificate;
+    std::optional<ManyDigits> digits;
+};
+
+// What Proof tells.
+struct ChainProof {
+    std::uint64_t distinct, real, non_real, undecided, duplicates, index, contradictions, more_digits, bound;
+    bool complete;
+    std::string reason;
+    double seconds;
 };
 
 struct Failure {
@@ -42,9 +62,13 @@ struct ChainResult {
     double tracking_seconds, seconds;
     std::vector<ChainEquilibrium> equilibria;
     std::vector<Failure> failures;
+    std::vector<int> multiplicities, winding_numbers;  // of the distinct roots
+    std::vector<std::string> families;                 // in words
+    std::string alarms;                                // raised ones, in words
+    std::optional<ChainProof> proof;
 };
 
-inline constexpr int most_links = 10;
+inline constexpr int most_links = 8;
 
 template <int Links>
 ChainResult enumerate_chain(const Chain& chain, const Options& options);

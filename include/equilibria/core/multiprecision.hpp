@@ -84,6 +84,10 @@ public:
         return Self(Value(log(a.value_)));
     }
     template <std::same_as<Self> B>
+    [[gnu::noinline]] friend Self atan(const B& a) {
+        return Self(Value(atan(a.value_)));
+    }
+    template <std::same_as<Self> B>
     [[gnu::noinline]] friend Self atan2(const B& y, const B& x) {
         return Self(Value(atan2(y.value_, x.value_)));
     }

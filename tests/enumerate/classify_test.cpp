@@ -48,7 +48,7 @@ TEST_CASE("a root is real if its imaginary part is rounding, and only then") {
     CHECK(detail::is_real(root({pi / 2 + std::acos(1 - 1e-12), 1e-11}, 1e6), below, q));
 }
 
-TEST_CASE("real angles are in (-pi, pi]") {
+TEST_CASE("real angles are above -pi and at most pi") {
     Unknowns<M> q;
     for (const double start : {pi, -pi, pi + 1e-9, -pi - 1e-9}) {
         CHECK(detail::is_real(root({start, 0}), Parameters<M>{0}, q));

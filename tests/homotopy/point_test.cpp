@@ -89,7 +89,7 @@ TEST_CASE("a point that is far away is turned without a correction that would be
     CHECK(error(q, theta + Z(1e-3, 2e-3)) < 1e-14);
 }
 
-TEST_CASE("no step, no change; the size of a step") {
+TEST_CASE("no step, no change, and the size of a step") {
     const auto q = point({0.3, 0.5}, 3.0);
     const Complex<double> none[2] = {{0, 0}, {0, 0}}, some[2] = {{0.03, 0.04}, {0.1, 0}};
     CHECK(error(moved<M, double>(q, none), {0.3, 0.5}) * 1e15 < 1);

@@ -144,7 +144,7 @@ TEST_CASE("r = 1.5: all over the plane, one of the tables 3.3, and each of them 
     CHECK(seen.size() == index_tables.size());
 }
 
-TEST_CASE("Theorem 3.3: alpha r > 1 makes the count grow with omega; alpha r < 1 need not") {
+TEST_CASE("Theorem 3.3: alpha r > 1 makes the count grow with omega, alpha r < 1 need not") {
     for (const double ratio : {1.2, 1.5, 3.0})
         for (const double alpha : {1.05 / ratio, 0.5 + 0.5 / ratio, 0.95}) {
             std::uint64_t before = 4;

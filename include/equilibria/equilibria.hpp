@@ -7,6 +7,7 @@
 #include <equilibria/algebra/polynomial_system.hpp>
 #include <equilibria/continuation/arc_length.hpp>
 #include <equilibria/enumerate/enumerate.hpp>
+#include <equilibria/enumerate/stream.hpp>
 #include <equilibria/io/gnuplot.hpp>
 #include <equilibria/io/polynomial_formats.hpp>
 #include <equilibria/locus/diagram.hpp>

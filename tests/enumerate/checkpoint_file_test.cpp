@@ -271,7 +271,7 @@ TEST_CASE("a file is used by one run at a time") {
     CHECK(found.size() == 1);
 }
 
-TEST_CASE("a full disk ends the run; what was committed is kept") {
+TEST_CASE("a full disk ends the run, and what was committed is kept") {
     const tests::ScratchFile scratch("full.ckpt");
     rlimit before{};
     REQUIRE(getrlimit(RLIMIT_FSIZE, &before) == 0);

@@ -117,8 +117,8 @@ bool identical(const RootSet<M>& a, const RootSet<M>& b) {
     const auto& x = a.paths;
     const auto& y = b.paths;
     if (x.total != y.total || x.finite != y.finite || x.at_infinity != y.at_infinity || x.singular != y.singular ||
-        x.failed != y.failed || x.retracked != y.retracked || x.crossed != y.crossed || x.steps != y.steps ||
-        a.roots.size() != b.roots.size() || a.equilibria.size() != b.equilibria.size() ||
+        x.failed != y.failed || x.cancelled != y.cancelled || x.retracked != y.retracked || x.crossed != y.crossed ||
+        x.steps != y.steps || a.roots.size() != b.roots.size() || a.equilibria.size() != b.equilibria.size() ||
         a.families.size() != b.families.size())
         return false;
     for (std::size_t k = 0; k < a.families.size(); ++k) {

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cmath>
+#include <locale>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -22,6 +23,7 @@ public:
 template <class T>
 std::string to_text(const T& value) {
     std::ostringstream out;
+    out.imbue(std::locale::classic());
     out.precision(17);
     out << value;
     return out.str();

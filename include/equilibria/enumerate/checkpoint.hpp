@@ -123,6 +123,11 @@ inline std::string build_name() {
 #else
         "g++ " __VERSION__;
 #endif
+#if defined(__x86_64__)
+    name += ", x86-64";
+#elif defined(__aarch64__)
+    name += ", AArch64";
+#endif
     name += ", " + std::to_string(native_lanes) + " lanes";
 #if defined(__FMA__)
     name += ", fused multiply-add";

@@ -54,11 +54,7 @@ public:
 
     /// With a reflected start: how many paths rest, and how many mirror pairs there are.
     std::uint64_t resting() const { return std::uint64_t{1} << n_unknowns<M>; }
-    std::uint64_t pairs() const {
-        std::uint64_t all = 1;
-        for (int i = 0; i < n_unknowns<M>; ++i) all *= static_cast<std::uint64_t>(radix(i));
-        return (all - resting()) / 2;
-    }
+    std::uint64_t pairs() const { return (static_cast<std::uint64_t>(total_degree<M>()) - resting()) / 2; }
     /// The k-th path that rests: the digits of k in base 2.
     std::uint64_t resting_path(std::uint64_t k) const {
         std::uint64_t path = 0, weight = 1;
@@ -70,7 +66,7 @@ public:
     }
     /// The k-th of the paths that are less than their mirror image: the highest digit that is not 0 or 1 is even.
     std::uint64_t pair_path(std::uint64_t k) const {
-        std::uint64_t weight = 2 * pairs() + resting(), rest = resting(), path = 0;
+        std::uint64_t weight = static_cast<std::uint64_t>(total_degree<M>()), rest = resting(), path = 0;
         for (int i = n_unknowns<M> - 1; i >= 0; --i) {
             weight /= static_cast<std::uint64_t>(radix(i));
             rest /= 2;

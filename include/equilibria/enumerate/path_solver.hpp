@@ -106,23 +106,23 @@ public:
         const auto begin = std::chrono::steady_clock::now();
         constexpr bool pivoted = !Formulation<M>::has_potential;
         std::atomic<std::int64_t> tracking = 0, working = 0;
-        const auto nanoseconds = [] { return std::chrono::steady_clock::now().time_since_epoch().count(); };
+        const auto now = [] { return std::chrono::steady_clock::now().time_since_epoch().count(); };
         report(ends.finished(), ends.size());
         parallel_blocks(ends.size(), ends.block(), options_.threads, [&](std::size_t first, std::size_t last) {
             const std::uint64_t which = first / ends.block();
             if (ends.has_block(which) || cancelled()) return;
-            const auto started = nanoseconds();
+            const auto started = now();
             std::vector<std::uint64_t> paths(last - first);
             std::iota(paths.begin(), paths.end(), first);
             std::vector<Endpoint<M>> block(paths.size());
             track_lanes<Pack, pivoted>(homotopy_, options_.tracker, std::span<const std::uint64_t>(paths), start,
                                        std::span(block));
-            tracking += nanoseconds() - started;
+            tracking += now() - started;
             polish(block);
             std::uint64_t retracked = 0;
             for (std::size_t k = 0; k < block.size(); ++k)
                 if (block[k].status == PathStatus::failed) retracked += finish(block[k], start(paths[k]));
-            working += nanoseconds() - started;
+            working += now() - started;
             ends.put(which, block, retracked);
             report(last - first, ends.size());
         });

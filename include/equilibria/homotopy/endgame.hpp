@@ -67,6 +67,7 @@ private:
     /// What a difference, a radius and a step may be with the digits of R: rounding of 1e-16 in double.
     static constexpr double closed = exact ? 1e-22 : 1e-11;
     static constexpr double smallest_radius = exact ? 1e-24 : 1e-13;
+    static constexpr double diverging_radius = exact ? 1e-14 : 2e-9;
     static constexpr double shortest_step = exact ? 1e-18 : 1e-9;
 
     /// The point 1 - r of the time.
@@ -93,7 +94,7 @@ private:
             const Array<double, n> nu = valuations(at, r);
             diverging = diverges(at, nu, before);
             // a finite solution that is merely far away looks the same down to r = 1 / (its size): go on
-            if (diverging && (r < 2e-9 || size2(at) > far_away2)) break;
+            if (diverging && (r < diverging_radius || size2(at) > far_away2)) break;
             before = nu;
             At mean;
             const int winding = diverging || size2(at) > far_away2 ? 0 : loop(at, r, mean, end.steps);

@@ -7,10 +7,12 @@
 #include <equilibria/algebra/polynomial_system.hpp>
 #include <equilibria/continuation/arc_length.hpp>
 #include <equilibria/enumerate/enumerate.hpp>
+#include <equilibria/enumerate/torque_trace.hpp>
 #include <equilibria/io/gnuplot.hpp>
 #include <equilibria/io/polynomial_formats.hpp>
 #include <equilibria/locus/diagram.hpp>
 #include <equilibria/locus/locus.hpp>
+#include <equilibria/locus/refine.hpp>
 #include <equilibria/mechanisms/rotating_chain.hpp>
 #include <equilibria/model/derivatives.hpp>
 #include <equilibria/stability/inertia.hpp>

@@ -10,6 +10,9 @@
 
 using namespace equilibria;
 
+static_assert(EquationsModel<WithTorques<tests::Chain<3>>> && EquationsModel<WithTorques<models::CoupledAngles<3>>>);
+static_assert(total_degree<WithTorques<tests::Chain<3>>>() == total_degree<tests::Chain<3>>());
+
 namespace {
 
 template <class M>

@@ -40,12 +40,19 @@ void check_degenerate(const RootSet<TwoLinkChain>& r, std::uint64_t degenerate, 
         if (root.status == PathStatus::singular) CHECK(root.winding_number == winding);
 }
 
+std::string printed(const RootSet<TwoLinkChain>& r) {
+    std::ostringstream out;
+    out << r;
+    return out.str();
+}
+
 /// Four curves of real equilibria, theta_1 constant on each, and nothing isolated.
 void check_free_second_angle(const RootSet<TwoLinkChain>& r) {
     CHECK(r.distinct() == 0);
     CHECK(r.real() == 0);
     CHECK(r.by_index() == std::vector<std::int64_t>{0, 0, 0});
     CHECK(r.families.size() == 4);
+    CHECK(printed(r).find("; NOT ISOLATED: at most 4 times a real curve of solutions (16 paths)") != std::string::npos);
     for (const auto& family : r.families) {
         CHECK(family.dimension == 1);
         CHECK(family.real());
@@ -56,12 +63,6 @@ void check_free_second_angle(const RootSet<TwoLinkChain>& r) {
             CHECK(std::abs(point.neighbour[1] - point.q[1]) > 1e-3);
         }
     }
-}
-
-std::string printed(const RootSet<TwoLinkChain>& r) {
-    std::ostringstream out;
-    out << r;
-    return out.str();
 }
 
 }  // namespace

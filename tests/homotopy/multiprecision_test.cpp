@@ -56,8 +56,7 @@ std::vector<Endpoint<M>> ends(const Parameters<M>& p, std::uint64_t seed) {
     const detail::StartPoints<M> points(start);
     std::vector<Endpoint<M>> y;
     for (std::uint64_t path = 0; path < static_cast<std::uint64_t>(total_degree<M>()); ++path)
-        y.push_back(
-            detail::Endgame<M, kind, double, Digits50>(h, polisher, TrackerOptions{}).from_start(points(path)));
+        y.push_back(detail::Endgame<M, kind, double, Digits50>(h, polisher, TrackerOptions{}).from_start(points(path)));
     return y;
 }
 

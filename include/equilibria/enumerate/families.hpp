@@ -29,33 +29,31 @@ public:
 
     /// angles: how many of the n unknowns are defined modulo 2 pi.
     FamilyFinder(const FamilyProbe& probe, int n, int angles)
-        : probe_(&probe), n_(n), angles_(static_cast<std::size_t>(angles)), walks_left_(20 + 40000 / (n * n * n)) {}
+        : probe_(&probe), n_(n), angles_(static_cast<std::size_t>(angles)), walks_left_(2000 + 1000000 / (n * n * n)) {}
 
-    [[gnu::cold]] std::vector<Group> groups(const std::vector<Vector>& points, const std::vector<FamilyProbe::Finding>& found) {
+    [[gnu::cold]] std::vector<Group> groups(const std::vector<Vector>& points,
+                                            const std::vector<FamilyProbe::Finding>& found) {
         std::vector<Group> y;
         for (std::size_t k = 0; k < points.size(); ++k) {
             const int d = found[k].dimension;
             const Vector q = probe_->projected(points[k], n_ - d, 1e-3).value_or(points[k]);
             Group group{d, {k}, std::nullopt, {q}};
-            const auto home = std::find_if(y.begin(), y.end(), [&](const Group& g) { return connected(q, group, g); });
-            if (home == y.end()) {
+            const std::size_t home = connected_group(q, group, y, y.size());
+            if (home == y.size()) {
                 find_real_point(group);
                 y.push_back(std::move(group));
             } else {
-                join(*home, std::move(group));
-                if (!home->real_point) find_real_point(*home);
+                join(y[home], std::move(group));
+                if (!y[home].real_point) find_real_point(y[home]);
             }
         }
         // steepest descent may be caught on its way: again, from where a random detour leads
         for (int round = 0; round < 10 && y.size() > 1; ++round)
             for (std::size_t k = y.size(); k-- > 1;) {
-                const Vector q = detour(y[k]);
-                for (std::size_t g = 0; g < k; ++g)
-                    if (connected(q, y[k], y[g])) {
-                        join(y[g], std::move(y[k]));
-                        y.erase(y.begin() + static_cast<std::ptrdiff_t>(k));
-                        break;
-                    }
+                const std::size_t home = connected_group(detour(y[k]), y[k], y, k);
+                if (home == k) continue;
+                join(y[home], std::move(y[k]));
+                y.erase(y.begin() + static_cast<std::ptrdiff_t>(k));
             }
         for (Group& g : y) std::sort(g.members.begin(), g.members.end());
         return y;
@@ -71,23 +69,41 @@ private:
             if (home.landmarks.size() < most_landmarks) home.landmarks.push_back(std::move(q));
     }
 
-    /// A walk from q, a point of `from`, reaches a landmark of `to`.
-    [[gnu::cold]] bool connected(const Vector& q, const Group& from, const Group& to) {
-        if (from.dimension != to.dimension) return false;
-        for (const Vector& mark : to.landmarks) {
-            if (walks_left_-- <= 0) return false;
-            const auto direction = [&](const Vector& at) -> std::optional<Vector> {
-                Vector way = mark;
-                for (std::size_t i = 0; i < way.size(); ++i) {
-                    way[i] -= at[i];
-                    if (i < angles_) way[i].real(std::remainder(way[i].real(), 2 * std::numbers::pi));
-                }
-                if (FamilyProbe::largest(way) < 1e-6) return std::nullopt;
-                return way;
-            };
-            if (probe_->walk(q, from.dimension, direction, 80).arrived) return true;
+    /// The way from one point to another.
+    Vector way(const Vector& from, const Vector& to) const {
+        Vector y = to;
+        for (std::size_t i = 0; i < y.size(); ++i) {
+            y[i] -= from[i];
+            if (i < angles_) y[i].real(std::remainder(y[i].real(), 2 * std::numbers::pi));
         }
-        return false;
+        return y;
+    }
+
+    /// A group among y[0 .. last) to one of whose landmarks, the nearest ones first, a walk from q leads, a point of
+    /// `from`; `last` if there is none.
+    [[gnu::cold]] std::size_t connected_group(const Vector& q, const Group& from, const std::vector<Group>& y,
+                                              std::size_t last) {
+        if (walks_left_ <= 0) return last;
+        struct Mark {
+            double distance;
+            std::size_t group;
+            const Vector* at;
+        };
+        std::vector<Mark> marks;
+        for (std::size_t g = 0; g < last; ++g)
+            if (y[g].dimension == from.dimension)
+                for (const Vector& at : y[g].landmarks) marks.push_back({FamilyProbe::largest(way(q, at)), g, &at});
+        std::stable_sort(marks.begin(), marks.end(),
+                         [](const Mark& a, const Mark& b) { return a.distance < b.distance; });
+        for (std::size_t k = 0; k < std::min<std::size_t>(marks.size(), 12) && walks_left_-- > 0; ++k) {
+            const auto direction = [&](const Vector& at) -> std::optional<Vector> {
+                Vector wanted = way(at, *marks[k].at);
+                if (FamilyProbe::largest(wanted) < 1e-6) return std::nullopt;
+                return wanted;
+            };
+            if (probe_->walk(q, from.dimension, direction, 80).arrived) return marks[k].group;
+        }
+        return last;
     }
 
     /// Some way off from one of the group's landmarks.
@@ -106,7 +122,7 @@ private:
 
     /// A real point of the family with real neighbours, by a walk that lets the imaginary parts vanish.
     [[gnu::cold]] void find_real_point(Group& group) {
-        if (walks_left_-- <= 0) return;
+        if (real_walks_left_-- <= 0) return;
         const auto direction = [](const Vector& at) -> std::optional<Vector> {
             Vector way(at.size());
             for (std::size_t i = 0; i < at.size(); ++i) way[i] = {0, -at[i].imag()};
@@ -126,7 +142,8 @@ private:
     const FamilyProbe* probe_;
     int n_;
     std::size_t angles_;
-    int walks_left_;  // about a second's worth: what they leave unconnected stays apart
+    int walks_left_;  // seconds' worth: what they leave unconnected stays apart
+    int real_walks_left_ = 5000;
     Generator generator_{0x6a09e667f3bcc909};
 };
 

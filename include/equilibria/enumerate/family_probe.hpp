@@ -144,7 +144,8 @@ private:
     }
 
     /// Solutions on d random slices at distance, half of it and its double; the one at `distance` goes to y.
-    [[gnu::cold]] bool confirmed(const Vector& q, int d, double distance, bool real, Generator& generator, Finding& y) const {
+    [[gnu::cold]] bool confirmed(const Vector& q, int d, double distance, bool real, Generator& generator,
+                                 Finding& y) const {
         // orthonormal rows a_i: random combinations of the null vectors; the complement serves to vary the first guess
         std::vector<Vector> rows;
         for (int r = 0; r < y.nullity; ++r) {
@@ -181,8 +182,8 @@ private:
         return true;
     }
 
-    [[gnu::cold]] bool solve_on_slices(Vector& q, const Vector& centre, const std::vector<Vector>& rows, const Vector& unit, int d,
-                         double h, double& residual) const {
+    [[gnu::cold]] bool solve_on_slices(Vector& q, const Vector& centre, const std::vector<Vector>& rows,
+                                       const Vector& unit, int d, double h, double& residual) const {
         Vector f, j;
         for (int round = 0; round < 40; ++round) {
             system_(q, f, j);

@@ -126,11 +126,8 @@ struct RootSet {
         if (r.degenerate() > 0) out << ", degenerate: " << r.degenerate();
         if (r.morse_applies()) out << (r.morse() ? "; Morse relations hold" : "; MORSE RELATIONS VIOLATED: roots are missing");
         std::uint64_t on_families = 0;
-        for (const auto& family : r.families) {
-            out << (on_families == 0 ? "; NOT ISOLATED: a " : ", a ") << (family.real() ? "real " : "")
-                << family_kind(family.dimension) << " of solutions (" << family.paths() << " paths)";
-            on_families += family.paths();
-        }
+        for (const auto& family : r.families) on_families += family.paths();
+        if (!r.families.empty()) out << "; NOT ISOLATED: " << summary(r.families);
         if (r.paths.singular > on_families) out << "; SINGULAR: equilibria coincide";
         if (r.cancelled()) out << "; CANCELLED: " << r.paths.cancelled << " paths are not finished";
         if (r.paths.finite > 0 && r.paths.singular == 0 && r.paths.finite != r.distinct() && !r.cancelled())

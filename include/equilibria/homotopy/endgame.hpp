@@ -1,13 +1,15 @@
 /// \file
-/// Paths near t = 1: finite, at infinity or singular, told apart by two-sided tests; and single paths tracked carefully.
+/// Paths near t = 1: finite, at infinity or singular, told apart by two-sided tests; and single paths tracked
+/// carefully.
 ///
 /// Valuation: nu_u = |(1-t) q_u'(t)| of an angle, |(1-t) x'/x| of a coordinate. On a path to a finite point it tends to
 /// 0 like (1-t)^(1/m); on one to infinity it settles at a positive rational (theta ~ -+ i nu log(1-t)).
 /// Cauchy: on the circle |1-t| = r the path closes after m turns, m the winding number; the mean of its points is the
-/// endpoint, to the accuracy of the tracking even where Newton's method would crawl. It is accepted when two radii agree.
-/// Sources: Morgan, Sommese, Wampler, power-series and Cauchy endgames; Timme (valuation test).
+/// endpoint, to the accuracy of the tracking even where Newton's method would crawl. It is accepted when two radii
+/// agree. Sources: Morgan, Sommese, Wampler, power-series and Cauchy endgames; Timme (valuation test).
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <complex>
 
@@ -28,10 +30,11 @@ class Endgame {
 public:
     using Z = Complex<R>;
     using At = Point<M, R>;
+    using Tracker = Stepper<M, Kind, C, R, Complex<R>, true>;
     static constexpr int n = n_unknowns<M>;
 
     Endgame(const Homotopy<M, Kind, C>& h, const Polisher<M, Kind, C>& polisher, const TrackerOptions& options)
-        : options_(options), stepper_(h, options), polisher_(&polisher) {}
+        : options_(options), stepper_(h, options), closing_(h, closing(options)), polisher_(&polisher) {}
 
     /// Tracks the path from its start, slowly, and ends it with the endgame wherever it leads.
     Endpoint<M> from_start(const Point<M, double>& start) {
@@ -39,10 +42,11 @@ public:
         At q;
         copy_lane(start, 0, q, 0);
         double reached = 0;
-        const Progress progress = track(q, time(1), time(1e-3), end.steps, &reached);
+        const Progress progress = track(stepper_, q, time(1), time(1e-3), end.steps, &reached);
         copy_lane(q, 0, end.q, 0);
         if (progress == Progress::stuck) {
-            end.reason = end.steps >= options_.most_steps ? FailureReason::too_many_steps : FailureReason::step_too_small;
+            end.reason =
+                end.steps >= options_.most_steps ? FailureReason::too_many_steps : FailureReason::step_too_small;
             return end;
         }
         finish(end, q, 1 - reached * (1 - 1e-3));
@@ -63,10 +67,17 @@ private:
     /// What a difference, a radius and a step may be with the digits of R: rounding of 1e-16 in double.
     static constexpr double closed = exact ? 1e-22 : 1e-11;
     static constexpr double smallest_radius = exact ? 1e-24 : 1e-13;
+    static constexpr double diverging_radius = exact ? 1e-14 : 2e-9;
     static constexpr double shortest_step = exact ? 1e-18 : 1e-9;
 
     /// The point 1 - r of the time.
     static Z time(const std::complex<double>& r) { return {1.0 - R(r.real()), -R(r.imag())}; }
+    /// Near a family the position along it is known only to 1e-16 / r: contractions below 1e-5 can't be told there.
+    static TrackerOptions closing(TrackerOptions o) {
+        o.contraction = std::max(o.contraction, 1e-5);
+        o.largest_contraction = std::max(o.largest_contraction, 1e-3);
+        return o;
+    }
     static double size2(const At& q) { return static_cast<double>(farthest2(q)); }
 
     void finish(Endpoint<M>& end, At& q, double r) {
@@ -83,7 +94,7 @@ private:
             const Array<double, n> nu = valuations(at, r);
             diverging = diverges(at, nu, before);
             // a finite solution that is merely far away looks the same down to r = 1 / (its size): go on
-            if (diverging && (r < 2e-9 || size2(at) > far_away2)) break;
+            if (diverging && (r < diverging_radius || size2(at) > far_away2)) break;
             before = nu;
             At mean;
             const int winding = diverging || size2(at) > far_away2 ? 0 : loop(at, r, mean, end.steps);
@@ -97,7 +108,7 @@ private:
             for (const double v : nu) fastest = std::max(fastest, v);
             const double smaller = r * std::max(0.1, std::exp(-3 / (fastest + 1e-3)));
             double reached = 0;
-            if (track(at, time(r), time(smaller), end.steps, &reached) == Progress::stuck) break;
+            if (track(closing_, at, time(r), time(smaller), end.steps, &reached) == Progress::stuck) break;
             r -= reached * (r - smaller);
         }
         if (diverging) {
@@ -106,7 +117,7 @@ private:
         }
         // no singularity on any scale: the path is regular there, only badly conditioned
         if (r <= 10 * smallest_radius) {
-            if (track(at, time(r), time(0), end.steps) == Progress::arrived) {
+            if (track(closing_, at, time(r), time(0), end.steps) == Progress::arrived) {
                 Point<M, double> q;
                 copy_lane(at, 0, q, 0);
                 polisher_->run(q, &end.evidence);
@@ -122,15 +133,15 @@ private:
     }
 
     /// Moves q along the segment from t = a to t = b; stops where q is far away. `reached`: the part of the way.
-    Progress track(At& q, const Z& a, const Z& b, std::int32_t& steps, double* reached = nullptr) {
-        stepper_.set_segment(a, b - a);
+    Progress track(Tracker& stepper, At& q, const Z& a, const Z& b, std::int32_t& steps, double* reached = nullptr) {
+        stepper.set_segment(a, b - a);
         R tau = 0, h = 0;
         const bool was_far = size2(q) > far_away2;
         while (tau < 1) {
             if (++steps > options_.most_steps) return Progress::stuck;
-            stepper_.expand(q, tau);
-            if (h == 0) h = stepper_.first_step();
-            const auto outcome = stepper_.step(q, tau, lane_min<R>(h, 1 - tau));
+            stepper.expand(q, tau);
+            if (h == 0) h = stepper.first_step();
+            const auto outcome = stepper.step(q, tau, lane_min<R>(h, 1 - tau));
             h = outcome.next_step;
             if (outcome.accepted) {
                 q = outcome.q;
@@ -142,7 +153,7 @@ private:
             }
         }
         // one more correction, or three for all the digits: the loops average these points
-        for (int k = 0; k < (exact ? 3 : 1); ++k) stepper_.expand(q, R(1.0));
+        for (int k = 0; k < (exact ? 3 : 1); ++k) stepper.expand(q, R(1.0));
         return Progress::arrived;
     }
 
@@ -160,12 +171,21 @@ private:
         return largest;
     }
 
+    /// Also tells the stepper of the loops how large rounding is there.
     Array<double, n> valuations(At& q, double r) {
-        stepper_.set_segment(time(r), {R(r), R(0.0)});
-        stepper_.expand(q, R(0.0));
+        closing_.set_segment(time(r), {R(r), R(0.0)});
+        closing_.expand(q, R(0.0));
+        // what further corrections still change is rounding
+        double noise = 0;
+        for (int k = 0; k < 2; ++k) {
+            const At before = q;
+            closing_.expand(q, R(0.0));
+            noise = std::max(noise, distance(before, q));
+        }
+        closing_.set_noise(std::clamp(16 * noise / closing(options_).contraction, 1e-7, 1e-5));
         Array<double, n> nu;
         for (int u = 0; u < n; ++u) {
-            nu[u] = std::sqrt(static_cast<double>(norm2(stepper_.coefficient(1, u))));
+            nu[u] = std::sqrt(static_cast<double>(norm2(closing_.coefficient(1, u))));
             if (u >= n_angles<M>) nu[u] /= 1e-30 + std::sqrt(static_cast<double>(norm2(q.x[u - n_angles<M>])));
         }
         return nu;
@@ -173,7 +193,8 @@ private:
     /// Some unknown is far out, and its valuation is positive and the same on two scales.
     static bool diverges(const At& q, const Array<double, n>& nu, const Array<double, n>& before) {
         for (int u = 0; u < n; ++u)
-            if (unknown_size2(q, u) > 100 && nu[u] > 0.05 && before[u] > 0 && std::abs(nu[u] - before[u]) < 0.05 * nu[u])
+            if (unknown_size2(q, u) > 100 && nu[u] > 0.05 && before[u] > 0 &&
+                std::abs(nu[u] - before[u]) < 0.05 * nu[u])
                 return true;
         return false;
     }
@@ -193,7 +214,7 @@ private:
                     return time(m % samples == 0 ? std::complex<double>(r)
                                                  : std::polar(r, 2 * std::numbers::pi * m / samples));
                 };
-                if (track(at, point(k), point(k + 1), steps) != Progress::arrived) return 0;
+                if (track(closing_, at, point(k), point(k + 1), steps) != Progress::arrived) return 0;
                 excursion = std::max(excursion, distance(first, at));
             }
             if (distance(first, at) < 1e-3 * excursion + closed) {
@@ -201,7 +222,10 @@ private:
                 for (int i = 0; i < n_angles<M>; ++i) {
                     mean.c[i] *= by;
                     mean.s[i] *= by;
-                    const Z back = 1.5 - 0.5 * (mean.c[i] * mean.c[i] + mean.s[i] * mean.s[i]);
+                    const Z square = mean.c[i] * mean.c[i] + mean.s[i] * mean.s[i];
+                    // far out on its way to infinity an angle closes its loop too, around no point of the circle
+                    if (!(norm2(1.0 - square) < 1e-4 * (1.0 + norm2(mean.c[i]) + norm2(mean.s[i])))) return 0;
+                    const Z back = 1.5 - 0.5 * square;
                     mean.c[i] *= back;
                     mean.s[i] *= back;
                 }
@@ -238,7 +262,7 @@ private:
     }
 
     TrackerOptions options_;
-    Stepper<M, Kind, C, R, Complex<R>, true> stepper_;
+    Tracker stepper_, closing_;  // from the start, and near t = 1
     const Polisher<M, Kind, C>* polisher_;
 };
 

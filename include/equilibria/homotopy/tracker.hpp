@@ -75,6 +75,9 @@ public:
         direction_ = direction;
     }
 
+    /// Newton corrections up to this size are no cause for concern: they may be rounding.
+    void set_noise(const R& size) { noise2_ = size * size; }
+
     struct Outcome {
         Point<M, R> q;   ///< the corrected point at tau + h
         Mask accepted;
@@ -134,8 +137,8 @@ public:
         lu_.solve(f);
         const R second = correction_size(y.q, f);
         y.q = corrected<M, R>(y.q, f);
-        // Theta^2; a first correction below 1e-7 is no cause for concern, and its quotient may be rounding
-        const R theta2 = second / (first + 1e-14);
+        // Theta^2; a first correction below the noise is no cause for concern, and its quotient may be rounding
+        const R theta2 = second / (first + noise2_);
         const R most = options_.largest_contraction * options_.largest_contraction + R{};
         const R largest_first = R{} + 1e-2;
         y.accepted = both(both(short_enough, theta2 < most), first < largest_first);
@@ -223,6 +226,7 @@ private:
     Time origin_, direction_;
     Z taylor_[3][n];
     R pole_;
+    R noise2_ = R{} + 1e-14;
 };
 
 }  // namespace detail

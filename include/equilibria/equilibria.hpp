@@ -17,7 +17,6 @@
 #include <equilibria/locus/locus.hpp>
 #include <equilibria/locus/prove_region.hpp>
 #include <equilibria/locus/refine.hpp>
-#include <equilibria/locus/refine.hpp>
 #include <equilibria/mechanisms/rotating_chain.hpp>
 #include <equilibria/model/derivatives.hpp>
 #include <equilibria/stability/inertia.hpp>

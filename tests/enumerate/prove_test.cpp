@@ -152,7 +152,7 @@ TEST_CASE("on a fold nothing is proved of the double roots") {
     CHECK(proof.contradictions == 0);
 }
 
-TEST_CASE("the threads change nothing; options out of range are refused") {
+TEST_CASE("the threads change nothing, and options out of range are refused") {
     const auto set = enumerate<Chain<4>>(benchmark_chain<4>());
     const auto one = prove(set, {.threads = 1}), two = prove(set, {.threads = 2});
     REQUIRE(one.certificates.size() == two.certificates.size());

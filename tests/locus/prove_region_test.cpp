@@ -62,7 +62,7 @@ TEST_CASE("no cell that a known fold or pitchfork runs through is proved") {
     }
 }
 
-TEST_CASE("the threads change nothing; bad windows are refused") {
+TEST_CASE("the threads change nothing, and bad windows are refused") {
     const PlaneWindow window{.2, .3, .5, .9};
     const auto one = proved(window, 0.02, 1), two = proved(window, 0.02, 2);
     REQUIRE(one.cells.size() == two.cells.size());

@@ -13,7 +13,7 @@
 #include <atomic>
 #include <cmath>
 #include <cstdio>
-#include <equilibria/enumerate/checkpoint_file.hpp>
+#include <equilibria/enumerate/locked_file.hpp>
 #include <exception>
 #include <nlohmann/json.hpp>
 #include <optional>

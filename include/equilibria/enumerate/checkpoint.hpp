@@ -223,8 +223,8 @@ public:
     /// The endpoints of a block from path number `first` of it on.
     void read(std::uint64_t block, std::uint64_t first, std::span<Endpoint<M>> ends) const {
         Bytes bytes(ends.size() * endpoint_size);
-        file_.read(offset_[block] + block_head + first * endpoint_size, bytes);
-        if (!decode(bytes, ends)) file_.refuse("was changed while it was in use");
+        file_.file().read(offset_[block] + block_head + first * endpoint_size, bytes);
+        if (!decode(bytes, ends)) file_.file().refuse("was changed while it was in use");
     }
 
 private:

@@ -16,13 +16,8 @@
 /// forgiven: a damaged record, or a file shorter than that, which no interruption can cause, is refused. If the newer
 /// mark is damaged the older one holds, and the records behind it are found whole.
 ///
-/// POSIX. The file is locked with flock: a second run on it is refused. A file that is refused is never written to.
+/// A file that is refused is never written to.
 #pragma once
-
-#include <fcntl.h>
-#include <sys/file.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <array>
@@ -30,32 +25,14 @@
 #include <cerrno>
 #include <chrono>
 #include <cstdint>
-#include <cstring>
 #include <span>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
-#include <equilibria/core/error.hpp>
+#include <equilibria/enumerate/locked_file.hpp>
 
-namespace equilibria {
-
-/// A checkpoint that cannot be used. `what()` reads "checkpoint = <path>: <what is wrong>".
-class CheckpointError : public InvalidArgument {
-public:
-    CheckpointError(std::string_view path, std::string_view wrong)
-        : InvalidArgument("checkpoint", path.empty() ? "''" : path, wrong), wrong_(wrong) {}
-    /// What is wrong, without the path.
-    const std::string& wrong() const { return wrong_; }
-
-private:
-    std::string wrong_;
-};
-
-namespace detail {
-
-using Bytes = std::vector<std::uint8_t>;
+namespace equilibria::detail {
 
 inline void put_number(std::uint8_t* to, std::uint64_t value, int bytes = 8) {
     for (int k = 0; k < bytes; ++k) to[k] = static_cast<std::uint8_t>(value >> (8 * k));
@@ -97,30 +74,23 @@ public:
     /// CheckpointError if the file cannot be opened, is in use, is no checkpoint, is damaged or truncated, or has
     /// another header; the message names the fields that differ.
     template <class Visit>
-    CheckpointFile(std::string path, const std::vector<Field>& header, Visit&& visit) : path_(std::move(path)) {
-        if (path_.empty()) throw CheckpointError(path_, "must be the name of a file");
+    CheckpointFile(std::string path, const std::vector<Field>& header, Visit&& visit) : file_(std::move(path)) {
         for (const Field& f : header) header_ += f.name + ": " + f.value + "\n";
-        try {
-            for (int attempt = 0; !open_existing(); ++attempt) {
-                if (attempt == 2) refuse_by_errno("cannot be created", ENOENT);  // a link that leads nowhere
-                if (create()) return;
-            }
-            read_records(read_head(), visit);
-        } catch (...) {
-            close();
-            throw;
+        for (int attempt = 0; !file_.open(); ++attempt) {
+            if (attempt == 2) file_.refuse("cannot be created", ENOENT);  // a link that leads nowhere
+            if (create()) return;
         }
+        read_records(read_head(), visit);
     }
     CheckpointFile(const CheckpointFile&) = delete;
     ~CheckpointFile() {
         try {
-            if (end_ != committed_) commit(), sync();
+            if (end_ != committed_) commit(), file_.sync();
         } catch (const CheckpointError&) {  // the records are as safe as they can be
         }
-        close();
     }
 
-    const std::string& path() const { return path_; }
+    const LockedFile& file() const { return file_; }
     std::uint64_t records() const { return records_; }
 
     /// Appends a record; returns where its bytes are. No kill of the process can lose it from then on. Throws
@@ -130,7 +100,7 @@ public:
         put_number(record.data(), bytes.size());
         std::copy(bytes.begin(), bytes.end(), record.begin() + 8);
         put_number(&record[bytes.size() + 8], record_sum(bytes));
-        write(end_, record);
+        file_.write(end_, record);
         const std::uint64_t at = end_ + 8;
         end_ += record.size();
         ++records_;
@@ -138,62 +108,15 @@ public:
         return at;
     }
 
-    /// Fills `bytes` from the offset on.
-    void read(std::uint64_t offset, std::span<std::uint8_t> bytes) const {
-        while (!bytes.empty()) {
-            const ssize_t got = ::pread(file_, bytes.data(), bytes.size(), static_cast<off_t>(offset));
-            if (got < 0 && errno == EINTR) continue;
-            if (got < 0) refuse_by_errno("cannot be read", errno);
-            if (got == 0) refuse("is truncated: it ends at byte " + std::to_string(offset));
-            offset += static_cast<std::uint64_t>(got);
-            bytes = bytes.subspan(static_cast<std::size_t>(got));
-        }
-    }
-
-    [[noreturn]] void refuse(const std::string& wrong) const { throw CheckpointError(path_, wrong); }
-
 private:
     using Clock = std::chrono::steady_clock;
     using Mark = std::array<std::uint8_t, mark_size>;
 
     std::uint64_t data_at() const { return header_at + header_.size(); }
-    [[noreturn]] void refuse_by_errno(const std::string& wrong, int reason) const {
-        refuse(wrong + " (" + std::strerror(reason) + ")");
-    }
-    void close() {
-        if (file_ >= 0) ::close(file_);
-        file_ = -1;
-    }
-    void lock() const {
-        if (::flock(file_, LOCK_EX | LOCK_NB) == 0) return;
-        if (errno == EWOULDBLOCK) refuse("is in use by another run");
-        refuse_by_errno("cannot be locked", errno);
-    }
+    [[noreturn]] void refuse(const std::string& wrong) const { file_.refuse(wrong); }
 
-    /// False where there is no such file.
-    bool open_existing() {
-        do file_ = ::open(path_.c_str(), O_RDWR | O_CLOEXEC | O_NONBLOCK);
-        while (file_ < 0 && errno == EINTR);
-        if (file_ < 0 && errno == ENOENT) return false;
-        if (file_ < 0) refuse_by_errno("cannot be opened", errno);
-        struct stat status {};
-        if (::fstat(file_, &status) != 0 || !S_ISREG(status.st_mode)) refuse("is not a regular file");
-        lock();
-        return true;
-    }
-
-    /// Writes head and header beside the file and gives them its name when they are complete, so that nobody ever meets
-    /// half of them. False where somebody else was quicker.
+    /// A file without records. False where somebody else was quicker.
     bool create() {
-        const std::string beside = path_ + ".new" + std::to_string(::getpid());
-        do file_ = ::open(beside.c_str(), O_RDWR | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
-        while (file_ < 0 && errno == EINTR);
-        if (file_ < 0) refuse_by_errno("cannot be created", errno);
-        struct Remove {
-            const std::string& name;
-            ~Remove() { ::unlink(name.c_str()); }
-        } remove{beside};
-        lock();
         Bytes head(data_at());
         std::copy(magic.begin(), magic.end(), head.begin());
         put_number(&head[8], format, 4);
@@ -207,17 +130,7 @@ private:
             std::copy(m.begin(), m.end(), head.begin() + static_cast<std::ptrdiff_t>(marks_at[k]));
         }
         sequence_ = 1;
-        write(0, head);
-        sync();
-        const bool named = ::link(beside.c_str(), path_.c_str()) == 0;
-        if (!named && errno == EEXIST) return close(), false;
-        // a file system without hard links
-        if (!named && ::rename(beside.c_str(), path_.c_str()) != 0) refuse_by_errno("cannot be created", errno);
-        const std::size_t slash = path_.rfind('/');
-        const std::string folder = slash == std::string::npos ? "." : path_.substr(0, slash + 1);
-        const int directory = ::open(folder.c_str(), O_RDONLY | O_CLOEXEC);
-        if (directory >= 0) ::fsync(directory), ::close(directory);
-        return true;
+        return file_.create(head);
     }
 
     std::uint64_t record_sum(std::span<const std::uint8_t> bytes) const {
@@ -239,8 +152,8 @@ private:
     void commit() {
         if (end_ == committed_) return;
         const auto begin = Clock::now();
-        sync();
-        write(marks_at[(sequence_ + 1) % 2], mark(sequence_ + 1, end_, records_));
+        file_.sync();
+        file_.write(marks_at[(sequence_ + 1) % 2], mark(sequence_ + 1, end_, records_));
         ++sequence_;
         committed_ = end_;
         next_commit_ = Clock::now() + 10 * (Clock::now() - begin) + std::chrono::seconds(1);
@@ -248,23 +161,21 @@ private:
 
     /// Checks the head; returns the size of the file.
     std::uint64_t read_head() {
-        const off_t end = ::lseek(file_, 0, SEEK_END);
-        if (end < 0) refuse_by_errno("cannot be read", errno);
-        const auto size = static_cast<std::uint64_t>(end);
+        const std::uint64_t size = file_.size();
         if (size == 0) refuse("is empty: not a checkpoint");
         std::array<std::uint8_t, prologue_size> prologue;
         const auto known = static_cast<std::size_t>(std::min<std::uint64_t>(size, magic.size()));
-        read(0, std::span(prologue).first(known));
+        file_.read(0, std::span(prologue).first(known));
         if (!std::equal(magic.begin(), magic.begin() + static_cast<std::ptrdiff_t>(known), prologue.begin()))
             refuse("is not a checkpoint");
         if (size < header_at) refuse("is truncated: its head is incomplete");
-        read(0, prologue);
+        file_.read(0, prologue);
         if (const auto version = get_number(&prologue[8], 4); version != format)
             refuse("is of format " + std::to_string(version) + "; this program reads format " + std::to_string(format));
         const std::uint64_t length = get_number(&prologue[12], 4);
         if (length > size - header_at) refuse("is truncated or damaged: its header is incomplete");
         Bytes head(header_at + length);
-        read(0, head);
+        file_.read(0, head);
         header_sum_ = head_sum(head);
         if (get_number(&prologue[16]) != header_sum_) refuse("is damaged: its header has a wrong checksum");
         const auto blank = [&](std::uint64_t from, std::uint64_t to) {
@@ -304,11 +215,11 @@ private:
             std::uint8_t number[8];
             std::string wrong = "length";
             if (left >= frame_size) {
-                read(end_, number);
+                file_.read(end_, number);
                 if (const std::uint64_t length = get_number(number); length <= left - frame_size) {
                     bytes.resize(length);
-                    read(end_ + 8, bytes);
-                    read(end_ + 8 + length, number);
+                    file_.read(end_ + 8, bytes);
+                    file_.read(end_ + 8 + length, number);
                     wrong = get_number(number) == record_sum(bytes) ? "" : "checksum";
                 }
             }
@@ -324,7 +235,7 @@ private:
             ++records_;
             if (end_ == committed_ && records_ != committed_records) refuse("is damaged: records are missing");
         }
-        if (end_ < size && ::ftruncate(file_, static_cast<off_t>(end_)) != 0) refuse_unwritten();
+        if (end_ < size) file_.truncate(end_);
     }
 
     static std::vector<Field> fields(const std::string& header) {
@@ -360,34 +271,10 @@ private:
         refuse("is of another run: " + (text.empty() ? "its header is written otherwise" : text));
     }
 
-    void write(std::uint64_t offset, std::span<const std::uint8_t> bytes) const {
-        while (!bytes.empty()) {
-            const ssize_t put = ::pwrite(file_, bytes.data(), bytes.size(), static_cast<off_t>(offset));
-            if (put < 0 && errno == EINTR) continue;
-            if (put <= 0) refuse_unwritten();
-            offset += static_cast<std::uint64_t>(put);
-            bytes = bytes.subspan(static_cast<std::size_t>(put));
-        }
-    }
-    void sync() const {
-        int result;
-        do result = ::fdatasync(file_);
-        while (result != 0 && errno == EINTR);
-        if (result != 0) refuse_unwritten();
-    }
-    [[noreturn]] void refuse_unwritten() const {
-        const int reason = errno;
-        refuse_by_errno(records_ == 0 ? "cannot be written"
-                                      : "cannot be written, but its " + std::to_string(records_) +
-                                            " records are kept and the run can be resumed",
-                        reason);
-    }
-
-    std::string path_, header_;
-    int file_ = -1;
+    LockedFile file_;
+    std::string header_;
     std::uint64_t header_sum_ = 0, sequence_ = 0, committed_ = 0, end_ = 0, records_ = 0;
     Clock::time_point next_commit_ = Clock::now() + std::chrono::seconds(1);
 };
 
-}  // namespace detail
-}  // namespace equilibria
+}  // namespace equilibria::detail

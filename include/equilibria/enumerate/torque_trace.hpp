@@ -102,7 +102,9 @@ Alarm torque_trace(const RootSet<M>& set, const EnumerateOptions& options = {}) 
         std::vector<std::uint64_t> paths;
         for (std::size_t k = 0; k < starts.size(); ++k)
             if (weight[k] > 0) paths.push_back(k);
-        const auto start = [&](std::uint64_t path) { return starts[path]; };
+        const auto start = [&](std::uint64_t k) { return starts[paths[k]]; };
+        EnumerateOptions own = options;  // a checkpoint would be of the enumeration
+        own.checkpoint.clear();
         Parameters<W> at{};
         for (int k = 0; k < n_parameters<M>; ++k) at[k] = set.parameters[k];
         const auto from = coefficients<W, double>(at);
@@ -123,11 +125,16 @@ Alarm torque_trace(const RootSet<M>& set, const EnumerateOptions& options = {}) 
             for (const double s : {1.0, -1.0}) {
                 for (int i = 0; i < n_angles<M>; ++i) at[W::first_torque + i] = s * torque[i];
                 detail::PathSolver<W, StartKind::parameter, double> solver(
-                    H::parameter(from, coefficients<W, double>(at), unit_complex(generator)), at, scale, options);
+                    H::parameter(from, coefficients<W, double>(at), unit_complex(generator)), at, scale, own);
                 PathCounts counts;
                 detail::TorqueTrace<M> trace;
-                const auto ends = solver.run(paths, start, {}, false, counts);
-                for (std::size_t k = 0; k < ends.size(); ++k) {
+                auto ends = solver.store(paths.size(), start, "torques", false);
+                solver.run(ends, start, {}, false, counts);
+                if (!ends.complete()) {
+                    y.sentence = "the trace test was cancelled";
+                    return y;
+                }
+                for (std::uint64_t k = 0; k < ends.size(); ++k) {
                     lost += ends[k].status != PathStatus::finite;
                     trace.add(weight[paths[k]], ends[k].q);
                 }

@@ -26,7 +26,12 @@ struct Array {
     constexpr const T* begin() const { return elements; }
     constexpr const T* end() const { return elements + N; }
 
-    friend constexpr bool operator==(const Array&, const Array&) = default;
+    /// Not defaulted: clang refuses that where T compares at run time only.
+    friend constexpr bool operator==(const Array& a, const Array& b) {
+        for (int k = 0; k < N; ++k)
+            if (!(a[k] == b[k])) return false;
+        return true;
+    }
 };
 
 template <class T>

@@ -133,10 +133,10 @@ KrawczykResult<M, R> krawczyk(const BallSystem<M, S>& system, const Point<M, R>&
             for (int k = 0; k < n; ++k) sum = sum + e[u][k] * r[k];
             sum = rounded_up<R>(sum * (1 + unit));
             reach[u] = rounded_up<R>(newton[u] + sum);
-            holds = Mask(holds & (reach[u] <= r[u]) & (sum < r[u]));
+            holds = mask_and<Mask>(holds, mask_and<Mask>(reach[u] <= r[u], sum < r[u]));
         }
-        const Mask fresh = holds & mask_not(out.proved);
-        out.proved = Mask(out.proved | holds);
+        const Mask fresh = mask_and<Mask>(holds, mask_not(out.proved));
+        out.proved = mask_not(mask_and<Mask>(mask_not(out.proved), mask_not(holds)));
         for (int u = 0; u < n; ++u) {
             out.radius[u] = select(fresh, reach[u], out.radius[u]);
             out.weight[u] = select(fresh, r[u], out.weight[u]);

@@ -216,10 +216,10 @@ KrawczykResult<M, R> krawczyk(const BallFamily<M, S, N>& family, const Point<M, 
             for (int k = 0; k < n; ++k) sum = sum + e[u][k] * s[k];
             sum = rounded_up<R>(sum * (1 + unit));
             reach[u] = rounded_up<R>(fixed[u] + second[u] + sum);
-            holds = Mask(holds & (reach[u] <= s[u]) & (sum < s[u]));
+            holds = mask_and<Mask>(holds, mask_and<Mask>(reach[u] <= s[u], sum < s[u]));
         }
-        const Mask fresh = holds & mask_not(out.proved);
-        out.proved = Mask(out.proved | holds);
+        const Mask fresh = mask_and<Mask>(holds, mask_not(out.proved));
+        out.proved = mask_not(mask_and<Mask>(mask_not(out.proved), mask_not(holds)));
         for (int u = 0; u < n; ++u) {
             best[u] = select(fresh, reach[u], best[u]);
             out.weight[u] = select(fresh, s[u], out.weight[u]);

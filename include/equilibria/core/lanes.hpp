@@ -93,6 +93,13 @@ Mask mask_not(const Mask& m) {
         return ~m;
 }
 template <class Mask>
+Mask mask_and(const Mask& a, const Mask& b) {
+    if constexpr (std::is_same_v<Mask, bool>)
+        return a && b;
+    else
+        return a & b;
+}
+template <class Mask>
 bool mask_lane(const Mask& m, int k) {
     if constexpr (std::is_same_v<Mask, bool>)
         return m;

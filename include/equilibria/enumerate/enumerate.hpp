@@ -119,7 +119,8 @@ void collect(PathCounts& paths, std::vector<FailedPath>& failures, EndpointStore
     const CoincidenceFinder<M> finder(symmetric);
     std::vector<std::uint8_t> merged(size);
     std::vector<std::int32_t> others(size), winding(size);
-    for (std::size_t k = 0; k < size; ++k) winding[k] = end(k).winding_number;
+    for (std::size_t k = 0; k < size; ++k)
+        if (finished(k)) winding[k] = end(k).winding_number;
     const auto merge = [&](PathStatus status, double tolerance) {
         const auto groups = finder.groups(
             size,

@@ -22,6 +22,7 @@
 #include <equilibria/certify/proved_bound.hpp>
 #include <equilibria/certify/proved_index.hpp>
 #include <equilibria/core/multiprecision.hpp>
+#include <equilibria/enumerate/classify.hpp>
 #include <equilibria/enumerate/parallel.hpp>
 #include <equilibria/enumerate/root_set.hpp>
 
@@ -85,7 +86,7 @@ public:
         std::vector<std::size_t> real, other;
         for (std::size_t k = 0; k < size; ++k) {
             if (set_.roots[k].status == PathStatus::singular) continue;
-            (imaginary(k) < 1e-8 ? real : other).push_back(k);
+            (largest_imaginary(set_.roots[k]) < 1e-8 ? real : other).push_back(k);
         }
         in_packs(real, true);
         for (const std::size_t k : real)
@@ -103,11 +104,6 @@ public:
     }
 
 private:
-    double imaginary(std::size_t k) const {
-        double y = 0;
-        for (const auto& q : set_.roots[k].q) y = std::max(y, std::abs(q.imag()));
-        return y;
-    }
     /// Nothing is left that more digits could decide.
     bool settled(std::size_t k) const {
         const Certificate& c = proof_.certificates[k];

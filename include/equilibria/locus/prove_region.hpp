@@ -23,6 +23,7 @@
 #include <equilibria/certify/newton.hpp>
 #include <equilibria/certify/proved_bound.hpp>
 #include <equilibria/certify/proved_index.hpp>
+#include <equilibria/enumerate/coincidence.hpp>
 #include <equilibria/enumerate/enumerate.hpp>
 #include <equilibria/locus/regions.hpp>
 
@@ -165,19 +166,9 @@ private:
         return y;
     }
     static bool all_different(const Candidates& roots) {
-        std::vector<std::pair<double, std::size_t>> keys;
-        for (std::size_t k = 0; k < roots.size(); ++k) {
-            double key = 0;
-            const auto at = point_of<M, double>(roots[k]);
-            for (int i = 0; i < n_angles<M>; ++i)
-                key += (1 + 0.3 * i) * (at.c[i].re + 0.7 * at.c[i].im + 1.3 * at.s[i].re + 0.6 * at.s[i].im);
-            for (int j = 0; j < n_coordinates<M>; ++j) key += (1 + 0.4 * j) * (at.x[j].re + 0.7 * at.x[j].im);
-            keys.push_back({key, k});
-        }
-        std::sort(keys.begin(), keys.end());
-        for (std::size_t k = 1; k < keys.size(); ++k)
-            if (!(keys[k].first - keys[k - 1].first > 1e-9)) return false;
-        return true;
+        std::vector<Point<M, double>> points;
+        for (const auto& q : roots) points.push_back(point_of<M, double>(q));
+        return CoincidenceFinder<M>(false).groups(points.size(), [&](std::size_t k) { return &points[k]; }, 1e-9).empty();
     }
 
     void prove(const BallFamily<M, double, 2>& family, const Candidates& roots, Outcome& out) const {

@@ -43,7 +43,8 @@ std::string json(const RegionProof& proof, double ratio, double min_cell) {
         out["cells"].push_back({{"alpha", {cell.window.x_low, cell.window.x_high}},
                                 {"omega", {cell.window.y_low, cell.window.y_high}},
                                 {"count", cell.count},
-                                {"by_index", cell.by_index}});
+                                {"by_index", cell.by_index},
+                                {"argument", equilibria::to_string(cell.argument)}});
     return out.dump() + "\n";
 }
 

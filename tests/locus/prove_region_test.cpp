@@ -62,6 +62,18 @@ TEST_CASE("no cell that a known fold or pitchfork runs through is proved") {
     }
 }
 
+TEST_CASE("where complex roots go to infinity the real torus is searched") {
+    // no curve of the locus here; at alpha = 1 and at omega = 0 the total degree is not reached
+    const auto proof = proved({.9, 1, 0, .6}, 1e-2);
+    CHECK(proof.undecided.empty());
+    bool searched = false;
+    for (const auto& cell : proof.cells) {
+        CHECK(cell.by_index == std::vector<std::int64_t>{1, 2, 1});
+        searched = searched || cell.argument == CountArgument::real_search;
+    }
+    CHECK(searched);
+}
+
 TEST_CASE("the threads change nothing, and bad windows are refused") {
     const PlaneWindow window{.2, .3, .5, .9};
     const auto one = proved(window, 0.02, 1), two = proved(window, 0.02, 2);

@@ -1,11 +1,14 @@
 /// \file
 /// The number and kind of the equilibria for every point of a part of the plane of two parameters, proved cell by cell.
 ///
-/// In a cell, Krawczyk's test is made for all parameters of the cell at once. If as many distinct roots are proved as
-/// the total degree allows, none is missing anywhere in the cell; each is real throughout or non-real throughout, and
-/// the real ones keep their index: no fold, pitchfork or other change of the count lies in the cell. A cell that cannot
-/// be proved is cut in two, until it is too small. Cells that a curve of the locus crosses cannot be proved: what
-/// remains is a band around the locus. This is a computer-assisted version of a bifurcation figure.
+/// In a cell, Krawczyk's test is made for all parameters of the cell at once: each real root found is one throughout
+/// the cell and keeps its index. That there is no other real root has two proofs. Either as many distinct roots are
+/// proved, complex ones included, as the total degree allows, each real throughout or non-real throughout. Or, for
+/// models in angles alone, the torus of real angles is searched. The first costs less; the second does not need the
+/// complex roots, of which some may be nearly singular or far out. So no fold, pitchfork or other change of the count
+/// lies in a proved cell. A cell that cannot be proved is cut in two, until it is too small. Cells that a curve of the
+/// locus crosses cannot be proved: what remains is a band around the locus. This is a computer-assisted version of a
+/// bifurcation figure.
 #pragma once
 
 #include <algorithm>
@@ -23,6 +26,7 @@
 #include <equilibria/certify/newton.hpp>
 #include <equilibria/certify/proved_bound.hpp>
 #include <equilibria/certify/proved_index.hpp>
+#include <equilibria/certify/real_search.hpp>
 #include <equilibria/enumerate/coincidence.hpp>
 #include <equilibria/enumerate/enumerate.hpp>
 #include <equilibria/locus/regions.hpp>
@@ -42,9 +46,19 @@ struct ProveRegionOptions {
     }
 };
 
+/// Why a cell has no equilibrium beside those found.
+enum class CountArgument {
+    root_bound,   ///< as many complex roots are proved as there can be
+    real_search,  ///< the torus of real angles holds no other
+};
+constexpr const char* to_string(CountArgument argument) {
+    return argument == CountArgument::root_bound ? "root bound" : "real search";
+}
+
 /// A rectangle of the plane, proved: the same equilibria for each of its points.
 struct ProvedCell {
     PlaneWindow window;
+    CountArgument argument = CountArgument::root_bound;
     std::int64_t count = 0;              ///< real equilibria
     std::vector<std::int64_t> by_index;  ///< of index 0, 1, .. n
 };
@@ -93,7 +107,7 @@ public:
                     auto& counts = outcomes[k].by_index;
                     std::int64_t count = 0;
                     for (const std::int64_t c : counts) count += c;
-                    proof.cells.push_back({w, count, std::move(counts)});
+                    proof.cells.push_back({w, outcomes[k].argument, count, std::move(counts)});
                     decided += w.width() * w.height();
                 } else if (std::max(w.width(), w.height()) <= options_.min_cell) {
                     proof.undecided.push_back(w);
@@ -119,6 +133,7 @@ private:
     };
     struct Outcome {
         bool proved = false, enumerated = false;
+        CountArgument argument = CountArgument::root_bound;
         std::vector<std::int64_t> by_index;
         std::shared_ptr<const Candidates> candidates;  ///< the roots at this cell's middle
     };
@@ -152,7 +167,7 @@ private:
                 roots.push_back(q);
             }
         }
-        if (bound && roots.size() == bound->value) prove(family, roots, out);
+        prove(family, roots, bound && roots.size() == bound->value, out);
         out.candidates = std::make_shared<const Candidates>(std::move(roots));
         return out;
     }
@@ -168,47 +183,75 @@ private:
     static bool all_different(const Candidates& roots) {
         std::vector<Point<M, double>> points;
         for (const auto& q : roots) points.push_back(point_of<M, double>(q));
-        return CoincidenceFinder<M>(false).groups(points.size(), [&](std::size_t k) { return &points[k]; }, 1e-9).empty();
+        return CoincidenceFinder<M>(false)
+            .groups(
+                points.size(), [&](std::size_t k) { return &points[k]; }, 1e-9)
+            .empty();
     }
 
-    void prove(const BallFamily<M, double, 2>& family, const Candidates& roots, Outcome& out) const {
-        std::vector<Enclosure<M, double>> boxes;
-        std::vector<std::int64_t> by_index(static_cast<std::size_t>(n) + 1);
-        for (const bool real : {true, false}) {
-            std::vector<std::size_t> members;
-            for (std::size_t k = 0; k < roots.size(); ++k) {
-                double imaginary = 0;
-                for (const auto& z : roots[k]) imaginary = std::max(imaginary, std::abs(z.im));
-                if ((imaginary < 1e-8) == real) members.push_back(k);
+    /// What is proved of some roots, for all parameters of a cell.
+    struct ProvedRoots {
+        std::vector<Enclosure<M, double>> enclosures;
+        std::vector<AngleBox<n_angles<M>>> boxes;  ///< of real roots
+        std::vector<std::int64_t> by_index = std::vector<std::int64_t>(static_cast<std::size_t>(n) + 1);
+
+        bool distinct() const {
+            const auto groups = groups_of_enclosures<M>(enclosures);
+            for (std::size_t k = 0; k < groups.size(); ++k)
+                if (groups[k] != k) return false;
+            return true;
+        }
+    };
+
+    void prove(const BallFamily<M, double, 2>& family, const Candidates& roots, bool bound_reached,
+               Outcome& out) const {
+        ProvedRoots proved;
+        if (!prove(family, roots, true, proved) || !proved.distinct()) return;
+        const auto boxes = proved.boxes;
+        out.proved = bound_reached && prove(family, roots, false, proved) && proved.distinct();
+        if constexpr (n_coordinates<M> == 0)
+            if (!out.proved) {
+                out.argument = CountArgument::real_search;
+                out.proved = search_real_roots<M>(family, boxes, most_boxes).complete;
             }
-            for (std::size_t at = 0; at < members.size(); at += native_lanes) {
-                Point<M, Pack> q;
-                for (int l = 0; l < native_lanes; ++l) {
-                    auto root = roots[members[std::min(at + static_cast<std::size_t>(l), members.size() - 1)]];
-                    if (real)
-                        for (auto& z : root) z.im = 0;
-                    copy_lane(point_of<M, double>(root), 0, q, l);
-                }
-                const auto proof = krawczyk<M, Pack>(family, q, real);
-                for (int l = 0; l < native_lanes && at + static_cast<std::size_t>(l) < members.size(); ++l) {
-                    if (!mask_lane(proof.proved, l)) return;
-                    boxes.push_back(Enclosure<M, double>::of(proof, l));
-                    if (real) {
-                        const auto index = proved_index<M, Pack>(proof, l);
-                        if (!index) return;
-                        ++by_index[static_cast<std::size_t>(*index)];
-                    } else if (!boxes.back().excludes_real_points()) {
-                        return;
-                    }
+        out.by_index = std::move(proved.by_index);
+    }
+
+    /// The roots of one kind: that each exists, is real or not, and the index of real ones. False where one fails.
+    static bool prove(const BallFamily<M, double, 2>& family, const Candidates& roots, bool real, ProvedRoots& out) {
+        std::vector<std::size_t> members;
+        for (std::size_t k = 0; k < roots.size(); ++k) {
+            double imaginary = 0;
+            for (const auto& z : roots[k]) imaginary = std::max(imaginary, std::abs(z.im));
+            if ((imaginary < 1e-8) == real) members.push_back(k);
+        }
+        for (std::size_t at = 0; at < members.size(); at += native_lanes) {
+            Point<M, Pack> q;
+            for (int l = 0; l < native_lanes; ++l) {
+                auto root = roots[members[std::min(at + static_cast<std::size_t>(l), members.size() - 1)]];
+                if (real)
+                    for (auto& z : root) z.im = 0;
+                copy_lane(point_of<M, double>(root), 0, q, l);
+            }
+            const auto proof = krawczyk<M, Pack>(family, q, real);
+            for (int l = 0; l < native_lanes && at + static_cast<std::size_t>(l) < members.size(); ++l) {
+                if (!mask_lane(proof.proved, l)) return false;
+                out.enclosures.push_back(Enclosure<M, double>::of(proof, l));
+                if (real) {
+                    const auto index = proved_index<M, Pack>(proof, l);
+                    if (!index) return false;
+                    ++out.by_index[static_cast<std::size_t>(*index)];
+                    if constexpr (n_coordinates<M> == 0) out.boxes.push_back(AngleBox<n>::of(proof, q, l));
+                } else if (!out.enclosures.back().excludes_real_points()) {
+                    return false;
                 }
             }
         }
-        const auto groups = groups_of_enclosures<M>(boxes);
-        for (std::size_t k = 0; k < groups.size(); ++k)
-            if (groups[k] != k) return;
-        out.proved = true;
-        out.by_index = std::move(by_index);
+        return true;
     }
+
+    /// Of one search, before the cell is cut: several times what the searches that succeed need.
+    static constexpr std::size_t most_boxes = std::size_t{50} << (3 * std::min(n, 16));
 
     Parameters<M> parameters_;
     PlaneWindow window_;

@@ -1,6 +1,7 @@
 // Paths that fail in double are tracked with more digits, and only then called failed. To have such paths whatever the
 // compiler, double is given too few steps for some of the paths to a surface of equilibria.
 #include <equilibria/enumerate/multiprecision.hpp>
+#include <equilibria/mechanisms/rotating_chain.hpp>
 
 #include "support/enumeration.hpp"
 #include "support/models.hpp"
@@ -57,4 +58,20 @@ TEST_CASE("more digits are the same for any number of threads") {
 
 TEST_CASE("bad arguments are refused as by enumerate") {
     CHECK(tests::refusal([] { enumerate_carefully<M>({1, std::nan("")}); }) == "parameters[1] = nan: must be finite");
+}
+
+TEST_CASE("paths from a solved instance, too") {
+    using Chain = mechanisms::TwoLinkChain;
+    const auto solved = enumerate<Chain>({.37, 1.5, 2.1});
+    EnumerateOptions options;
+    options.tracker.most_steps = 40;
+    // at rest 12 of the 16 roots are at infinity
+    const Parameters<Chain> at_rest{.3, 1.5, 0.};
+    CHECK(enumerate(solved, at_rest, options).paths.failed > 0);
+    const auto r = enumerate_carefully(solved, at_rest, options);
+    tests::check_accounts(r);
+    CHECK(r.paths.more_digits > 0);
+    CHECK(r.paths.failed == 0);
+    CHECK(r.paths.finite == 4);
+    CHECK(r.paths.at_infinity == 12);
 }

@@ -86,14 +86,16 @@ private:
 };
 
 /// Counts the paths, merges endpoints into distinct roots and calls take(root) for each, in the order of the tracked
-/// paths, a mirror image after its original; those that rest come last. path_of(k) is the number of path k, `mirror(path)`
-/// that of its mirror image, the path itself where there is none.
+/// paths, a mirror image after its original; those that rest come last. path_of(k) is the number of path k,
+/// `mirror(path)` that of its mirror image, the path itself where there is none.
 template <Model M, class PathOf, class RestingPath, class Mirror, class Take>
 void collect(PathCounts& paths, std::vector<FailedPath>& failures, EndpointStore<M>& ends, PathOf&& path_of,
              const std::vector<Endpoint<M>>& resting, RestingPath&& resting_path, bool symmetric, Mirror&& mirror,
              Take&& take) {
     const std::size_t size = ends.size() + resting.size();
-    const auto end = [&](std::size_t k) -> const Endpoint<M>& { return k < ends.size() ? ends[k] : resting[k - ends.size()]; };
+    const auto end = [&](std::size_t k) -> const Endpoint<M>& {
+        return k < ends.size() ? ends[k] : resting[k - ends.size()];
+    };
     const auto path = [&](std::size_t k) { return k < ends.size() ? path_of(k) : resting_path(k - ends.size()); };
     const auto finished = [&](std::size_t k) { return k >= ends.size() || ends.finished(k); };
     // the number of paths that an entry stands for
@@ -123,8 +125,8 @@ void collect(PathCounts& paths, std::vector<FailedPath>& failures, EndpointStore
         if (finished(k)) winding[k] = end(k).winding_number;
     const auto merge = [&](PathStatus status, double tolerance) {
         const auto groups = finder.groups(
-            size,
-            [&](std::size_t k) { return finished(k) && end(k).status == status ? &end(k).q : nullptr; }, tolerance);
+            size, [&](std::size_t k) { return finished(k) && end(k).status == status ? &end(k).q : nullptr; },
+            tolerance);
         for (const auto& group : groups) {
             // a resting root, its own mirror image, stands for the group; else the first path
             const std::size_t leader = group.back() >= ends.size() ? group.back() : group.front();
@@ -149,8 +151,8 @@ void collect(PathCounts& paths, std::vector<FailedPath>& failures, EndpointStore
     }
 }
 
-/// Tracks all paths from a total-degree start, fills in what `set` says of them, calls take(root) as `collect` does, and in
-/// the end done(polisher).
+/// Tracks all paths from a total-degree start, fills in what `set` says of them, calls take(root) as `collect` does,
+/// and in the end done(polisher).
 template <Model M, StartKind Kind, class Set, class Take, class Done>
 void solve_total_degree(Set& set, const Parameters<M>& p, const EnumerateOptions& options, bool streamed,
                         Rescue<M, Kind, double> rescue, Take&& take, Done&& done) {
@@ -162,7 +164,8 @@ void solve_total_degree(Set& set, const Parameters<M>& p, const EnumerateOptions
     const auto scale = equation_scales<M, double>(target);
     const TotalDegreeStart<M> start(Kind, scale, generator);
     const StartPoints<M> points(start);
-    PathSolver<M, Kind, double> solver(Homotopy<M, Kind, double>::total_degree(target, start), p, scale, options, rescue);
+    PathSolver<M, Kind, double> solver(Homotopy<M, Kind, double>::total_degree(target, start), p, scale, options,
+                                       rescue);
 
     const auto path_of = [&](std::uint64_t k) { return symmetric ? points.pair_path(k) : k; };
     const auto start_of = [&](std::uint64_t k) { return points(path_of(k)); };
@@ -179,8 +182,9 @@ void solve_total_degree(Set& set, const Parameters<M>& p, const EnumerateOptions
     auto ends = solver.store(tracked, start_of, symmetric ? "reflected" : "total degree", streamed);
     solver.run(ends, start_of, resting, symmetric, set.paths);
     set.tracking_seconds = solver.tracking_seconds();
-    collect<M>(set.paths, set.failures, ends, path_of, resting, resting_path, symmetric,
-               [&](std::uint64_t path) { return points.mirror(path); }, take);
+    collect<M>(
+        set.paths, set.failures, ends, path_of, resting, resting_path, symmetric,
+        [&](std::uint64_t path) { return points.mirror(path); }, take);
     done(solver.polisher());
 }
 
@@ -214,10 +218,19 @@ void check_arguments(const Parameters<M>& p, const EnumerateOptions& options) {
     options.validate();
 }
 
+template <Model M>
+void check_arguments(const RootSet<M>& solved, const Parameters<M>& p, const EnumerateOptions& options) {
+    require_finite(p, "parameters");
+    options.validate();
+    require(solved.paths.failed == 0 && solved.paths.singular == 0, "solved.paths",
+            std::to_string(solved.paths.failed) + " failed, " + std::to_string(solved.paths.singular) + " singular",
+            "a start instance must have regular roots only");
+}
+
 /// Follows regular roots at parameters `from` to the roots at p, along a line in the space of coefficients.
 template <Model M>
 RootSet<M> enumerate_from(const std::vector<Root<M>>& roots, const Parameters<M>& from, const Parameters<M>& p,
-                          const EnumerateOptions& options) {
+                          const EnumerateOptions& options, Rescue<M, StartKind::parameter, double> rescue = nullptr) {
     const auto begin = std::chrono::steady_clock::now();
     RootSet<M> set;
     set.parameters = p;
@@ -227,7 +240,7 @@ RootSet<M> enumerate_from(const std::vector<Root<M>>& roots, const Parameters<M>
     const auto scale = equation_scales<M, double>(target);
     using H = Homotopy<M, StartKind::parameter, double>;
     PathSolver<M, StartKind::parameter, double> solver(
-        H::parameter(coefficients<M, double>(from), target, unit_complex(generator)), p, scale, options);
+        H::parameter(coefficients<M, double>(from), target, unit_complex(generator)), p, scale, options, rescue);
     const auto start = [&](std::uint64_t path) {
         Point<M, double> q;
         const auto& root = roots[path].q;
@@ -272,8 +285,8 @@ constexpr StartKind natural_start() {
 /// Reaches every isolated solution of the polynomial system with probability one over the seed; paths at infinity,
 /// singular and failed ones are counted, not hidden. Kind: the start system, if not the natural one (`parameter`: the
 /// general one, compiled together with the parameter homotopies).
-/// Throws InvalidArgument for parameters that are not finite and for options out of range, CheckpointError (one of them)
-/// for a checkpoint that cannot be used.
+/// Throws InvalidArgument for parameters that are not finite and for options out of range, CheckpointError (one of
+/// them) for a checkpoint that cannot be used.
 template <Model M, StartKind Kind = natural_start<M>()>
 RootSet<M> enumerate(const Parameters<M>& p, const EnumerateOptions& options = {}) {
     detail::check_arguments<M, Kind>(p, options);
@@ -287,11 +300,7 @@ RootSet<M> enumerate(const Parameters<M>& p, const EnumerateOptions& options = {
 /// or singular paths.
 template <Model M>
 RootSet<M> enumerate(const RootSet<M>& solved, const Parameters<M>& p, const EnumerateOptions& options = {}) {
-    require_finite(p, "parameters");
-    options.validate();
-    require(solved.paths.failed == 0 && solved.paths.singular == 0, "solved.paths",
-            std::to_string(solved.paths.failed) + " failed, " + std::to_string(solved.paths.singular) + " singular",
-            "a start instance must have regular roots only");
+    detail::check_arguments<M>(solved, p, options);
     return detail::enumerate_from<M>(solved.roots, solved.parameters, p, options);
 }
 

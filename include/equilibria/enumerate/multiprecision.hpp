@@ -37,4 +37,12 @@ RootSet<M> enumerate_carefully(const Parameters<M>& p, const EnumerateOptions& o
     return detail::enumerate_total_degree<M, Kind>(p, options, &detail::rescue_path<M, Kind, double>);
 }
 
+/// The same for the equilibria at p from those of a solved instance.
+template <Model M>
+RootSet<M> enumerate_carefully(const RootSet<M>& solved, const Parameters<M>& p, const EnumerateOptions& options = {}) {
+    detail::check_arguments<M>(solved, p, options);
+    return detail::enumerate_from<M>(solved.roots, solved.parameters, p, options,
+                                     &detail::rescue_path<M, StartKind::parameter, double>);
+}
+
 }  // namespace equilibria

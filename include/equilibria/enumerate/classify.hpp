@@ -24,8 +24,9 @@ namespace equilibria::detail {
 inline std::complex<double> angle_of(const Complex<double>& c, const Complex<double>& s) {
     const std::complex<double> z(c.re - s.im, c.im + s.re), w(c.re + s.im, c.im - s.re);  // exp(i theta), exp(-i theta)
     // the larger of the two has the digits
-    return std::norm(z) >= std::norm(w) ? std::complex<double>(std::arg(z), -std::log(std::abs(z)))
-                                        : std::complex<double>(-std::arg(w), std::log(std::abs(w)));
+    const double z2 = std::norm(z), w2 = std::norm(w);
+    return z2 >= w2 ? std::complex<double>(std::arg(z), -0.5 * std::log(z2))
+                    : std::complex<double>(-std::arg(w), 0.5 * std::log(w2));
 }
 
 template <Model M>
@@ -76,8 +77,10 @@ bool is_real(const Root<M>& root, const Parameters<M>& p, Unknowns<M>& q) {
         const Eigen::Matrix<double, n_unknowns<M>, 1> step = j.partialPivLu().solve(right);
         if (!step.allFinite()) return imaginary < 1e-12;
         for (int u = 0; u < n_unknowns<M>; ++u) q[u] -= step(u);
-        moved += step.template lpNorm<Eigen::Infinity>();
+        const double size = step.template lpNorm<Eigen::Infinity>();
+        moved += size;
         if (moved > 1e-4) return false;
+        if (size < 1e-15) break;
     }
     for (int u = 0; u < n_angles<M>; ++u) q[u] = std::remainder(q[u], 2 * std::numbers::pi);
     for (int u = 0; u < n_angles<M>; ++u)

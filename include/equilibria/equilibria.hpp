@@ -7,6 +7,7 @@
 #include <equilibria/algebra/polynomial_system.hpp>
 #include <equilibria/certify/refine.hpp>
 #include <equilibria/continuation/arc_length.hpp>
+#include <equilibria/continuation/branch.hpp>
 #include <equilibria/enumerate/enumerate.hpp>
 #include <equilibria/enumerate/prove.hpp>
 #include <equilibria/enumerate/stream.hpp>

@@ -1,0 +1,302 @@
+/// \file
+/// Exact critical points: Newton's method on the extended systems of Cardona and Huespe (1999), equations (28) and
+/// (29),
+///
+///     limit point        [ g ; K phi ; phi_i - 1 ] = 0                                 unknowns q, phi, p
+///     bifurcation point  [ g + gamma e_i ; K phi ; phi_i - 1 ; phi^T dg/dp ] = 0        unknowns q, phi, p, gamma
+///
+/// in their minimally augmented form, sigma = 0 and mu = 0 of bordered.hpp, by block elimination with one factorisation
+/// a step. The first is regular at quadratic folds, the second at simple bifurcations, where its gamma is 0. Which of
+/// them is solved is decided by |phi^T dg/dp| / (|phi| |dg/dp|), which no scaling changes.
+///
+/// With w, K w = -dg/dp, w_i = 0, the bifurcation equation a x^2 + 2 b x y + c y^2 = 0 has the tangents x phi + y w, y
+/// (of p); phi is the left null vector where K is not symmetric.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include <equilibria/continuation/path.hpp>
+
+namespace equilibria {
+
+enum class CriticalKind {
+    fold,           ///< limit point: the branch turns back in p
+    transcritical,  ///< two branches cross, both transversal to p = const
+    pitchfork,      ///< a branch leaves along the null vector
+    isola_center,   ///< an isolated point of the set: the bifurcation equation has no real tangent
+    hilltop,        ///< a fold and a bifurcation in one point, or tangential branches: the equation is degenerate
+    cusp,           ///< a fold whose quadratic coefficient vanishes
+    multiple,       ///< more than one null vector
+    kinematic,      ///< the constraints lose rank: a null vector of multipliers alone
+};
+constexpr const char* to_string(CriticalKind kind) {
+    constexpr const char* names[] = {"fold",    "transcritical", "pitchfork", "isola centre",
+                                     "hilltop", "cusp",          "multiple",  "kinematic"};
+    return names[static_cast<int>(kind)];
+}
+constexpr bool is_bifurcation(CriticalKind kind) { return kind != CriticalKind::fold && kind != CriticalKind::cusp; }
+
+struct CriticalPointOptions {
+    int most_iterations = 30;
+    double tolerance = 1e-13;         ///< of the last step, over the size of the unknowns and of p
+    double bifurcation_start = 1e-2;  ///< the second system is tried where |phi^T dg/dp| / (|phi| |dg/dp|) is below
+    double bifurcation = 1e-7;        ///< and its point is a bifurcation where the quotient is below this
+};
+
+/// One step of Newton's method on an extended system.
+struct CriticalIteration {
+    double step;  ///< its length: unknowns by the problem's weights, and p over its size
+    double sigma, residual;
+    bool bifurcation_system;
+};
+
+template <class P>
+struct CriticalPoint {
+    CriticalKind kind = CriticalKind::fold;
+    Configuration<P> q{};
+    double p = 0;
+    Eigen::VectorXd null_vector;       ///< phi, its largest entry 1
+    Eigen::VectorXd left_null_vector;  ///< the same where K is symmetric
+    Eigen::MatrixXd null_vectors;      ///< of multiple points: a basis, a column each
+    Eigen::VectorXd slope;             ///< w: K w = -dg/dp; of bifurcations
+    int nullity = 1;
+    double residual = 0;              ///< |g|, the largest entry
+    double sigma = 0;                 ///< left of the singularity
+    double transversality = 0;        ///< |phi^T dg/dp| / (|phi| |dg/dp|): 0 at bifurcations
+    double unfolding = 0;             ///< gamma
+    double a = 0, b = 0, c = 0;       ///< of the bifurcation equation; a of folds too
+    double curvature = 0;             ///< p = p_c + curvature x^2 / 2 along phi: of pitchforks and folds
+    std::vector<Direction> tangents;  ///< of the branches through the point, of length 1
+    std::vector<CriticalIteration> history;
+    std::optional<int> negative_before, negative_after;  ///< along the branch on which it was met
+
+    /// p'' of a pitchfork's branch points away from the stable side: Koiter's b < 0 for a load that grows.
+    int iterations() const { return static_cast<int>(history.size()); }
+};
+
+/// The vectors at one point that both systems are made of.
+template <ContinuationProblem P>
+class CriticalPointSolver {
+public:
+    using Matrix = TangentMatrix<P>;
+
+    CriticalPointSolver(const P& problem, const CriticalPointOptions& options = {})
+        : problem_(&problem), options_(options), solver_(symmetric_tangent<P>) {}
+
+    /// The critical point next to (q, p); nothing where neither system converges. scale_p: the size of changes in p.
+    std::optional<CriticalPoint<P>> solve(const Configuration<P>& q, double p, Eigen::Index pinned) {
+        weights_ = weights(*problem_, q, problem_->residual(q, p).size());
+        pinned_ = pinned;
+        CriticalPoint<P> point;
+        point.q = q;
+        point.p = p;
+        bool bifurcation = false;
+        int switches = 0;
+        for (int k = 0; k < options_.most_iterations; ++k) {
+            if (!evaluate(point.q, point.p)) return std::nullopt;
+            const double mu_rel = transversality();
+            // a limit point's system is singular at a bifurcation, a bifurcation's finds imperfect ones as well
+            if (!bifurcation && switches < 2 && (mu_rel < options_.bifurcation_start || linear(point.history)))
+                bifurcation = true, ++switches;
+            const auto [d, gamma] = bifurcation ? bifurcation_step() : limit_step();
+            const double size = length(d);
+            if (!std::isfinite(size)) return std::nullopt;
+            const double before =
+                point.history.empty() ? std::numeric_limits<double>::infinity() : point.history.back().step;
+            point.history.push_back({size, r_.tau, residual_, bifurcation});
+            point.q = retract(*problem_, point.q, d.q);
+            point.p += d.p;
+            point.unfolding = bifurcation ? gamma : 0;
+            const bool done = size <= options_.tolerance || (size < 1e-9 && size > 0.2 * before);
+            if (!done) continue;
+            if (!evaluate(point.q, point.p)) return std::nullopt;
+            // dg/dp itself may vanish there
+            if (bifurcation && transversality() > options_.bifurcation &&
+                std::abs(left_.x.dot(g_p_)) > 1e-9 * (std::abs(b_) + std::abs(c_)))
+                return std::nullopt;
+            if (bifurcation && std::abs(gamma) > 1e3 * rounding()) {
+                // not on the branch: an imperfect bifurcation; its folds are limit points
+                bifurcation = false;
+                switches = 2;
+                continue;
+            }
+            finish(point, bifurcation);
+            return point;
+        }
+        return std::nullopt;
+    }
+
+private:
+    double length(const Direction& d) const {
+        return std::sqrt(d.q.dot(weights_.cwiseProduct(d.q))) + std::abs(d.p) / scale_p_;
+    }
+    /// Newton's method converges linearly, by 1/2: a limit point's system at a bifurcation.
+    static bool linear(const std::vector<CriticalIteration>& history) {
+        const std::size_t n = history.size();
+        const auto ratio = [&](std::size_t k) { return history[k].step / history[k - 1].step; };
+        return n >= 4 && ratio(n - 1) > 0.3 && ratio(n - 1) < 0.7 && ratio(n - 2) > 0.3 && ratio(n - 2) < 0.7;
+    }
+    /// What rounding leaves of g, for unknowns of size 1.
+    double rounding() const {
+        return 1e3 * std::numeric_limits<double>::epsilon() * (detail::largest_entry(k_) + detail::largest_entry(dr_));
+    }
+    /// Whether K has another null vector: K without the pinned unknown is singular to the digits of a Newton iteration.
+    /// It is left in `second`.
+    bool two_null_vectors(Eigen::VectorXd& second) const {
+        Eigen::VectorXd f(g_.size());
+        for (Eigen::Index i = 0; i < f.size(); ++i) f(i) = std::cos(1.0 + static_cast<double>(i % 7919));
+        second = solver_.solve(f, 0).x;
+        const double size = second.norm();
+        if (!(size * detail::largest_entry(k_) > 1e9 * f.norm())) return false;
+        second /= size;
+        return true;
+    }
+
+    bool evaluate(const Configuration<P>& q, double p) {
+        q_ = &q;
+        p_ = p;
+        g_ = problem_->residual(q, p);
+        residual_ = g_.template lpNorm<Eigen::Infinity>();
+        if (!g_.allFinite()) return false;
+        g_p_ = problem_->parameter_derivative(q, p);
+        k_ = problem_->tangent(q, p);
+        const auto weak = factor_at_weakest(solver_, k_, weights_, multipliers(*problem_), pinned_);
+        if (!weak) return false;
+        r_ = weak->r;
+        left_ = symmetric_tangent<P> ? r_ : solver_.solve_transposed(Eigen::VectorXd::Zero(g_.size()), 1);
+        s_ = solver_.solve(-g_p_, 0);
+        q0_ = solver_.solve(-g_, 0);
+        // a change of p that moves the unknowns by 1
+        const double slope = std::sqrt(s_.x.dot(weights_.cwiseProduct(s_.x)));
+        if (scale_p_ == 0) scale_p_ = slope > 0 ? 1 / slope : 1.0;
+        dr_ = tangent_derivative(*problem_, q, p, r_.x);
+        gp_r_ = parameter_derivative_along(*problem_, q, p, r_.x);
+        return true;
+    }
+    double transversality() const {
+        const Eigen::ArrayXd root = weights_.array().sqrt();
+        const double phi = (left_.x.array() * root).matrix().norm(), load = (g_p_.array() / root).matrix().norm();
+        return load > 0 ? std::abs(left_.x.dot(g_p_)) / (phi * load) : 0;  // 0: a load that does no work here
+    }
+
+    struct Step {
+        Direction d;
+        double gamma;
+    };
+    Step combined(double z, double dp) const {
+        return {{q0_.x + z * r_.x + dp * s_.x, dp}, q0_.tau + z * r_.tau + dp * s_.tau};
+    }
+    /// psi^T g_qq[r, v].
+    double second(const Eigen::VectorXd& v) const { return left_.x.dot(dr_ * v); }
+    Step limit_step() const {
+        const double a = r_.tau, b = s_.tau, e = -q0_.tau;
+        const double c = second(r_.x), d = second(s_.x) + left_.x.dot(gp_r_), f = r_.tau - second(q0_.x);
+        const double determinant = a * d - b * c;
+        return combined((e * d - b * f) / determinant, (a * f - e * c) / determinant);
+    }
+    /// psi^T g_qq[s, v], by D along r if K is symmetric and v is, as g_qq[., .]^T of a potential.
+    Step bifurcation_step() {
+        const Eigen::VectorXd gp_s = parameter_derivative_along(*problem_, *q_, p_, s_.x),
+                              gp_q0 = parameter_derivative_along(*problem_, *q_, p_, q0_.x),
+                              g_pp = second_parameter_derivative(*problem_, *q_, p_);
+        double ss, sq;
+        if constexpr (symmetric_tangent<P>) {
+            ss = s_.x.dot(dr_ * s_.x);
+            sq = s_.x.dot(dr_ * q0_.x);
+        } else {
+            const Matrix ds = tangent_derivative(*problem_, *q_, p_, s_.x);
+            ss = left_.x.dot(ds * s_.x);
+            sq = left_.x.dot(ds * q0_.x);
+        }
+        const Eigen::VectorXd& psi = left_.x;
+        a_ = second(r_.x);
+        b_ = second(s_.x) + psi.dot(gp_r_);
+        c_ = ss + 2 * psi.dot(gp_s) + psi.dot(g_pp);
+        const double mu = psi.dot(g_p_);
+        const double e = r_.tau - second(q0_.x), f = -mu - sq - psi.dot(gp_q0);
+        const double determinant = a_ * c_ - b_ * b_;
+        return combined((e * c_ - b_ * f) / determinant, (a_ * f - e * b_) / determinant);
+    }
+
+    /// Nullity, coefficients, tangents and kind at the converged point.
+    void finish(CriticalPoint<P>& point, bool bifurcation) {
+        point.residual = residual_;
+        point.sigma = r_.tau;
+        point.null_vector = r_.x;
+        point.left_null_vector = left_.x;
+        point.transversality = transversality();
+        const double phi = std::sqrt(r_.x.dot(weights_.cwiseProduct(r_.x)));
+        Eigen::VectorXd second_null;
+        if (two_null_vectors(second_null)) {
+            point.nullity = 2;
+            point.null_vectors.resize(g_.size(), 2);
+            point.null_vectors << r_.x / phi, second_null;
+            // a load that does work along a null vector makes a fold of it
+            const double work = (point.null_vectors.transpose() * g_p_).norm();
+            point.kind = work > 1e-6 * g_p_.norm() ? CriticalKind::hilltop : CriticalKind::multiple;
+            return;
+        }
+        if (!bifurcation) {
+            point.a = second(r_.x);
+            point.kind = CriticalKind::fold;
+            const double load = left_.x.dot(g_p_);
+            point.curvature = -point.a / load;
+            const double size_a = left_.x.norm() * (dr_ * r_.x).norm();
+            if (std::abs(point.a) <= 1e-6 * size_a) point.kind = CriticalKind::cusp;
+            Direction t{r_.x / phi, 0};
+            point.tangents = {t};
+            return;
+        }
+        point.slope = s_.x;
+        bifurcation_step();  // a, b, c here
+        point.a = a_, point.b = b_, point.c = c_;
+        // in units in which phi and (w, 1) have length 1; w may be 0
+        const double w = std::sqrt(s_.x.dot(weights_.cwiseProduct(s_.x)) + 1 / (scale_p_ * scale_p_));
+        const double a = a_ / (phi * phi), b = b_ / (phi * w), c = c_ / (w * w);
+        const double size = std::max({std::abs(a), std::abs(b), std::abs(c)});
+        const double noise = 1e-5;
+        const double discriminant = b * b - a * c;
+        if (std::abs(discriminant) <= noise * size * size) {
+            point.kind = CriticalKind::hilltop;
+            return;
+        }
+        if (discriminant < 0) {
+            point.kind = CriticalKind::isola_center;
+            return;
+        }
+        // roots x : y of a x^2 + 2 b x y + c y^2, in the stable form: (x, y) = (m, a) and (c, m), m = -(b + sign(b)
+        // sqrt)
+        const double m = -(b + (b < 0 ? -1.0 : 1.0) * std::sqrt(discriminant));
+        const auto direction = [&](double x, double y) {
+            if (std::abs(y) < noise * std::abs(x)) y = 0;  // along phi to rounding
+            Direction d{x / phi * r_.x + y / w * s_.x, y / w};
+            return d;
+        };
+        point.tangents = {direction(m, a), direction(c, m)};
+        point.kind = std::abs(a) < noise * size ? CriticalKind::pitchfork : CriticalKind::transcritical;
+        if (point.kind == CriticalKind::pitchfork) {
+            // K z = -g_qq[phi, phi], z_i = 0; d = phi^T (g_qqq[phi, phi, phi] + 3 g_qq[phi, z])
+            const Eigen::VectorXd z = solver_.solve(-(dr_ * r_.x), 0).x;
+            const double h =
+                std::pow(std::numeric_limits<double>::epsilon(), 0.25) / r_.x.template lpNorm<Eigen::Infinity>();
+            const auto along = [&](double by) -> Eigen::VectorXd {
+                return tangent_derivative(*problem_, retract(*problem_, *q_, by * r_.x), p_, r_.x) * r_.x;
+            };
+            const double cubic = left_.x.dot(along(h) - along(-h)) / (2 * h) + 3 * second(z);
+            point.curvature = -cubic / (3 * point.b);
+        }
+    }
+
+    const P* problem_;
+    CriticalPointOptions options_;
+    BorderedSolver<Matrix> solver_;
+    Eigen::VectorXd weights_, g_, g_p_, gp_r_;
+    Matrix k_, dr_;
+    BorderedSolution r_, left_, s_, q0_;
+    const Configuration<P>* q_ = nullptr;
+    double p_ = 0, residual_ = 0, a_ = 0, b_ = 0, c_ = 0, scale_p_ = 0;
+    Eigen::Index pinned_ = 0;
+};
+
+}  // namespace equilibria

@@ -1,0 +1,188 @@
+/// \file
+/// What happens in a step of continuation: folds and bifurcations, located exactly, and an account of the eigenvalues
+/// that changed sign. A step whose changes are not all explained is reported as such.
+///
+/// Two signs decide: that of det K (or the number of negative eigenvalues, where it is known) and that of dp/ds.
+///     both change                a fold
+///     det K alone                a bifurcation, crossed on a branch transversal to it
+///     dp/ds alone                a pitchfork passed along its side branch, where an eigenvalue only touches 0
+///     two eigenvalues or more    several points close to each other, or one with several null vectors
+/// Where the points found do not account for the step it is halved, down to a resolution; so it is where an
+/// eigenvalue's slope at one end predicts a zero in the step that is not seen at the other (two that change in opposite
+/// directions).
+#pragma once
+
+#include <vector>
+
+#include <equilibria/continuation/critical_point.hpp>
+
+namespace equilibria {
+
+/// The critical points between two neighbouring points of a branch, in order.
+template <class P>
+struct StepEvents {
+    std::vector<CriticalPoint<P>> points;
+    bool explained = true;  ///< they account for every change of sign
+    std::string reason;     ///< what is not accounted for, in words
+};
+
+template <ContinuationProblem P>
+class EventFinder {
+public:
+    using Point = BranchPoint<P>;
+
+    explicit EventFinder(PathStepper<P>& stepper, const CriticalPointOptions& options = {})
+        : stepper_(&stepper), options_(options) {}
+
+    StepEvents<P> between(const Point& a, const Point& b) {
+        StepEvents<P> out;
+        locate(a, b, 0, out);
+        return out;
+    }
+
+private:
+    static bool folds(const Point& a, const Point& b) { return (a.tangent.p < 0) != (b.tangent.p < 0); }
+    static int changes(const Point& a, const Point& b) {
+        if (a.negative && b.negative) return std::abs(*b.negative - *a.negative);
+        return a.determinant_sign != b.determinant_sign ? 1 : 0;
+    }
+
+    /// An eigenvalue heads for 0 within the step, seen from one of its ends, though none changed.
+    bool suspicious(const Point& a, const Point& b) const {
+        const double h = b.arc_length - a.arc_length;
+        const auto predicted = [&](const Point& from, double ahead) {
+            const P& problem = stepper_->problem();
+            const double slope = from.weak_direction.dot(tangent_derivative(problem, from.q, from.p, from.tangent.q) *
+                                                         from.weak_direction) +
+                                 from.tangent.p * from.weak_direction.dot(parameter_derivative_along(
+                                                      problem, from.q, from.p, from.weak_direction));
+            return from.weak_eigenvalue * (from.weak_eigenvalue + ahead * slope) < 0;
+        };
+        return predicted(a, h) || predicted(b, -h);
+    }
+
+    void locate(const Point& a, const Point& b, int depth, StepEvents<P>& out) {
+        const int count = changes(a, b);
+        const bool turned = folds(a, b);
+        const double h = b.arc_length - a.arc_length;
+        if (count == 0 && !turned) {
+            if (depth < 6 && suspicious(a, b)) halve(a, b, depth, out);
+            return;
+        }
+        if (count <= 1) {
+            // from the end at which K is closer to singular
+            const bool first = std::abs(a.weak_eigenvalue) < std::abs(b.weak_eigenvalue);
+            for (const Point* from : {first ? &a : &b, first ? &b : &a}) {
+                CriticalPointSolver<P> solver(stepper_->problem(), options_);
+                auto point = solver.solve(from->q, from->p, from->pinned);
+                if (!point) continue;
+                const std::optional<double> share = share_of(a, b, *point);
+                if (!share) continue;
+                // what happens close to it must be what its kind does; the rest of the step is searched on its own
+                const double margin = 0.02;
+                const auto left = *share > 2 * margin ? stepper_->step(a, (*share - margin) * h) : a;
+                const auto right = *share < 1 - 2 * margin ? stepper_->step(a, (*share + margin) * h) : b;
+                if (!left || !right || !share_of(*left, *right, *point) || !agrees(*left, *right, *point)) continue;
+                point->negative_before = left->negative;
+                point->negative_after = right->negative;
+                if (*share > 2 * margin) locate(a, *left, depth + 1, out);
+                out.points.push_back(std::move(*point));
+                if (*share < 1 - 2 * margin) locate(*right, b, depth + 1, out);
+                return;
+            }
+        }
+        if (h > stepper_->options().resolution && depth < 40) {
+            halve(a, b, depth, out);
+            return;
+        }
+        if (count >= 2) {
+            out.points.push_back(multiple(a, b));
+            return;
+        }
+        out.explained = false;
+        out.reason = std::to_string(count) + " eigenvalues changed sign" + (turned ? ", dp/ds too" : "") +
+                     " between p = " + to_text(a.p) + " and " + to_text(b.p) +
+                     ", and no critical point was found there";
+    }
+
+    void halve(const Point& a, const Point& b, int depth, StepEvents<P>& out) {
+        const double h = b.arc_length - a.arc_length;
+        auto middle = stepper_->step(a, h / 2);
+        if (!middle) {
+            out.explained = out.explained && changes(a, b) == 0 && !folds(a, b);
+            if (!out.explained) out.reason = "the branch was lost between p = " + to_text(a.p) + " and " + to_text(b.p);
+            return;
+        }
+        locate(a, *middle, depth + 1, out);
+        Point end = b;
+        end.arc_length = b.arc_length;
+        locate(*middle, end, depth + 1, out);
+    }
+
+    /// Where the point lies between a and b, from 0 to 1, as far as a chord tells; nothing if it does not.
+    std::optional<double> share_of(const Point& a, const Point& b, const CriticalPoint<P>& point) const {
+        const Direction chord = stepper_->difference(a, b.q, b.p), to = stepper_->difference(a, point.q, point.p);
+        const double length2 = stepper_->dot(chord, chord), share = stepper_->dot(chord, to) / length2;
+        Direction off = to;
+        off.q -= share * chord.q;
+        off.p -= share * chord.p;
+        if (!(share >= 0 && share <= 1 && stepper_->dot(off, off) < 0.01 * length2)) return std::nullopt;
+        return share;
+    }
+
+    /// A fold turns the branch and changes one eigenvalue; a bifurcation changes one, but where the branch runs along
+    /// its null vector: there it turns it and changes none.
+    bool agrees(const Point& a, const Point& b, const CriticalPoint<P>& point) const {
+        const int count = changes(a, b);
+        const bool turned = folds(a, b);
+        if (!is_bifurcation(point.kind)) return turned && count == 1;
+        if (turned == (count == 1)) return false;
+        if (!turned) return true;
+        const Direction chord = stepper_->difference(a, b.q, b.p), null{point.null_vector, 0};
+        return std::abs(stepper_->dot(chord, null)) > 0.5 * stepper_->length(chord) * stepper_->length(null);
+    }
+
+    /// Several eigenvalues change sign within the resolution. There the branch is ill determined; its points some way
+    /// off are not, and p and q as functions of the weakest eigenvalue are smooth: interpolated, at 0.
+    CriticalPoint<P> multiple(const Point& a, const Point& b) {
+        const bool nearer = std::abs(a.weak_eigenvalue) < std::abs(b.weak_eigenvalue);
+        const Point& close = nearer ? a : b;
+        CriticalPoint<P> y;
+        y.kind = folds(a, b) ? CriticalKind::hilltop : CriticalKind::multiple;
+        y.nullity = changes(a, b);
+        y.negative_before = a.negative;
+        y.negative_after = b.negative;
+        y.q = close.q;
+        y.p = close.p;
+        y.null_vector = y.left_null_vector = close.weak_direction;
+        y.residual = close.residual;
+        y.sigma = close.sigma;
+        y.null_vectors = stepper_->weak_directions(close.q, close.p, y.nullity);
+        std::vector<double> eigenvalue;
+        std::vector<Direction> offset;  // from `close`
+        const double h = 10 * stepper_->options().resolution;
+        for (const int k : {-3, -2, -1, 1, 2, 3}) {
+            const auto point = stepper_->step(k < 0 ? a : b, k * h);
+            if (!point || changes(a, *point) != (k < 0 ? 0 : y.nullity)) return y;
+            eigenvalue.push_back(point->weak_eigenvalue);
+            offset.push_back(stepper_->difference(close, point->q, point->p));
+        }
+        // Neville's scheme at eigenvalue 0
+        for (std::size_t level = 1; level < offset.size(); ++level)
+            for (std::size_t k = 0; k + level < offset.size(); ++k) {
+                const double left = eigenvalue[k], right = eigenvalue[k + level];
+                const double share = left / (left - right);
+                offset[k].q += share * (offset[k + 1].q - offset[k].q);
+                offset[k].p += share * (offset[k + 1].p - offset[k].p);
+            }
+        y.q = retract(stepper_->problem(), close.q, offset[0].q);
+        y.p = close.p + offset[0].p;
+        y.residual = stepper_->problem().residual(y.q, y.p).template lpNorm<Eigen::Infinity>();
+        return y;
+    }
+
+    PathStepper<P>* stepper_;
+    CriticalPointOptions options_;
+};
+
+}  // namespace equilibria

@@ -1,0 +1,401 @@
+/// \file
+/// One step along a branch of g(q, p) = 0: predictor, corrector with a constraint on the step, and what the converged
+/// point tells of the branch: tangent, inertia, and the test functions sigma and mu of bordered.hpp.
+///
+/// Lengths are those of |(v, e)|^2 = sum w_i v_i^2 + theta^2 e^2, w the problem's weights and theta the parameter's.
+/// Sources: Keller 1977; Crisfield 1981 (sphere, cylinder); Seydel, Practical Bifurcation and Stability Analysis.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include <equilibria/continuation/bordered.hpp>
+#include <equilibria/continuation/problem.hpp>
+
+namespace equilibria {
+
+/// Where the corrector looks for the branch, a step h away from the last point.
+enum class StepConstraint {
+    normal_plane,   ///< in the plane through the predicted point, normal to the predictor (pseudo-arclength)
+    updated_plane,  ///< in planes through the latest iterate, normal to the whole increment
+    sphere,         ///< at the distance h (Crisfield, parameter included)
+    cylinder,       ///< at the distance h of the unknowns alone (Crisfield)
+    unknown,        ///< where one unknown has moved by the predicted amount
+    parameter,      ///< at the predicted parameter: load control, which fails at folds
+};
+
+enum class Predictor { tangent, secant, quadratic };
+
+struct PathOptions {
+    double first_step = 0.05;  ///< length of the first step; see the file for the norm
+    double smallest_step = 1e-9;
+    double largest_step = 0.2;
+    double largest_angle = 0.35;  ///< between neighbouring tangents, radians
+    int most_corrections = 8;
+    double tolerance = 1e-11;  ///< of the last correction, over the size of the unknowns
+    StepConstraint constraint = StepConstraint::normal_plane;
+    Predictor predictor = Predictor::tangent;
+    Eigen::Index controlled = 0;  ///< the unknown of StepConstraint::unknown
+    double parameter_weight = 0;  ///< theta; 0: so that the parameter makes half of the first tangent's square
+    int most_sign_changes = 1;    ///< of eigenvalues in a step, before it is halved
+    double resolution = 1e-4;     ///< a step is not halved below this for the sake of eigenvalues
+
+    void validate() const {
+        require(smallest_step > 0, "smallest_step", smallest_step, "must be positive");
+        require(first_step >= smallest_step, "first_step", first_step, "must be at least smallest_step");
+        require(largest_step >= first_step, "largest_step", largest_step, "must be at least first_step");
+        require(largest_angle > 0 && largest_angle < 1.5, "largest_angle", largest_angle, "must be in (0, 1.5)");
+        require(most_corrections >= 2, "most_corrections", most_corrections, "must be at least 2");
+        require(tolerance > 0, "tolerance", tolerance, "must be positive");
+        require(parameter_weight >= 0, "parameter_weight", parameter_weight, "must be 0 (chosen) or positive");
+        require(controlled >= 0, "controlled", controlled, "must be the number of an unknown");
+        require(resolution >= smallest_step, "resolution", resolution, "must be at least smallest_step");
+    }
+};
+
+/// A direction of (q, p) space: an increment of q, and one of p.
+struct Direction {
+    Eigen::VectorXd q;
+    double p = 0;
+};
+
+/// A converged point of a branch.
+template <class P>
+struct BranchPoint {
+    Configuration<P> q{};
+    double p = 0;
+    Direction tangent;               ///< of length 1, along the direction of travel
+    Eigen::VectorXd weak_direction;  ///< of length 1: nearly the eigenvector of the smallest eigenvalue
+    double weak_eigenvalue = 0;      ///< of K against the weights
+    double sigma = 0, mu = 0;        ///< test functions, see bordered.hpp
+    Eigen::Index pinned = 0;         ///< the border's unknown i: the largest of the weak direction
+    std::optional<int> negative;     ///< negative eigenvalues of K
+    int determinant_sign = 1;        ///< of K
+    double residual = 0;             ///< |g|, the largest entry
+    int corrections = 0;             ///< of the corrector
+    double step = 0;                 ///< the length that led here, 0 at the start
+    double turning = 0;              ///< the angle between the last tangent and this one, radians
+    double proposed_step = 0;        ///< for the next one
+    double arc_length = 0;           ///< from the start
+
+    /// Stable by energy: no negative eigenvalue; nothing where the inertia is not known.
+    std::optional<bool> stable() const {
+        if (!negative) return std::nullopt;
+        return *negative == 0;
+    }
+};
+
+template <ContinuationProblem P>
+class PathStepper {
+public:
+    using Matrix = TangentMatrix<P>;
+    using Point = BranchPoint<P>;
+
+    /// Throws InvalidArgument for options out of range.
+    PathStepper(const P& problem, const PathOptions& options)
+        : problem_(&problem), options_(options), solver_(symmetric_tangent<P>), theta_(options.parameter_weight) {
+        options.validate();
+    }
+
+    const P& problem() const { return *problem_; }
+    const PathOptions& options() const { return options_; }
+    double parameter_weight() const { return theta_; }
+
+    /// The equilibrium near q at the parameter p, with the tangent along which the parameter grows (direction 1) or
+    /// falls
+    /// (-1). Nothing where Newton's method at fixed p does not converge.
+    std::optional<Point> start(Configuration<P> q, double p, int direction) {
+        weights_ = weights(*problem_, q, problem_->residual(q, p).size());
+        const std::optional<int> corrections = correct_at(q, p);
+        if (!corrections) return std::nullopt;
+        auto point = assess(q, p, std::nullopt);
+        if (!point) return std::nullopt;
+        if (direction * point->tangent.p < 0) flip(point->tangent);
+        point->corrections = *corrections;
+        point->proposed_step = options_.first_step;
+        return point;
+    }
+
+    /// The next point of the branch; nothing where the step would be smaller than the smallest. `before`: the point
+    /// before `from`, for predictors that need it.
+    std::optional<Point> advance(const Point& from, const Point* before = nullptr) {
+        double h = std::min(from.proposed_step, options_.largest_step);
+        for (; h >= options_.smallest_step; h /= 2) {
+            std::optional<Point> next = step(from, h, before);
+            if (!next) continue;
+            if (!(next->turning <= options_.largest_angle)) continue;
+            if (from.negative && next->negative && h > options_.resolution &&
+                std::abs(*from.negative - *next->negative) > options_.most_sign_changes)
+                continue;
+            const double by_angle = 0.5 * options_.largest_angle / (next->turning + 1e-9);
+            const double by_corrections = std::exp2((4 - next->corrections) / 2.0);
+            next->proposed_step = h * std::clamp(std::min(by_angle, by_corrections), 0.5, 2.0);
+            return next;
+        }
+        return std::nullopt;
+    }
+
+    /// The point of the branch a step of length h from `from`, which may be negative: back; nothing where the corrector
+    /// does not converge.
+    std::optional<Point> step(const Point& from, double h, const Point* before = nullptr) {
+        Direction predicted = predict(from, h, before);
+        auto next = correct_from(from, predicted, normal_of(from, predicted, h), h);
+        if (!next) return std::nullopt;
+        next->step = h;
+        next->arc_length = from.arc_length + h;
+        return next;
+    }
+
+    /// Where the predictor puts the next point, from `from`.
+    Direction predict(const Point& from, double h, const Point* before) const {
+        Direction d = from.tangent;
+        scale(d, h);
+        if (!before || options_.predictor == Predictor::tangent || !(std::abs(from.step) > 0)) return d;
+        Direction secant = difference(from, before->q, before->p);
+        flip(secant);
+        if (options_.predictor == Predictor::secant) {
+            scale(secant, h / length(secant));
+            return secant;
+        }
+        // the parabola through both points with the tangent at the last: h t + (h / H)^2 (secant - H t), seen backwards
+        const double ratio = h / from.step;
+        d.q += ratio * ratio * (from.step * from.tangent.q - secant.q);
+        d.p += ratio * ratio * (from.step * from.tangent.p - secant.p);
+        return d;
+    }
+
+    /// The point of the branch in the plane through (q (+) increment) normal to `normal`, whose tangent points to the
+    /// side of `along`.
+    std::optional<Point> onto(const Configuration<P>& q, double p, const Direction& increment, const Direction& normal,
+                              const Direction& along) {
+        if (weights_.size() == 0) weights_ = weights(*problem_, q, increment.q.size());
+        Point from;
+        from.q = q;
+        from.p = p;
+        from.tangent = along;
+        pinned_ = largest(increment.q);
+        Constraint constraint;
+        constraint.kind = StepConstraint::normal_plane;
+        constraint.normal = normal;
+        auto next = correct_from(from, increment, constraint, length(increment));
+        if (next) next->proposed_step = std::clamp(length(increment), options_.smallest_step, options_.largest_step);
+        return next;
+    }
+
+    /// The increment from a point to a configuration near it.
+    Direction difference(const Point& from, const Configuration<P>& q, double p) const {
+        return {equilibria::difference(*problem_, from.q, q), p - from.p};
+    }
+    double dot(const Direction& a, const Direction& b) const {
+        return a.q.dot(weights_.cwiseProduct(b.q)) + theta_ * theta_ * a.p * b.p;
+    }
+    double length(const Direction& a) const { return std::sqrt(dot(a, a)); }
+    const Eigen::VectorXd& metric() const { return weights_; }
+
+    /// What is known of a point of the branch; `along`: the tangent's side. Nothing where the tangent is not
+    /// determined: nullity 2 or more.
+    std::optional<Point> assess(const Configuration<P>& q, double p, const std::optional<Direction>& along) {
+        const Matrix k = problem_->tangent(q, p);
+        const Eigen::VectorXd g = problem_->residual(q, p), g_p = problem_->parameter_derivative(q, p);
+        if (weights_.size() == 0) weights_ = weights(*problem_, q, g.size());
+        Point point;
+        point.q = q;
+        point.p = p;
+        point.residual = g.size() > 0 ? g.template lpNorm<Eigen::Infinity>() : 0;
+        const auto weak = factor_at_weakest(solver_, k, weights_, multipliers(*problem_), pinned_);
+        if (!weak) return std::nullopt;
+        const BorderedSolution& r = weak->r;
+        const BorderedSolution s = solver_.solve(-g_p, 0);
+        point.sigma = r.tau;
+        point.mu = -s.tau;
+        point.weak_direction = weak->direction;
+        point.weak_eigenvalue = weak->eigenvalue;
+        point.pinned = pinned_;
+        point.negative = solver_.negative(r.tau);
+        point.determinant_sign = solver_.sign_of_determinant(r.tau);
+        if (theta_ == 0) {
+            // the parameter's share of the first tangent is a half
+            const double slope = std::sqrt(s.x.dot(weights_.cwiseProduct(s.x)));
+            Eigen::VectorXd q_slope = -s.tau * r.x + r.tau * s.x;
+            const double whole = std::sqrt(q_slope.dot(weights_.cwiseProduct(q_slope))) / std::abs(r.tau);
+            theta_ = std::isfinite(whole) && whole > 0 ? whole : (slope > 0 ? slope : 1.0);
+        }
+        point.tangent = {-s.tau * r.x + r.tau * s.x, r.tau};
+        const double size = length(point.tangent);
+        if (!(size > 0) || !std::isfinite(size)) return std::nullopt;
+        scale(point.tangent, 1 / size);
+        if (along && dot(point.tangent, *along) < 0) flip(point.tangent);
+        return point;
+    }
+
+    /// `count` orthonormal directions (by the weights) in which K is weakest at a regular point, the columns of the
+    /// result, by subspace iteration. Empty where K is singular to rounding.
+    Eigen::MatrixXd weak_directions(const Configuration<P>& q, double p, int count) {
+        const Matrix k = problem_->tangent(q, p);
+        if (!factor(k)) return {};
+        const Eigen::Index n = k.rows();
+        const BorderedSolution r = solver_.solve(Eigen::VectorXd::Zero(n), 1);
+        Eigen::MatrixXd v(n, count);
+        for (Eigen::Index c = 0; c < count; ++c)
+            for (Eigen::Index i = 0; i < n; ++i)
+                v(i, c) = std::cos(1.0 + static_cast<double>((i + 1) * (c + 1) % 7919));
+        for (int round = 0; round < 8; ++round)
+            for (Eigen::Index c = 0; c < count; ++c) {
+                const BorderedSolution f = solver_.solve(weights_.cwiseProduct(v.col(c)), 0);
+                v.col(c) = f.x - f.tau / r.tau * r.x;
+                for (int twice = 0; twice < 2; ++twice)
+                    for (Eigen::Index b = 0; b < c; ++b)
+                        v.col(c) -= v.col(b).dot(weights_.cwiseProduct(v.col(c))) * v.col(b);
+                v.col(c) /= std::sqrt(v.col(c).dot(weights_.cwiseProduct(v.col(c))));
+            }
+        if (!v.allFinite()) return {};
+        return v;
+    }
+
+    static void flip(Direction& d) { scale(d, -1); }
+    static void scale(Direction& d, double by) {
+        d.q *= by;
+        d.p *= by;
+    }
+
+private:
+    struct Constraint {
+        StepConstraint kind = StepConstraint::normal_plane;
+        Direction normal;     ///< of planes
+        double distance = 0;  ///< of sphere and cylinder
+    };
+
+    double scaled(const Eigen::VectorXd& v, Eigen::Index i) const { return std::sqrt(weights_(i)) * std::abs(v(i)); }
+    /// The largest entry by the weights, multipliers apart.
+    Eigen::Index largest(const Eigen::VectorXd& v) const {
+        Eigen::Index best = 0;
+        for (Eigen::Index i = 1; i < v.size() - multipliers(*problem_); ++i)
+            if (scaled(v, i) > scaled(v, best)) best = i;
+        return best;
+    }
+
+    /// Factors K without the pinned unknown, or without another one where that is singular.
+    bool factor(const Matrix& k) {
+        const Eigen::Index size = k.rows() - multipliers(*problem_);
+        for (int attempt = 0; attempt < 4; ++attempt) {
+            if (solver_.factor(k, pinned_)) return true;
+            pinned_ = (pinned_ + 1 + (attempt * size) / 4) % std::max<Eigen::Index>(size, 1);
+        }
+        return false;
+    }
+
+    Constraint normal_of(const Point& from, const Direction& predicted, double h) const {
+        Constraint y{options_.constraint, predicted, std::abs(h)};
+        if (y.kind == StepConstraint::normal_plane) y.normal = from.tangent;
+        if (y.kind == StepConstraint::unknown) {
+            y.normal.q = Eigen::VectorXd::Zero(predicted.q.size());
+            y.normal.q(std::min(options_.controlled, predicted.q.size() - 1)) = 1;
+            y.normal.p = 0;
+        }
+        if (y.kind == StepConstraint::parameter) y.normal = {Eigen::VectorXd::Zero(predicted.q.size()), 1};
+        return y;
+    }
+
+    /// The gradient of the constraint, in weighted coordinates, and its value at the increment `moved`; planes have the
+    /// value 0 at every iterate.
+    std::pair<Direction, double> constraint_at(const Constraint& c, const Direction& moved) const {
+        const auto weighted = [&](const Direction& d) {
+            return Direction{weights_.cwiseProduct(d.q), theta_ * theta_ * d.p};
+        };
+        switch (c.kind) {
+            case StepConstraint::normal_plane: return {weighted(c.normal), 0.0};
+            case StepConstraint::updated_plane: return {weighted(moved), 0.0};
+            case StepConstraint::sphere: return {weighted(moved), (dot(moved, moved) - c.distance * c.distance) / 2};
+            case StepConstraint::cylinder: {
+                Direction d = weighted(moved);
+                // the unknowns move as far as predicted, which is kept in `normal`
+                const double radius2 = c.normal.q.dot(weights_.cwiseProduct(c.normal.q)), reached2 = moved.q.dot(d.q);
+                d.p = 0;
+                return {d, (reached2 - radius2) / 2};
+            }
+            case StepConstraint::unknown:
+            case StepConstraint::parameter: break;
+        }
+        return {c.normal, 0.0};
+    }
+
+    /// Newton's method from q (+) moved; `from.tangent` decides the side of the tangent.
+    std::optional<Point> correct_from(const Point& from, Direction moved, const Constraint& constraint, double h) {
+        Configuration<P> q = retract(*problem_, from.q, moved.q);
+        double p = from.p + moved.p;
+        const double start = length(moved);
+        double before = 0, contraction = 0;
+        for (int k = 0; k < options_.most_corrections; ++k) {
+            const Eigen::VectorXd g = problem_->residual(q, p);
+            if (!g.allFinite()) return std::nullopt;
+            const Eigen::VectorXd g_p = problem_->parameter_derivative(q, p);
+            const Matrix k_now = problem_->tangent(q, p);
+            if (!factor(k_now)) return std::nullopt;
+            const BorderedSolution q0 = solver_.solve(-g, 0), s = solver_.solve(-g_p, 0),
+                                   r = solver_.solve(Eigen::VectorXd::Zero(g.size()), 1);
+            const auto [normal, value] = constraint_at(constraint, moved);
+            // [sigma, t_s; n.r, n.s + n_p] [z; dp] = [-t0; -value - n.q0]
+            const double a = r.tau, b = s.tau, c = normal.q.dot(r.x), d = normal.q.dot(s.x) + normal.p;
+            const double e = -q0.tau, f = -value - normal.q.dot(q0.x), determinant = a * d - b * c;
+            const double z = (e * d - b * f) / determinant, dp = (a * f - e * c) / determinant;
+            Direction correction{q0.x + z * r.x + dp * s.x, dp};
+            const double size = length(correction);
+            if (!std::isfinite(size)) return std::nullopt;
+            contraction = k > 0 && before > 0 ? size / before : 0;
+            if (k == 0 && size > 0.5 * start + 1e3 * options_.tolerance) return std::nullopt;
+            // with several weak directions rounding moves the iterates about in them
+            const bool rounding = g.template lpNorm<Eigen::Infinity>() <=
+                                  64 * std::numeric_limits<double>::epsilon() * detail::largest_entry(k_now);
+            if (k > 0 && contraction > 0.7 && size > 1e3 * tolerance(moved) && !rounding) return std::nullopt;
+            q = retract(*problem_, q, correction.q);
+            p += dp;
+            moved.q += correction.q;
+            moved.p += dp;
+            before = size;
+            if (size <= tolerance(moved) ||
+                (k > 0 && contraction > 0.5 && (rounding || size <= 1e3 * tolerance(moved)))) {
+                Direction along = from.tangent;
+                along.q = transport(*problem_, from.q, moved.q, along.q);
+                auto point = assess(q, p, along);
+                if (!point) return std::nullopt;
+                point->corrections = k + 1;
+                point->step = h;
+                point->turning = std::acos(std::clamp(dot(point->tangent, along) / length(along), -1.0, 1.0));
+                return point;
+            }
+        }
+        return std::nullopt;
+    }
+    double tolerance(const Direction& moved) const { return options_.tolerance * (1 + length(moved)); }
+
+    /// Newton's method at a fixed parameter; how many corrections it took.
+    std::optional<int> correct_at(Configuration<P>& q, double p) {
+        double before = std::numeric_limits<double>::infinity();
+        for (int k = 0; k < 4 * options_.most_corrections; ++k) {
+            const Eigen::VectorXd g = problem_->residual(q, p);
+            if (!g.allFinite() || !factor(problem_->tangent(q, p))) return std::nullopt;
+            const BorderedSolution q0 = solver_.solve(-g, 0), r = solver_.solve(Eigen::VectorXd::Zero(g.size()), 1);
+            const Eigen::VectorXd d = q0.x - q0.tau / r.tau * r.x;
+            const double size = std::sqrt(d.dot(weights_.cwiseProduct(d)));
+            if (!std::isfinite(size)) return std::nullopt;
+            q = retract(*problem_, q, d);
+            if (size <= options_.tolerance || (size >= before && size < 1e3 * options_.tolerance)) return k + 1;
+            before = size;
+        }
+        return std::nullopt;
+    }
+
+    const P* problem_;
+    PathOptions options_;
+    BorderedSolver<Matrix> solver_;
+    double theta_;
+    Eigen::VectorXd weights_;
+    Eigen::Index pinned_ = 0;
+};
+
+}  // namespace equilibria

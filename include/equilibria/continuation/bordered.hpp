@@ -14,6 +14,7 @@
 /// Source: Govaerts, Numerical Methods for Bifurcations of Dynamical Equilibria, chapter 3.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -54,12 +55,19 @@ inline Eigen::SparseMatrix<double> without(const Eigen::SparseMatrix<double>& k,
     return y;
 }
 
-inline double largest_entry(const Eigen::MatrixXd& k) { return k.size() == 0 ? 0 : k.cwiseAbs().maxCoeff(); }
+/// The largest absolute value; NaN where one is.
+inline double largest_entry(const Eigen::MatrixXd& k) {
+    if (k.hasNaN()) return std::numeric_limits<double>::quiet_NaN();
+    return k.size() == 0 ? 0 : k.cwiseAbs().maxCoeff();
+}
 inline double largest_entry(const Eigen::SparseMatrix<double>& k) {
     double y = 0;
     for (Eigen::Index c = 0; c < k.outerSize(); ++c)
         for (Eigen::SparseMatrix<double>::InnerIterator entry(k, c); entry; ++entry)
-            if (!(std::abs(entry.value()) <= y)) y = std::abs(entry.value());  // keeps a NaN
+            if (std::isnan(entry.value()))
+                return entry.value();
+            else
+                y = std::max(y, std::abs(entry.value()));
     return y;
 }
 

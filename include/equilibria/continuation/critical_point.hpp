@@ -67,15 +67,14 @@ struct CriticalPoint {
     double unfolding = 0;             ///< gamma
     double a = 0, b = 0, c = 0;       ///< of the bifurcation equation; a of folds too
     double curvature = 0;             ///< p = p_c + curvature x^2 / 2 along phi: of pitchforks and folds
-    std::vector<Direction> tangents;  ///< of the branches through the point, of length 1
+    std::vector<Direction> tangents;  ///< of the branches through the point, up to their lengths
     std::vector<CriticalIteration> history;
     std::optional<int> negative_before, negative_after;  ///< along the branch on which it was met
 
-    /// p'' of a pitchfork's branch points away from the stable side: Koiter's b < 0 for a load that grows.
     int iterations() const { return static_cast<int>(history.size()); }
 };
 
-/// The vectors at one point that both systems are made of.
+/// Newton's method on both systems, and what the converged point is.
 template <ContinuationProblem P>
 class CriticalPointSolver {
 public:
@@ -84,7 +83,8 @@ public:
     CriticalPointSolver(const P& problem, const CriticalPointOptions& options = {})
         : problem_(&problem), options_(options), solver_(symmetric_tangent<P>) {}
 
-    /// The critical point next to (q, p); nothing where neither system converges. scale_p: the size of changes in p.
+    /// The critical point next to (q, p); nothing where neither system converges. pinned: the unknown with which the
+    /// search for the weakest direction begins.
     std::optional<CriticalPoint<P>> solve(const Configuration<P>& q, double p, Eigen::Index pinned) {
         weights_ = weights(*problem_, q, problem_->residual(q, p).size());
         pinned_ = pinned;
@@ -195,7 +195,7 @@ private:
         const double determinant = a * d - b * c;
         return combined((e * d - b * f) / determinant, (a * f - e * c) / determinant);
     }
-    /// psi^T g_qq[s, v], by D along r if K is symmetric and v is, as g_qq[., .]^T of a potential.
+    /// Of a symmetric K phi^T g_qq[s, v] = s^T (dK along phi) v: no further derivative is needed.
     Step bifurcation_step() {
         const Eigen::VectorXd gp_s = parameter_derivative_along(*problem_, *q_, p_, s_.x),
                               gp_q0 = parameter_derivative_along(*problem_, *q_, p_, q0_.x),

@@ -1,10 +1,10 @@
 #include <equilibria/continuation/branch.hpp>
 
-#include "continuation/problems.hpp"
+#include "../examples/support/structures.hpp"
 #include "support/catch.hpp"
 
 using namespace equilibria;
-using namespace problems;
+using namespace support;
 
 namespace {
 

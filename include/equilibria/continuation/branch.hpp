@@ -151,6 +151,22 @@ Branch<P> continue_branch(const P& problem, const Configuration<P>& q, double p,
     return follow(stepper, *start, options);
 }
 
+/// Whether a point lies on a branch, between two of its points.
+template <ContinuationProblem P>
+bool lies_on(PathStepper<P>& stepper, const Branch<P>& branch, const BranchPoint<P>& point) {
+    for (std::size_t k = 0; k + 1 < branch.points.size(); ++k) {
+        const BranchPoint<P>& from = branch.points[k];
+        const Direction chord = stepper.difference(from, branch.points[k + 1].q, branch.points[k + 1].p);
+        const Direction to = stepper.difference(from, point.q, point.p);
+        const double length = stepper.length(chord), share = stepper.dot(chord, to) / (length * length);
+        if (!(share > -0.1 && share < 1.1 && stepper.length(to) < 1.2 * length)) continue;
+        // on the branch itself, as far along the tangent as the point
+        const auto at = stepper.step(from, stepper.dot(from.tangent, to));
+        if (at && stepper.length(stepper.difference(*at, point.q, point.p)) < 1e-6 * (1 + length)) return true;
+    }
+    return false;
+}
+
 /// Points of the other branches through a bifurcation, about `amplitude` away from it, with tangents that lead away:
 /// one for each half branch. `incoming`: the tangent of the branch that is left. At a point with two null vectors
 /// directions between them are tried all around, and the branches found are those that they lead to.

@@ -1,16 +1,18 @@
-// Structures with known critical points, as continuation problems: references are those of the project's table.
+// Structures as continuation problems: an arch of two modes, trusses, chains of links with torsion springs. Their
+// critical points are known; the tests of continuation/ use them too.
 #pragma once
 
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 
-namespace problems {
+namespace support {
 
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
@@ -34,12 +36,14 @@ struct ShallowArch {
     double bifurcation() const { return l + 3 * std::sqrt(l * l - 4); }
 };
 
-/// Bars with Green strain and EA = 1 between nodes, of which some coordinates are free; dead loads p times `load`.
+enum class Strain { green, engineering };
+
+/// Bars with EA = 1 between nodes, of which some coordinates are free; dead loads p times `load`.
 class Truss {
 public:
     Truss(std::vector<Eigen::Vector3d> nodes, std::vector<std::array<std::size_t, 2>> bars, std::size_t first_free,
-          std::size_t free_nodes, int coordinates)
-        : nodes_(std::move(nodes)), bars_(std::move(bars)), unknown_(3 * nodes_.size(), -1) {
+          std::size_t free_nodes, int coordinates, Strain strain)
+        : nodes_(std::move(nodes)), bars_(std::move(bars)), unknown_(3 * nodes_.size(), -1), strain_(strain) {
         for (std::size_t k = first_free; k < first_free + free_nodes; ++k)
             for (int c = 0; c < coordinates; ++c) unknown_[3 * k + static_cast<std::size_t>(c)] = size_++;
         load = VectorXd::Zero(size_);
@@ -50,7 +54,7 @@ public:
     VectorXd residual(const VectorXd& q, double p) const {
         VectorXd g = -p * load;
         for (const auto& [a, b] : bars_) {
-            const Eigen::Vector3d d = at(q, b) - at(q, a), force = strain(a, b, d) / length(a, b) * d;
+            const Eigen::Vector3d d = at(q, b) - at(q, a), force = tension(a, b, d).first * d;
             for (int c = 0; c < 3; ++c) {
                 if (unknown(a, c) >= 0) g(unknown(a, c)) -= force(c);
                 if (unknown(b, c) >= 0) g(unknown(b, c)) += force(c);
@@ -62,9 +66,8 @@ public:
         MatrixXd k = MatrixXd::Zero(size_, size_);
         for (const auto& [a, b] : bars_) {
             const Eigen::Vector3d d = at(q, b) - at(q, a);
-            const double l = length(a, b);
-            const Eigen::Matrix3d m =
-                strain(a, b, d) / l * Eigen::Matrix3d::Identity() + d * d.transpose() / (l * l * l);
+            const auto [tension_over_length, slope] = tension(a, b, d);
+            const Eigen::Matrix3d m = tension_over_length * Eigen::Matrix3d::Identity() + slope * d * d.transpose();
             const std::size_t ends[] = {a, b};
             for (int s = 0; s < 2; ++s)
                 for (int t = 0; t < 2; ++t)
@@ -78,14 +81,7 @@ public:
     }
     VectorXd parameter_derivative(const VectorXd&, double) const { return -load; }
     VectorXd unloaded() const { return VectorXd::Zero(size_); }
-
-private:
-    int unknown(std::size_t node, int c) const { return unknown_[3 * node + static_cast<std::size_t>(c)]; }
-    double length(std::size_t a, std::size_t b) const { return (nodes_[b] - nodes_[a]).norm(); }
-    double strain(std::size_t a, std::size_t b, const Eigen::Vector3d& d) const {
-        const double l = length(a, b);
-        return (d.squaredNorm() - l * l) / (2 * l * l);
-    }
+    /// Where a node is.
     Eigen::Vector3d at(const VectorXd& q, std::size_t node) const {
         Eigen::Vector3d x = nodes_[node];
         for (int c = 0; c < 3; ++c)
@@ -93,21 +89,32 @@ private:
         return x;
     }
 
+private:
+    int unknown(std::size_t node, int c) const { return unknown_[3 * node + static_cast<std::size_t>(c)]; }
+    /// The force of a bar over its length, which times d is the force vector, and its derivative by |d|^2 / 2.
+    std::pair<double, double> tension(std::size_t a, std::size_t b, const Eigen::Vector3d& d) const {
+        const double l = (nodes_[b] - nodes_[a]).norm();
+        if (strain_ == Strain::green) return {(d.squaredNorm() - l * l) / (2 * l * l * l), 1 / (l * l * l)};
+        const double now = d.norm();
+        return {1 / l - 1 / now, 1 / (now * now * now)};
+    }
+
     std::vector<Eigen::Vector3d> nodes_;
     std::vector<std::array<std::size_t, 2>> bars_;
     std::vector<int> unknown_;
+    Strain strain_;
     int size_ = 0;
 };
 
 /// Two bars from (-1, 0) and (1, 0) to the apex (0, h), load down at the apex.
-inline Truss von_mises_truss(double h) {
-    Truss truss({{-1, 0, 0}, {0, h, 0}, {1, 0, 0}}, {{0, 1}, {1, 2}}, 1, 1, 2);
+inline Truss von_mises_truss(double h, Strain strain = Strain::green) {
+    Truss truss({{-1, 0, 0}, {0, h, 0}, {1, 0, 0}}, {{0, 1}, {1, 2}}, 1, 1, 2, strain);
     truss.load(1) = -1;
     return truss;
 }
 
 /// The 24-bar star dome: apex, ring of six, six supports turned by 30 degrees.
-inline Truss star_dome(double apex_load, double ring_load) {
+inline Truss star_dome(double apex_load, double ring_load, Strain strain = Strain::green) {
     std::vector<Eigen::Vector3d> nodes{{0, 0, 8.216}};
     std::vector<std::array<std::size_t, 2>> bars;
     const auto ring = [&](double radius, double z, double turn) {
@@ -124,7 +131,7 @@ inline Truss star_dome(double apex_load, double ring_load) {
         bars.push_back({1 + k, 7 + k});
         bars.push_back({1 + k, 7 + (k + 5) % 6});
     }
-    Truss dome(nodes, bars, 0, 7, 3);
+    Truss dome(nodes, bars, 0, 7, 3, strain);
     dome.load(2) = -apex_load;
     for (int k = 1; k < 7; ++k) dome.load(3 * k + 2) = -ring_load;
     return dome;
@@ -167,4 +174,9 @@ struct SpringElastica {
     }
 };
 
-}  // namespace problems
+/// The same with a dense tangent.
+struct DenseSpringElastica : SpringElastica {
+    MatrixXd tangent(const VectorXd& theta, double load) const { return SpringElastica::tangent(theta, load); }
+};
+
+}  // namespace support

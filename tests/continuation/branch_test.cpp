@@ -110,7 +110,7 @@ TEST_CASE("von Mises truss: limit load, bifurcation, and its side branch, a circ
     for (const auto& event : flat.events) CHECK(event.point.kind == CriticalKind::fold);
 }
 
-TEST_CASE("star dome: the simple bifurcation, both double ones, the fold; apex load alone: two folds") {
+TEST_CASE("star dome: the simple bifurcation, both double ones, the fold, and two folds under the apex load alone") {
     const auto dome = star_dome(.5, 1);
     const auto branch = continue_branch(dome, dome.unloaded(), 0, 1, window(-1e-3, 2e-3));
     check_events(branch, {{CriticalKind::pitchfork, 8.64367449817e-4, 1, 0, 1},

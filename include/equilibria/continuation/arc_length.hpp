@@ -17,7 +17,7 @@
 #include <Eigen/Core>
 #include <Eigen/LU>
 
-#include <equilibria/core/error.hpp>
+#include <equilibria/continuation/step_control.hpp>
 
 namespace equilibria {
 
@@ -36,14 +36,7 @@ struct ArcLengthOptions {
     int most_corrections = 6;     ///< Newton steps of one corrector
     double tolerance = 1e-12;     ///< of the last Newton step, scaled
 
-    void validate() const {
-        require(smallest_step > 0, "smallest_step", smallest_step, "must be positive");
-        require(first_step >= smallest_step, "first_step", first_step, "must be at least smallest_step");
-        require(largest_step >= first_step, "largest_step", largest_step, "must be at least first_step");
-        require(largest_angle > 0 && largest_angle < 1, "largest_angle", largest_angle, "must be in (0, 1)");
-        require(most_corrections >= 2, "most_corrections", most_corrections, "must be at least 2");
-        require(tolerance > 0, "tolerance", tolerance, "must be positive");
-    }
+    void validate() const { detail::require_step_control(*this, 1); }
 };
 
 template <CurveSystem S>

@@ -28,6 +28,8 @@
 #include <Eigen/SparseCore>
 #include <Eigen/SparseLU>
 
+#include <equilibria/continuation/problem.hpp>
+
 namespace equilibria {
 
 /// [x; tau] of a bordered system.
@@ -93,7 +95,8 @@ public:
         without_ = detail::without(k, i, size > 0 ? size : 1.0);
         column_ = k_.col(i);
         column_(i) = 0;
-        row_ = Eigen::VectorXd(k_.transpose().col(i));
+        row_ = row_rest_ = Eigen::VectorXd(k_.transpose().col(i));
+        row_rest_(i) = 0;
         negative_.reset();
         if constexpr (sparse)
             return factor_sparse();
@@ -173,7 +176,7 @@ private:
     }
 
     BorderedSolution solve(const Eigen::VectorXd& f, double xi, bool transposed) const {
-        const Eigen::VectorXd& column = transposed ? row_off_diagonal() : column_;
+        const Eigen::VectorXd& column = transposed ? row_rest_ : column_;
         BorderedSolution y{Eigen::VectorXd::Zero(f.size()), 0};
         Eigen::VectorXd rest = f - xi * column;
         // the second round removes the rounding of the first
@@ -189,11 +192,6 @@ private:
     Eigen::VectorXd apply(const Eigen::VectorXd& x, bool transposed) const {
         return transposed ? Eigen::VectorXd(k_.transpose() * x) : Eigen::VectorXd(k_ * x);
     }
-    const Eigen::VectorXd& row_off_diagonal() const {
-        row_rest_ = row_;
-        row_rest_(i_) = 0;
-        return row_rest_;
-    }
 
     struct None {};
     using LDLT = Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>;
@@ -202,8 +200,7 @@ private:
     bool symmetric_, analysed_ = false, use_lu_ = false;
     Matrix k_, without_;
     Eigen::Index i_ = 0;
-    Eigen::VectorXd column_, row_;
-    mutable Eigen::VectorXd row_rest_;
+    Eigen::VectorXd column_, row_, row_rest_;  ///< number i of K; `column_` and `row_rest_` without the diagonal
     int sign_without_ = 1;
     std::optional<int> negative_;  ///< of a sparse K without i
     std::conditional_t<sparse, None, Eigen::PartialPivLU<Eigen::MatrixXd>> dense_;
@@ -227,9 +224,7 @@ std::optional<WeakDirection> factor_at_weakest(BorderedSolver<Matrix>& solver, c
     const Eigen::Index size = k.rows() - multipliers;
     const Eigen::VectorXd root = weights.cwiseSqrt();
     const auto length = [&](const Eigen::VectorXd& v) { return root.cwiseProduct(v).norm(); };
-    Eigen::VectorXd start(k.rows());
-    for (Eigen::Index i = 0; i < k.rows(); ++i)
-        start(i) = std::cos(1.0 + static_cast<double>(i % 9973) * static_cast<double>(i % 7919));
+    const Eigen::VectorXd start = detail::generic_vector(k.rows());
     int singular = 0;
     WeakDirection y;
     for (int round = 0; round < 4;) {

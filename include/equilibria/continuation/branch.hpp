@@ -169,7 +169,8 @@ bool lies_on(PathStepper<P>& stepper, const Branch<P>& branch, const BranchPoint
 
 /// Points of the other branches through a bifurcation, about `amplitude` away from it, with tangents that lead away:
 /// one for each half branch. `incoming`: the tangent of the branch that is left. At a point with two null vectors
-/// directions between them are tried all around, and the branches found are those that they lead to.
+/// directions between them are tried all around, and the branches found are those that they lead to. Throws
+/// InvalidArgument unless the amplitude is positive and finite.
 template <ContinuationProblem P>
 std::vector<BranchPoint<P>> switch_branch(PathStepper<P>& stepper, const CriticalPoint<P>& point,
                                           const Direction& incoming, double amplitude) {

@@ -28,7 +28,6 @@ enum class CriticalKind {
     hilltop,        ///< a fold and a bifurcation in one point, or tangential branches: the equation is degenerate
     cusp,           ///< a fold whose quadratic coefficient vanishes
     multiple,       ///< more than one null vector
-    kinematic,      ///< the constraints lose rank: a null vector of multipliers alone
 };
 constexpr const char* to_string(CriticalKind kind) {
     constexpr const char* names[] = {"fold",    "transcritical", "pitchfork", "isola centre",
@@ -144,8 +143,7 @@ private:
     /// Whether K has another null vector: K without the pinned unknown is singular to the digits of a Newton iteration.
     /// It is left in `second`.
     bool two_null_vectors(Eigen::VectorXd& second) const {
-        Eigen::VectorXd f(g_.size());
-        for (Eigen::Index i = 0; i < f.size(); ++i) f(i) = std::cos(1.0 + static_cast<double>(i % 7919));
+        const Eigen::VectorXd f = detail::generic_vector(g_.size());
         second = solver_.solve(f, 0).x;
         const double size = second.norm();
         if (!(size * detail::largest_entry(k_) > 1e9 * f.norm())) return false;

@@ -114,9 +114,7 @@ private:
             return;
         }
         locate(a, *middle, depth + 1, out);
-        Point end = b;
-        end.arc_length = b.arc_length;
-        locate(*middle, end, depth + 1, out);
+        locate(*middle, b, depth + 1, out);
     }
 
     /// Where the point lies between a and b, from 0 to 1, as far as a chord tells; nothing if it does not.

@@ -15,80 +15,11 @@
 #include <utility>
 
 #include <equilibria/continuation/bordered.hpp>
+#include <equilibria/continuation/branch_point.hpp>
+#include <equilibria/continuation/path_options.hpp>
 #include <equilibria/continuation/problem.hpp>
 
 namespace equilibria {
-
-/// Where the corrector looks for the branch, a step h away from the last point.
-enum class StepConstraint {
-    normal_plane,   ///< in the plane through the predicted point, normal to the predictor (pseudo-arclength)
-    updated_plane,  ///< in planes through the latest iterate, normal to the whole increment
-    sphere,         ///< at the distance h (Crisfield, parameter included)
-    cylinder,       ///< at the distance h of the unknowns alone (Crisfield)
-    unknown,        ///< where one unknown has moved by the predicted amount
-    parameter,      ///< at the predicted parameter: load control, which fails at folds
-};
-
-enum class Predictor { tangent, secant, quadratic };
-
-struct PathOptions {
-    double first_step = 0.05;  ///< length of the first step; see the file for the norm
-    double smallest_step = 1e-9;
-    double largest_step = 0.2;
-    double largest_angle = 0.35;  ///< between neighbouring tangents, radians
-    int most_corrections = 8;
-    double tolerance = 1e-11;  ///< of the last correction, over the size of the unknowns
-    StepConstraint constraint = StepConstraint::normal_plane;
-    Predictor predictor = Predictor::tangent;
-    Eigen::Index controlled = 0;  ///< the unknown of StepConstraint::unknown
-    double parameter_weight = 0;  ///< theta; 0: so that the parameter makes half of the first tangent's square
-    int most_sign_changes = 1;    ///< of eigenvalues in a step, before it is halved
-    double resolution = 1e-4;     ///< a step is not halved below this for the sake of eigenvalues
-
-    void validate() const {
-        require(smallest_step > 0, "smallest_step", smallest_step, "must be positive");
-        require(first_step >= smallest_step, "first_step", first_step, "must be at least smallest_step");
-        require(largest_step >= first_step, "largest_step", largest_step, "must be at least first_step");
-        require(largest_angle > 0 && largest_angle < 1.5, "largest_angle", largest_angle, "must be in (0, 1.5)");
-        require(most_corrections >= 2, "most_corrections", most_corrections, "must be at least 2");
-        require(tolerance > 0, "tolerance", tolerance, "must be positive");
-        require(parameter_weight >= 0, "parameter_weight", parameter_weight, "must be 0 (chosen) or positive");
-        require(controlled >= 0, "controlled", controlled, "must be the number of an unknown");
-        require(resolution >= smallest_step, "resolution", resolution, "must be at least smallest_step");
-    }
-};
-
-/// A direction of (q, p) space: an increment of q, and one of p.
-struct Direction {
-    Eigen::VectorXd q;
-    double p = 0;
-};
-
-/// A converged point of a branch.
-template <class P>
-struct BranchPoint {
-    Configuration<P> q{};
-    double p = 0;
-    Direction tangent;               ///< of length 1, along the direction of travel
-    Eigen::VectorXd weak_direction;  ///< of length 1: nearly the eigenvector of the smallest eigenvalue
-    double weak_eigenvalue = 0;      ///< of K against the weights
-    double sigma = 0, mu = 0;        ///< test functions, see bordered.hpp
-    Eigen::Index pinned = 0;         ///< the border's unknown i: the largest of the weak direction
-    std::optional<int> negative;     ///< negative eigenvalues of K
-    int determinant_sign = 1;        ///< of K
-    double residual = 0;             ///< |g|, the largest entry
-    int corrections = 0;             ///< of the corrector
-    double step = 0;                 ///< the length that led here, 0 at the start
-    double turning = 0;              ///< the angle between the last tangent and this one, radians
-    double proposed_step = 0;        ///< for the next one
-    double arc_length = 0;           ///< from the start
-
-    /// Stable by energy: no negative eigenvalue; nothing where the inertia is not known.
-    std::optional<bool> stable() const {
-        if (!negative) return std::nullopt;
-        return *negative == 0;
-    }
-};
 
 template <ContinuationProblem P>
 class PathStepper {
@@ -107,8 +38,7 @@ public:
     double parameter_weight() const { return theta_; }
 
     /// The equilibrium near q at the parameter p, with the tangent along which the parameter grows (direction 1) or
-    /// falls
-    /// (-1). Nothing where Newton's method at fixed p does not converge.
+    /// falls (-1). Nothing where Newton's method at fixed p does not converge.
     std::optional<Point> start(Configuration<P> q, double p, int direction) {
         weights_ = weights(*problem_, q, problem_->residual(q, p).size());
         const std::optional<int> corrections = correct_at(q, p);
@@ -241,9 +171,7 @@ public:
         const Eigen::Index n = k.rows();
         const BorderedSolution r = solver_.solve(Eigen::VectorXd::Zero(n), 1);
         Eigen::MatrixXd v(n, count);
-        for (Eigen::Index c = 0; c < count; ++c)
-            for (Eigen::Index i = 0; i < n; ++i)
-                v(i, c) = std::cos(1.0 + static_cast<double>((i + 1) * (c + 1) % 7919));
+        for (Eigen::Index c = 0; c < count; ++c) v.col(c) = detail::generic_vector(n, c);
         for (int round = 0; round < 8; ++round)
             for (Eigen::Index c = 0; c < count; ++c) {
                 const BorderedSolution f = solver_.solve(weights_.cwiseProduct(v.col(c)), 0);

@@ -134,6 +134,16 @@ namespace detail {
 
 inline const double third_root_of_rounding = std::cbrt(std::numeric_limits<double>::epsilon());
 
+/// Entries in [-1, 1] without a pattern that a structure could share; number k of such vectors.
+inline Eigen::VectorXd generic_vector(Eigen::Index size, Eigen::Index k = 0) {
+    Eigen::VectorXd v(size);
+    for (Eigen::Index i = 0; i < size; ++i) {
+        const Eigen::Index m = (i + k) % 7919;
+        v(i) = std::cos(1.0 + static_cast<double>(m * m % 7919));
+    }
+    return v;
+}
+
 /// The step of a central difference along v: one that changes unknowns of size 1 by eps^(1/3).
 inline double difference_step(const Eigen::VectorXd& v) {
     const double size = v.lpNorm<Eigen::Infinity>();
@@ -207,8 +217,7 @@ DerivativeErrors check_derivatives(const P& problem, const Configuration<P>& q, 
             "must have the residual's size " + std::to_string(g.size()));
     require(g_p.allFinite(), "problem.parameter_derivative", "NaN or infinite", "must be finite at the start");
 
-    Eigen::VectorXd v(g.size());
-    for (Eigen::Index i = 0; i < v.size(); ++i) v(i) = std::cos(1.0 + static_cast<double>(i * i % 7919));
+    const Eigen::VectorXd v = detail::generic_vector(g.size());
     const auto error = [](const Eigen::VectorXd& a, const Eigen::VectorXd& b, double least) {
         const double size = std::max({a.norm(), b.norm(), least});
         const double difference = (a - b).norm();

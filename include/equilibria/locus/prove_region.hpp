@@ -206,9 +206,9 @@ private:
     void prove(const BallFamily<M, double, 2>& family, const Candidates& roots, bool bound_reached,
                Outcome& out) const {
         ProvedRoots proved;
-        if (!prove(family, roots, true, proved) || !proved.distinct()) return;
+        if (!prove_roots(family, roots, true, proved) || !proved.distinct()) return;
         const auto boxes = proved.boxes;
-        out.proved = bound_reached && prove(family, roots, false, proved) && proved.distinct();
+        out.proved = bound_reached && prove_roots(family, roots, false, proved) && proved.distinct();
         if constexpr (n_coordinates<M> == 0)
             if (!out.proved) {
                 out.argument = CountArgument::real_search;
@@ -218,7 +218,8 @@ private:
     }
 
     /// The roots of one kind: that each exists, is real or not, and the index of real ones. False where one fails.
-    static bool prove(const BallFamily<M, double, 2>& family, const Candidates& roots, bool real, ProvedRoots& out) {
+    static bool prove_roots(const BallFamily<M, double, 2>& family, const Candidates& roots, bool real,
+                            ProvedRoots& out) {
         std::vector<std::size_t> members;
         for (std::size_t k = 0; k < roots.size(); ++k) {
             double imaginary = 0;

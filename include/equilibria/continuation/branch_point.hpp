@@ -1,0 +1,45 @@
+/// \file
+/// A converged point of a branch, and directions in the space of configurations and parameter.
+#pragma once
+
+#include <optional>
+
+#include <Eigen/Core>
+
+#include <equilibria/continuation/problem.hpp>
+
+namespace equilibria {
+
+/// A direction of (q, p) space: an increment of q, and one of p.
+struct Direction {
+    Eigen::VectorXd q;
+    double p = 0;
+};
+
+/// A converged point of a branch.
+template <class P>
+struct BranchPoint {
+    Configuration<P> q{};
+    double p = 0;
+    Direction tangent;               ///< of length 1, along the direction of travel
+    Eigen::VectorXd weak_direction;  ///< of length 1: nearly the eigenvector of the smallest eigenvalue
+    double weak_eigenvalue = 0;      ///< of K against the weights
+    double sigma = 0, mu = 0;        ///< test functions, see bordered.hpp
+    Eigen::Index pinned = 0;         ///< the border's unknown i: the largest of the weak direction
+    std::optional<int> negative;     ///< negative eigenvalues of K
+    int determinant_sign = 1;        ///< of K
+    double residual = 0;             ///< |g|, the largest entry
+    int corrections = 0;             ///< of the corrector
+    double step = 0;                 ///< the length that led here, 0 at the start
+    double turning = 0;              ///< the angle between the last tangent and this one, radians
+    double proposed_step = 0;        ///< for the next one
+    double arc_length = 0;           ///< from the start
+
+    /// Stable by energy: no negative eigenvalue; nothing where the inertia is not known.
+    std::optional<bool> stable() const {
+        if (!negative) return std::nullopt;
+        return *negative == 0;
+    }
+};
+
+}  // namespace equilibria

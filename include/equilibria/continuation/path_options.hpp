@@ -1,0 +1,46 @@
+/// \file
+/// How a branch is followed: predictor, constraint of the corrector, and step control.
+#pragma once
+
+#include <Eigen/Core>
+
+#include <equilibria/continuation/step_control.hpp>
+#include <equilibria/core/error.hpp>
+
+namespace equilibria {
+
+/// Where the corrector looks for the branch, a step h away from the last point.
+enum class StepConstraint {
+    normal_plane,   ///< in the plane through the predicted point, normal to the predictor (pseudo-arclength)
+    updated_plane,  ///< in planes through the latest iterate, normal to the whole increment
+    sphere,         ///< at the distance h (Crisfield, parameter included)
+    cylinder,       ///< at the distance h of the unknowns alone (Crisfield)
+    unknown,        ///< where one unknown has moved by the predicted amount
+    parameter,      ///< at the predicted parameter: load control, which fails at folds
+};
+
+enum class Predictor { tangent, secant, quadratic };
+
+struct PathOptions {
+    double first_step = 0.05;  ///< length of the first step; see the file for the norm
+    double smallest_step = 1e-9;
+    double largest_step = 0.2;
+    double largest_angle = 0.35;  ///< between neighbouring tangents, radians
+    int most_corrections = 8;
+    double tolerance = 1e-11;  ///< of the last correction, over the size of the unknowns
+    StepConstraint constraint = StepConstraint::normal_plane;
+    Predictor predictor = Predictor::tangent;
+    Eigen::Index controlled = 0;  ///< the unknown of StepConstraint::unknown
+    double parameter_weight = 0;  ///< theta; 0: so that the parameter makes half of the first tangent's square
+    int most_sign_changes = 1;    ///< of eigenvalues in a step, before it is halved
+    double resolution = 1e-4;     ///< a step is not halved below this for the sake of eigenvalues
+
+    void validate() const {
+        detail::require_step_control(*this, 1.5);
+        require(parameter_weight >= 0, "parameter_weight", parameter_weight, "must be 0 (chosen) or positive");
+        require(controlled >= 0, "controlled", controlled, "must be the number of an unknown");
+        require(resolution >= smallest_step, "resolution", resolution, "must be at least smallest_step");
+    }
+};
+
+}  // namespace equilibria

@@ -71,7 +71,7 @@ TEST_CASE("limit points: quadratic from 1 % and from 5 % off in the load") {
     const auto dome = star_dome(1, 0);
     for (const double off : {0.01, 0.05}) {
         CriticalPointSolver<Truss> solver(dome);
-        const auto point = solver.solve(loaded(dome, (1 - off) * limit), (1 - off) * limit, 2);
+        const auto point = solver.solve(loaded(dome, (1 - off) * limit), (1 - off) * limit, Border{2, 2});
         REQUIRE(point);
         CHECK(point->kind == CriticalKind::fold);
         CHECK(point->p == Approx(limit).epsilon(1e-11));
@@ -86,7 +86,7 @@ TEST_CASE("bifurcation points: quadratic from 1 % and from 5 % off, and the root
     const auto dome = star_dome(.5, 1);
     for (const double off : {0.01, 0.05}) {
         CriticalPointSolver<Truss> solver(dome);
-        const auto point = solver.solve(loaded(dome, (1 - off) * critical), (1 - off) * critical, 0);
+        const auto point = solver.solve(loaded(dome, (1 - off) * critical), (1 - off) * critical);
         REQUIRE(point);
         CHECK(point->kind == CriticalKind::pitchfork);
         CHECK(point->p == Approx(critical).epsilon(1e-11));
@@ -114,8 +114,8 @@ TEST_CASE("the coefficients of the bifurcation equation: exact derivatives and d
         const ShallowArch arch{l};
         const Exact exact{{l}};
         const double p = arch.bifurcation();
-        const auto by_differences = CriticalPointSolver<ShallowArch>(arch).solve(near, p, 1);
-        const auto by_derivatives = CriticalPointSolver<Exact>(exact).solve(near, p, 1);
+        const auto by_differences = CriticalPointSolver<ShallowArch>(arch).solve(near, p, Border{1, 1});
+        const auto by_derivatives = CriticalPointSolver<Exact>(exact).solve(near, p, Border{1, 1});
         REQUIRE((by_differences && by_derivatives));
         CHECK(by_derivatives->p == Approx(p).epsilon(1e-13));
         CHECK(by_differences->a == Approx(by_derivatives->a).margin(1e-8));
@@ -145,7 +145,7 @@ TEST_CASE("isola centre, and a trans-critical point at which dg/dp vanishes") {
     };
     const auto at = [](int which, double x, double p) {
         const Scalar problem{which};
-        return CriticalPointSolver<Scalar>(problem).solve(VectorXd::Constant(1, x), p, 0);
+        return CriticalPointSolver<Scalar>(problem).solve(VectorXd::Constant(1, x), p);
     };
     const auto isola = at(0, 1e-3, 1e-3);
     REQUIRE(isola);

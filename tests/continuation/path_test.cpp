@@ -160,3 +160,33 @@ TEST_CASE("paths are refused for options out of range") {
     CHECK(refusal({.most_corrections = 1}) == "most_corrections = 1: must be at least 2");
     CHECK(refusal({}).empty());
 }
+
+namespace {
+
+struct ArchByHeight : ShallowArch {
+    double control(const VectorXd& a, double) const { return a(0) + a(0) * a(0) * a(0); }
+};
+
+}  // namespace
+
+TEST_CASE("control by a scalar of the problem, which falls all along the branch") {
+    const ArchByHeight arch{{1.9}};
+    PathOptions options;
+    options.constraint = StepConstraint::scalar;
+    PathStepper<ArchByHeight> stepper(arch, options);
+    auto point = stepper.start(Eigen::Vector2d(1.9, 0), 0.0, 1);
+    REQUIRE(point);
+    // through both folds
+    for (int k = 0; k < 60 && point->q(0) > -1.5; ++k) {
+        const double before = arch.control(point->q, 0);
+        const double h = 0.05;
+        const Direction gradient = control_gradient(arch, point->q, point->p, 2);
+        const double wanted = before + h * (gradient.q.dot(point->tangent.q) + gradient.p * point->tangent.p);
+        point = stepper.step(*point, h);
+        REQUIRE(point);
+        CHECK(arch.control(point->q, 0) == Approx(wanted).margin(1e-10));
+        CHECK(arch.residual(point->q, point->p).norm() < 1e-10);
+    }
+    CHECK(point->q(0) < 0);
+    CHECK_THROWS_WITH(PathStepper<ShallowArch>(ShallowArch{2}, options), Catch::Contains("constraint"));
+}

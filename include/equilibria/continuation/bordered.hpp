@@ -1,13 +1,13 @@
 /// \file
 /// The linear algebra of a step of continuation: one factorisation for everything, also at a singular tangent.
 ///
-///     B = [ K      e_i ]      B [ x   ]   [ f  ]
+///     B = [ K      e_j ]      B [ x   ]   [ f  ]
 ///         [ e_i^T  0   ],       [ tau ] = [ xi ]
 ///
-/// is regular where K has at most a simple null vector phi with phi_i != 0, thus at folds and simple bifurcations. What
-/// is factored is K without its row and column i ("displacement control of unknown i"), never the nearly singular K.
-/// Then
-///     B [r; sigma] = [0; 1]         sigma = -det K / det K without i: 0 at every singular point, smooth, signed;
+/// is regular where K has at most a simple null vector phi, with phi_i != 0, and a left one psi with psi_j != 0, thus at
+/// folds and simple bifurcations. For a symmetric K j = i. What is factored is K without its row j and column i
+/// ("displacement control of unknown i"), never the nearly singular K. Then
+///     B [r; sigma] = [0; 1]         sigma = -det K / det K without them: 0 at every singular point, smooth, signed;
 ///                                   r is the null vector there, with r_i = 1
 ///     B [s; -mu] = [-dg/dp; 0]      mu = r^T dg/dp for a symmetric K: 0 at bifurcations alone
 ///     (mu r + sigma s, sigma)       is a tangent of the branch, at folds as well
@@ -38,22 +38,30 @@ struct BorderedSolution {
     double tau = 0;
 };
 
+/// Where e_i and e_j of B have their ones: the same place for a symmetric K.
+struct Border {
+    Eigen::Index row = 0;     ///< j
+    Eigen::Index column = 0;  ///< i
+    friend bool operator==(const Border&, const Border&) = default;
+};
+
 namespace detail {
 
-/// K with row and column i replaced by those of the unit matrix (times `diagonal`), dense or sparse.
-inline Eigen::MatrixXd without(const Eigen::MatrixXd& k, Eigen::Index i, double diagonal) {
+/// K with the border's row and column replaced by zeros and, where they cross, `corner`; dense or sparse.
+inline Eigen::MatrixXd without(const Eigen::MatrixXd& k, Border border, double corner) {
     Eigen::MatrixXd y = k;
-    y.row(i).setZero();
-    y.col(i).setZero();
-    y(i, i) = diagonal;
+    y.row(border.row).setZero();
+    y.col(border.column).setZero();
+    y(border.row, border.column) = corner;
     return y;
 }
-/// The pattern of K stays, so that it is analysed once.
-inline Eigen::SparseMatrix<double> without(const Eigen::SparseMatrix<double>& k, Eigen::Index i, double diagonal) {
+/// The pattern of K stays, so that it is analysed once, where the entry of the corner is stored.
+inline Eigen::SparseMatrix<double> without(const Eigen::SparseMatrix<double>& k, Border border, double corner) {
     Eigen::SparseMatrix<double> y = k;
     for (Eigen::Index c = 0; c < y.outerSize(); ++c)
         for (Eigen::SparseMatrix<double>::InnerIterator entry(y, c); entry; ++entry)
-            if (entry.row() == i || entry.col() == i) entry.valueRef() = entry.row() == entry.col() ? diagonal : 0.0;
+            if (entry.row() == border.row || entry.col() == border.column) entry.valueRef() = 0;
+    y.coeffRef(border.row, border.column) = corner;
     return y;
 }
 
@@ -85,18 +93,18 @@ public:
     static constexpr bool sparse = !std::is_same_v<Matrix, Eigen::MatrixXd>;
 
     explicit BorderedSolver(bool symmetric) : symmetric_(symmetric) {}
+    bool symmetric() const { return symmetric_; }
 
-    /// Factors K without i. False where that is singular to working precision, or K not finite.
-    bool factor(const Matrix& k, Eigen::Index i) {
+    /// Factors K without the border's row and column. False where that is singular to working precision, or K not
+    /// finite.
+    bool factor(const Matrix& k, Border border) {
         k_ = k;
-        i_ = i;
+        border_ = border;
         const double size = detail::largest_entry(k);
         if (!std::isfinite(size)) return false;
-        without_ = detail::without(k, i, size > 0 ? size : 1.0);
-        column_ = k_.col(i);
-        column_(i) = 0;
-        row_ = row_rest_ = Eigen::VectorXd(k_.transpose().col(i));
-        row_rest_(i) = 0;
+        without_ = detail::without(k, border, size > 0 ? size : 1.0);
+        column_ = k_.col(border.column);
+        row_ = k_.transpose().col(border.row);
         negative_.reset();
         if constexpr (sparse)
             return factor_sparse();
@@ -104,7 +112,7 @@ public:
             return factor_dense();
     }
 
-    Eigen::Index pinned() const { return i_; }
+    Border border() const { return border_; }
 
     BorderedSolution solve(const Eigen::VectorXd& f, double xi) const { return solve(f, xi, false); }
     /// With B^T.
@@ -176,17 +184,19 @@ private:
     }
 
     BorderedSolution solve(const Eigen::VectorXd& f, double xi, bool transposed) const {
-        const Eigen::VectorXd& column = transposed ? row_rest_ : column_;
+        // of B^T, row and column change places
+        const Eigen::VectorXd &row = transposed ? column_ : row_, &column = transposed ? row_ : column_;
+        const Eigen::Index j = transposed ? border_.column : border_.row, i = transposed ? border_.row : border_.column;
         BorderedSolution y{Eigen::VectorXd::Zero(f.size()), 0};
         Eigen::VectorXd rest = f - xi * column;
         // the second round removes the rounding of the first
         for (int round = 0; round < 2; ++round) {
-            rest(i_) = 0;
+            rest(j) = 0;
             y.x += solve_without(rest, transposed);
-            y.x(i_) = xi;
+            y.x(i) = xi;
             if (round == 0) rest = f - apply(y.x, transposed);
         }
-        y.tau = f(i_) - (transposed ? k_.col(i_).dot(y.x) : row_.dot(y.x));
+        y.tau = f(j) - row.dot(y.x);
         return y;
     }
     Eigen::VectorXd apply(const Eigen::VectorXd& x, bool transposed) const {
@@ -199,10 +209,10 @@ private:
 
     bool symmetric_, analysed_ = false, use_lu_ = false;
     Matrix k_, without_;
-    Eigen::Index i_ = 0;
-    Eigen::VectorXd column_, row_, row_rest_;  ///< number i of K; `column_` and `row_rest_` without the diagonal
+    Border border_;
+    Eigen::VectorXd column_, row_;  ///< of K at the border
     int sign_without_ = 1;
-    std::optional<int> negative_;  ///< of a sparse K without i
+    std::optional<int> negative_;  ///< of a sparse K without the border
     std::conditional_t<sparse, None, Eigen::PartialPivLU<Eigen::MatrixXd>> dense_;
     std::conditional_t<sparse, LDLT, None> ldlt_;
     std::conditional_t<sparse, LU, None> lu_;
@@ -212,47 +222,120 @@ private:
 struct WeakDirection {
     BorderedSolution r;         ///< [r; sigma] of that border
     Eigen::VectorXd direction;  ///< by inverse iteration, of length 1 by the weights
-    double eigenvalue = 0;      ///< its Rayleigh quotient by the weights
+    Eigen::VectorXd left;       ///< the same of K^T; empty for a symmetric K
+    double eigenvalue = 0;      ///< left^T K direction: for a symmetric K its Rayleigh quotient by the weights
 };
 
-/// Factors K with the border at an unknown in which the weakest direction is large; `pinned` is where the search starts
-/// and where it ends. `multipliers`: how many of the last unknowns must not be chosen. Nothing where all of some
-/// borders are singular: nullity 2 or more, or K not finite.
+namespace detail {
+
+/// How many of the unknowns may hold the border: multipliers, the last ones, only where the weakest direction is one of
+/// multipliers alone, at a dead point of a mechanism.
+inline Eigen::Index border_candidates(const Eigen::VectorXd& direction, int multipliers) {
+    const Eigen::Index own = direction.size() - multipliers;
+    return direction.head(own).norm() < 0.01 * direction.norm() ? direction.size() : own;
+}
+
+/// A border for a K of which none is known: where the weakest directions are large, by inverse iteration with K, its
+/// diagonal disturbed so that it is regular.
+template <class Matrix>
+Border border_for(const Matrix& k, const Eigen::VectorXd& weights, int multipliers, bool symmetric) {
+    constexpr bool sparse = !std::is_same_v<Matrix, Eigen::MatrixXd>;
+    using LU = std::conditional_t<sparse, Eigen::SparseLU<Eigen::SparseMatrix<double>>,
+                                  Eigen::PartialPivLU<Eigen::MatrixXd>>;
+    const Eigen::VectorXd noise = 1e-8 * largest_entry(k) * generic_vector(k.rows(), 1);
+    Matrix disturbed = k;
+    disturbed += Matrix(noise.asDiagonal());
+    LU lu;
+    lu.compute(disturbed);
+    Eigen::VectorXd right = generic_vector(k.rows()), left = right;
+    for (int iteration = 0; iteration < 3; ++iteration) {
+        const Eigen::VectorXd from_right = weights.cwiseProduct(right), from_left = weights.cwiseProduct(left);
+        right = lu.solve(symmetric ? from_right : from_left);
+        left = symmetric ? right : Eigen::VectorXd(lu.transpose().solve(from_right));
+        right.normalize();
+        left.normalize();
+    }
+    Border y;
+    const Eigen::VectorXd root = weights.cwiseSqrt();
+    root.cwiseProduct(right).head(border_candidates(right, multipliers)).cwiseAbs().maxCoeff(&y.column);
+    y.row = y.column;
+    if (!symmetric) {
+        // K without row j and column i is regular where entry (i, j) of K^-1 is not 0
+        left = lu.transpose().solve(Eigen::VectorXd::Unit(k.rows(), y.column));
+        root.cwiseProduct(left).head(border_candidates(left, multipliers)).cwiseAbs().maxCoeff(&y.row);
+    }
+    return y;
+}
+
+}  // namespace detail
+
+/// Factors K with the border at an unknown (and a row) in which the weakest direction is large; `border` is where the
+/// search starts and where it ends. `multipliers`: how many of the last unknowns are. Nothing where all
+/// of some borders are singular: nullity 2 or more, or K not finite.
 template <class Matrix>
 std::optional<WeakDirection> factor_at_weakest(BorderedSolver<Matrix>& solver, const Matrix& k,
-                                               const Eigen::VectorXd& weights, int multipliers, Eigen::Index& pinned) {
+                                               const Eigen::VectorXd& weights, int multipliers, Border& border) {
     const Eigen::Index size = k.rows() - multipliers;
-    const Eigen::VectorXd root = weights.cwiseSqrt();
-    const auto length = [&](const Eigen::VectorXd& v) { return root.cwiseProduct(v).norm(); };
-    const Eigen::VectorXd start = detail::generic_vector(k.rows());
+    if (size == 0) return std::nullopt;
+    const bool symmetric = solver.symmetric();
+    const Eigen::VectorXd root = weights.cwiseSqrt(), zero = Eigen::VectorXd::Zero(k.rows());
+    const auto normalize = [&](Eigen::VectorXd& v) {
+        const double length = root.cwiseProduct(v).norm();
+        if (std::isfinite(length) && length > 0) v /= length;
+    };
+    // K^-1 f by the border, up to length
+    const auto inverse = [&](const BorderedSolution& f, const BorderedSolution& r) {
+        return r.tau != 0 ? Eigen::VectorXd(f.x - f.tau / r.tau * r.x) : r.x;
+    };
     int singular = 0;
     WeakDirection y;
     for (int round = 0; round < 4;) {
-        if (!solver.factor(k, pinned)) {
-            if (++singular > 4 || size == 0) return std::nullopt;
-            pinned = (pinned + 1 + (singular * size) / 5) % size;
+        if (!solver.factor(k, border)) {
+            if (++singular > 4 || !std::isfinite(detail::largest_entry(k))) return std::nullopt;
+            if (singular == 1)
+                border = detail::border_for(k, weights, multipliers, symmetric);
+            else
+                border.column = border.row = (border.column + 1 + (singular * size) / 5) % size;
             continue;
         }
         ++round;
-        y.r = solver.solve(Eigen::VectorXd::Zero(k.rows()), 1);
-        y.direction = start;
+        y.r = solver.solve(zero, 1);
+        const BorderedSolution l = symmetric ? BorderedSolution{} : solver.solve_transposed(zero, 1);
+        y.direction = detail::generic_vector(k.rows());
+        if (!symmetric) y.left = y.direction;
         for (int iteration = 0; iteration < 3; ++iteration) {
-            const BorderedSolution f = solver.solve(weights.cwiseProduct(y.direction), 0);
-            y.direction = y.r.tau != 0 ? Eigen::VectorXd(f.x - f.tau / y.r.tau * y.r.x) : y.r.x;
-            const double size_now = length(y.direction);
-            if (!std::isfinite(size_now) || size_now == 0) break;
-            y.direction /= size_now;
+            if (symmetric) {
+                y.direction = inverse(solver.solve(weights.cwiseProduct(y.direction), 0), y.r);
+            } else {
+                const Eigen::VectorXd from = weights.cwiseProduct(y.direction);
+                y.direction = inverse(solver.solve(weights.cwiseProduct(y.left), 0), y.r);
+                y.left = inverse(solver.solve_transposed(from, 0), l);
+                normalize(y.left);
+            }
+            normalize(y.direction);
         }
-        Eigen::Index best = 0;
-        const auto entry = [&](Eigen::Index i) { return root(i) * std::abs(y.direction(i)); };
-        for (Eigen::Index i = 1; i < size; ++i)
-            if (entry(i) > entry(best)) best = i;
-        if (!(entry(best) > 2 * entry(pinned))) break;
-        pinned = best;
+        const auto largest = [&](const Eigen::VectorXd& v, Eigen::Index now) {
+            Eigen::Index best = 0;
+            const auto entry = [&](Eigen::Index i) { return root(i) * std::abs(v(i)); };
+            const Eigen::Index candidates = detail::border_candidates(v, multipliers);
+            for (Eigen::Index i = 1; i < candidates; ++i)
+                if (entry(i) > entry(best)) best = i;
+            return entry(best) > 2 * entry(now) || now >= candidates ? best : now;
+        };
+        Border better;
+        better.column = largest(y.direction, border.column);
+        better.row = better.column;
+        if (!symmetric) {
+            // K without row j and column i is regular where entry (i, j) of K^-1 is not 0
+            const Eigen::VectorXd unit = Eigen::VectorXd::Unit(k.rows(), better.column);
+            better.row = largest(inverse(solver.solve_transposed(unit, 0), l), border.row);
+        }
+        if (better == border) break;
+        border = better;
     }
-    if (solver.pinned() != pinned && !solver.factor(k, pinned)) return std::nullopt;
-    y.r = solver.solve(Eigen::VectorXd::Zero(k.rows()), 1);
-    y.eigenvalue = y.direction.dot(k * y.direction);
+    if (solver.border() != border && !solver.factor(k, border)) return std::nullopt;
+    y.r = solver.solve(zero, 1);
+    y.eigenvalue = (symmetric ? y.direction : y.left).dot(k * y.direction);
     return y;
 }
 

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <initializer_list>
 #include <iterator>
+#include <string>
 #include <vector>
 
 #include <equilibria/continuation/events.hpp>
@@ -44,6 +45,11 @@ struct Branch {
         std::size_t step;  ///< between points step and step + 1
         CriticalPoint<P> point;
     };
+    struct Crossing {
+        std::size_t step;
+        std::size_t function;  ///< number of the event function
+        BranchPoint<P> point;  ///< where it is 0
+    };
     struct Unexplained {
         std::size_t step;
         std::string reason;
@@ -51,6 +57,7 @@ struct Branch {
 
     std::vector<BranchPoint<P>> points;
     std::vector<Event> events;
+    std::vector<Crossing> crossings;       ///< zeros of event functions
     std::vector<Unexplained> unexplained;  ///< steps whose changes of sign the events do not account for
     BranchEnd end = BranchEnd::steps;
 };
@@ -93,9 +100,11 @@ private:
     BranchPoint<P> start_;
 };
 
-/// Follows the branch from one of its points, in the direction of its tangent.
+/// Follows the branch from one of its points, in the direction of its tangent. functions: located where they change
+/// sign.
 template <ContinuationProblem P>
-Branch<P> follow(PathStepper<P>& stepper, const BranchPoint<P>& start, const ContinuationOptions& options) {
+Branch<P> follow(PathStepper<P>& stepper, const BranchPoint<P>& start, const ContinuationOptions& options,
+                 const std::vector<EventFunction<P>>& functions = {}) {
     Branch<P> branch;
     branch.points.push_back(start);
     EventFinder<P> finder(stepper, options.critical);
@@ -111,6 +120,14 @@ Branch<P> follow(PathStepper<P>& stepper, const BranchPoint<P>& start, const Con
         auto events = finder.between(from, *next);
         for (auto& point : events.points) branch.events.push_back({step, std::move(point)});
         if (!events.explained) branch.unexplained.push_back({step, std::move(events.reason)});
+        for (std::size_t f = 0; f < functions.size(); ++f) {
+            const double at_from = functions[f].value(from), at_next = functions[f].value(*next);
+            if (!(at_from * at_next < 0 || (at_next == 0 && at_from != 0))) continue;
+            if (auto zero = detail::zero_between(stepper, functions[f], from, *next))
+                branch.crossings.push_back({step, f, std::move(*zero)});
+            else
+                branch.unexplained.push_back({step, functions[f].name + " changes sign, and no zero was found"});
+        }
         before = from;
         branch.points.push_back(std::move(*next));
         const BranchPoint<P>& last = branch.points.back();
@@ -133,11 +150,12 @@ Branch<P> follow(PathStepper<P>& stepper, const BranchPoint<P>& start, const Con
 }
 
 /// Follows the equilibria of a problem from the one near q at the parameter p, towards larger parameters (direction 1)
-/// or smaller ones (-1): through folds, with each critical point on the way. Without points where there is no
-/// equilibrium near q. Throws InvalidArgument for options out of range and for a problem that fails check_derivatives.
+/// or smaller ones (-1): through folds, with each critical point and each zero of `functions` on the way. Without points
+/// where there is no equilibrium near q. Throws InvalidArgument for options out of range and for a problem that fails check_derivatives.
 template <ContinuationProblem P>
 Branch<P> continue_branch(const P& problem, const Configuration<P>& q, double p, int direction,
-                          const ContinuationOptions& options = {}) {
+                          const ContinuationOptions& options = {},
+                          const std::vector<EventFunction<P>>& functions = {}) {
     options.validate();
     require(direction == 1 || direction == -1, "direction", direction, "must be 1 or -1");
     check_derivatives(problem, q, p);
@@ -148,7 +166,7 @@ Branch<P> continue_branch(const P& problem, const Configuration<P>& q, double p,
         none.end = BranchEnd::stopped;
         return none;
     }
-    return follow(stepper, *start, options);
+    return follow(stepper, *start, options, functions);
 }
 
 /// Whether a point lies on a branch, between two of its points.

@@ -1,20 +1,15 @@
 /// \file
-/// A converged point of a branch, and directions in the space of configurations and parameter.
+/// A converged point of a branch.
 #pragma once
 
 #include <optional>
 
 #include <Eigen/Core>
 
+#include <equilibria/continuation/bordered.hpp>
 #include <equilibria/continuation/problem.hpp>
 
 namespace equilibria {
-
-/// A direction of (q, p) space: an increment of q, and one of p.
-struct Direction {
-    Eigen::VectorXd q;
-    double p = 0;
-};
 
 /// A converged point of a branch.
 template <class P>
@@ -23,9 +18,10 @@ struct BranchPoint {
     double p = 0;
     Direction tangent;               ///< of length 1, along the direction of travel
     Eigen::VectorXd weak_direction;  ///< of length 1: nearly the eigenvector of the smallest eigenvalue
+    Eigen::VectorXd weak_left;       ///< the same of K^T where K is not symmetric, else empty
     double weak_eigenvalue = 0;      ///< of K against the weights
     double sigma = 0, mu = 0;        ///< test functions, see bordered.hpp
-    Eigen::Index pinned = 0;         ///< the border's unknown i: the largest of the weak direction
+    Border border;                   ///< where the weak directions are large
     std::optional<int> negative;     ///< negative eigenvalues of K
     int determinant_sign = 1;        ///< of K
     double residual = 0;             ///< |g|, the largest entry

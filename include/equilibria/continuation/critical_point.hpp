@@ -28,6 +28,7 @@ enum class CriticalKind {
     hilltop,        ///< a fold and a bifurcation in one point, or tangential branches: the equation is degenerate
     cusp,           ///< a fold whose quadratic coefficient vanishes
     multiple,       ///< more than one null vector
+    kinematic,      ///< dead point: the constraints lose rank, the null vector is one of multipliers alone
 };
 constexpr const char* to_string(CriticalKind kind) {
     constexpr const char* names[] = {"fold",    "transcritical", "pitchfork", "isola centre",
@@ -82,11 +83,12 @@ public:
     CriticalPointSolver(const P& problem, const CriticalPointOptions& options = {})
         : problem_(&problem), options_(options), solver_(symmetric_tangent<P>) {}
 
-    /// The critical point next to (q, p); nothing where neither system converges. pinned: the unknown with which the
-    /// search for the weakest direction begins.
-    std::optional<CriticalPoint<P>> solve(const Configuration<P>& q, double p, Eigen::Index pinned) {
+    /// The critical point next to (q, p); nothing where neither system converges. border: with which the search for the
+    /// weakest direction begins.
+    std::optional<CriticalPoint<P>> solve(const Configuration<P>& q, double p, Border border = {}) {
         weights_ = weights(*problem_, q, problem_->residual(q, p).size());
-        pinned_ = pinned;
+        border_ = border;
+        scale_p_ = 0;
         CriticalPoint<P> point;
         point.q = q;
         point.p = p;
@@ -140,7 +142,7 @@ private:
     double rounding() const {
         return 1e3 * std::numeric_limits<double>::epsilon() * (detail::largest_entry(k_) + detail::largest_entry(dr_));
     }
-    /// Whether K has another null vector: K without the pinned unknown is singular to the digits of a Newton iteration.
+    /// Whether K has another null vector: K without the border is singular to the digits of a Newton iteration.
     /// It is left in `second`.
     bool two_null_vectors(Eigen::VectorXd& second) const {
         const Eigen::VectorXd f = detail::generic_vector(g_.size());
@@ -159,7 +161,7 @@ private:
         if (!g_.allFinite()) return false;
         g_p_ = problem_->parameter_derivative(q, p);
         k_ = problem_->tangent(q, p);
-        const auto weak = factor_at_weakest(solver_, k_, weights_, multipliers(*problem_), pinned_);
+        const auto weak = factor_at_weakest(solver_, k_, weights_, multipliers(*problem_), border_);
         if (!weak) return false;
         r_ = weak->r;
         left_ = symmetric_tangent<P> ? r_ : solver_.solve_transposed(Eigen::VectorXd::Zero(g_.size()), 1);
@@ -294,7 +296,7 @@ private:
     BorderedSolution r_, left_, s_, q0_;
     const Configuration<P>* q_ = nullptr;
     double p_ = 0, residual_ = 0, a_ = 0, b_ = 0, c_ = 0, scale_p_ = 0;
-    Eigen::Index pinned_ = 0;
+    Border border_;
 };
 
 }  // namespace equilibria

@@ -9,12 +9,13 @@
 ///     two eigenvalues or more    several points close to each other, or one with several null vectors
 /// Where the points found do not account for the step it is halved, down to a resolution; so it is where an
 /// eigenvalue's slope at one end predicts a zero in the step that is not seen at the other (two that change in opposite
-/// directions).
+/// directions). Where it only touches 0 that is a dead point of a mechanism, or tangential branches.
 #pragma once
 
 #include <vector>
 
 #include <equilibria/continuation/critical_point.hpp>
+#include <equilibria/continuation/event_function.hpp>
 
 namespace equilibria {
 
@@ -51,14 +52,43 @@ private:
     bool suspicious(const Point& a, const Point& b) const {
         const double h = b.arc_length - a.arc_length;
         const auto predicted = [&](const Point& from, double ahead) {
-            const P& problem = stepper_->problem();
-            const double slope = from.weak_direction.dot(tangent_derivative(problem, from.q, from.p, from.tangent.q) *
-                                                         from.weak_direction) +
-                                 from.tangent.p * from.weak_direction.dot(parameter_derivative_along(
-                                                      problem, from.q, from.p, from.weak_direction));
-            return from.weak_eigenvalue * (from.weak_eigenvalue + ahead * slope) < 0;
+            return from.weak_eigenvalue * (from.weak_eigenvalue + ahead * slope(from)) < 0;
         };
         return predicted(a, h) || predicted(b, -h);
+    }
+    /// Of the weakest eigenvalue along the branch.
+    double slope(const Point& from) const {
+        const P& problem = stepper_->problem();
+        const Eigen::VectorXd& left = symmetric_tangent<P> ? from.weak_direction : from.weak_left;
+        return left.dot(tangent_derivative(problem, from.q, from.p, from.tangent.q) * from.weak_direction) +
+               from.tangent.p * left.dot(parameter_derivative_along(problem, from.q, from.p, from.weak_direction));
+    }
+
+    /// Where the weakest eigenvalue only touches 0 between a and b.
+    std::optional<CriticalPoint<P>> touching(const Point& a, const Point& b) {
+        const EventFunction<P> approach{
+            "approach", [this](const Point& at) { return at.weak_eigenvalue < 0 ? -slope(at) : slope(at); }};
+        if (!(approach.value(a) < 0 && approach.value(b) > 0)) return std::nullopt;
+        const auto nearest = detail::zero_between(*stepper_, approach, a, b);
+        const double far = std::max(std::abs(a.weak_eigenvalue), std::abs(b.weak_eigenvalue));
+        if (!nearest || !(std::abs(nearest->weak_eigenvalue) < 1e-6 * far)) return std::nullopt;
+        // it does not cross 0 there, to be crossed by another one next to it
+        const double at = nearest->arc_length - a.arc_length, margin = 0.02 * (b.arc_length - a.arc_length);
+        const auto left = stepper_->step(a, at - margin), right = stepper_->step(a, at + margin);
+        if (!left || !right || changes(a, *left) != 0 || changes(*left, *right) != 0) return std::nullopt;
+        CriticalPoint<P> y;
+        y.q = nearest->q;
+        y.p = nearest->p;
+        y.null_vector = nearest->weak_direction;
+        y.left_null_vector = symmetric_tangent<P> ? nearest->weak_direction : nearest->weak_left;
+        y.residual = nearest->residual;
+        y.sigma = nearest->sigma;
+        y.negative_before = a.negative;
+        y.negative_after = b.negative;
+        const Eigen::Index own = y.null_vector.size() - multipliers(stepper_->problem());
+        const bool of_multipliers = y.null_vector.head(own).norm() < 1e-4 * y.null_vector.norm();
+        y.kind = of_multipliers ? CriticalKind::kinematic : CriticalKind::hilltop;
+        return y;
     }
 
     void locate(const Point& a, const Point& b, int depth, StepEvents<P>& out) {
@@ -66,7 +96,11 @@ private:
         const bool turned = folds(a, b);
         const double h = b.arc_length - a.arc_length;
         if (count == 0 && !turned) {
-            if (depth < 6 && suspicious(a, b)) halve(a, b, depth, out);
+            if (!suspicious(a, b)) return;
+            if (auto point = touching(a, b))
+                out.points.push_back(std::move(*point));
+            else if (depth < 6)
+                halve(a, b, depth, out);
             return;
         }
         if (count <= 1) {
@@ -74,7 +108,7 @@ private:
             const bool first = std::abs(a.weak_eigenvalue) < std::abs(b.weak_eigenvalue);
             for (const Point* from : {first ? &a : &b, first ? &b : &a}) {
                 CriticalPointSolver<P> solver(stepper_->problem(), options_);
-                auto point = solver.solve(from->q, from->p, from->pinned);
+                auto point = solver.solve(from->q, from->p, from->border);
                 if (!point) continue;
                 const std::optional<double> share = share_of(a, b, *point);
                 if (!share) continue;
@@ -107,14 +141,16 @@ private:
 
     void halve(const Point& a, const Point& b, int depth, StepEvents<P>& out) {
         const double h = b.arc_length - a.arc_length;
-        auto middle = stepper_->step(a, h / 2);
-        if (!middle) {
-            out.explained = out.explained && changes(a, b) == 0 && !folds(a, b);
-            if (!out.explained) out.reason = "the branch was lost between p = " + to_text(a.p) + " and " + to_text(b.p);
-            return;
-        }
-        locate(a, *middle, depth + 1, out);
-        locate(*middle, b, depth + 1, out);
+        // the middle may be the very point at which the branch is ill determined
+        for (const double share : {0.5, 0.37, 0.71})
+            if (const auto middle = stepper_->step(a, share * h)) {
+                locate(a, *middle, depth + 1, out);
+                locate(*middle, b, depth + 1, out);
+                return;
+            }
+        if (changes(a, b) == 0 && !folds(a, b)) return;
+        out.explained = false;
+        out.reason = "the branch was lost between p = " + to_text(a.p) + " and " + to_text(b.p);
     }
 
     /// Where the point lies between a and b, from 0 to 1, as far as a chord tells; nothing if it does not.
@@ -152,7 +188,8 @@ private:
         y.negative_after = b.negative;
         y.q = close.q;
         y.p = close.p;
-        y.null_vector = y.left_null_vector = close.weak_direction;
+        y.null_vector = close.weak_direction;
+        y.left_null_vector = symmetric_tangent<P> ? close.weak_direction : close.weak_left;
         y.residual = close.residual;
         y.sigma = close.sigma;
         y.null_vectors = stepper_->weak_directions(close.q, close.p, y.nullity);

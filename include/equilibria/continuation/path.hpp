@@ -31,6 +31,8 @@ public:
     PathStepper(const P& problem, const PathOptions& options)
         : problem_(&problem), options_(options), solver_(symmetric_tangent<P>), theta_(options.parameter_weight) {
         options.validate();
+        require(options.constraint != StepConstraint::scalar || Controlled<P>, "constraint", "scalar",
+                "must not be asked of a problem without control(q, p)");
     }
 
     const P& problem() const { return *problem_; }
@@ -43,6 +45,7 @@ public:
         weights_ = weights(*problem_, q, problem_->residual(q, p).size());
         const std::optional<int> corrections = correct_at(q, p);
         if (!corrections) return std::nullopt;
+        q = rebase(*problem_, std::move(q), p);
         auto point = assess(q, p, std::nullopt);
         if (!point) return std::nullopt;
         if (direction * point->tangent.p < 0) flip(point->tangent);
@@ -108,7 +111,7 @@ public:
         from.q = q;
         from.p = p;
         from.tangent = along;
-        pinned_ = largest(increment.q);
+        border_.column = border_.row = largest(increment.q);
         Constraint constraint;
         constraint.kind = StepConstraint::normal_plane;
         constraint.normal = normal;
@@ -137,15 +140,16 @@ public:
         point.q = q;
         point.p = p;
         point.residual = g.size() > 0 ? g.template lpNorm<Eigen::Infinity>() : 0;
-        const auto weak = factor_at_weakest(solver_, k, weights_, multipliers(*problem_), pinned_);
+        const auto weak = factor_at_weakest(solver_, k, weights_, multipliers(*problem_), border_);
         if (!weak) return std::nullopt;
         const BorderedSolution& r = weak->r;
         const BorderedSolution s = solver_.solve(-g_p, 0);
         point.sigma = r.tau;
         point.mu = -s.tau;
         point.weak_direction = weak->direction;
+        point.weak_left = weak->left;
         point.weak_eigenvalue = weak->eigenvalue;
-        point.pinned = pinned_;
+        point.border = border_;
         point.negative = solver_.negative(r.tau);
         point.determinant_sign = solver_.sign_of_determinant(r.tau);
         if (theta_ == 0) {
@@ -196,6 +200,7 @@ private:
         StepConstraint kind = StepConstraint::normal_plane;
         Direction normal;     ///< of planes
         double distance = 0;  ///< of sphere and cylinder
+        double target = 0;    ///< of a scalar
     };
 
     double scaled(const Eigen::VectorXd& v, Eigen::Index i) const { return std::sqrt(weights_(i)) * std::abs(v(i)); }
@@ -207,14 +212,12 @@ private:
         return best;
     }
 
-    /// Factors K without the pinned unknown, or without another one where that is singular.
+    /// Factors K with the last border, or with another one where that is singular.
     bool factor(const Matrix& k) {
-        const Eigen::Index size = k.rows() - multipliers(*problem_);
-        for (int attempt = 0; attempt < 4; ++attempt) {
-            if (solver_.factor(k, pinned_)) return true;
-            pinned_ = (pinned_ + 1 + (attempt * size) / 4) % std::max<Eigen::Index>(size, 1);
-        }
-        return false;
+        if (solver_.factor(k, border_)) return true;
+        if (!std::isfinite(detail::largest_entry(k))) return false;
+        border_ = detail::border_for(k, weights_, multipliers(*problem_), symmetric_tangent<P>);
+        return solver_.factor(k, border_);
     }
 
     Constraint normal_of(const Point& from, const Direction& predicted, double h) const {
@@ -225,13 +228,19 @@ private:
             y.normal.q(std::min(options_.controlled, predicted.q.size() - 1)) = 1;
             y.normal.p = 0;
         }
+        if constexpr (Controlled<P>)
+            if (y.kind == StepConstraint::scalar) {
+                const Direction gradient = control_gradient(*problem_, from.q, from.p, predicted.q.size());
+                y.target = problem_->control(from.q, from.p) + gradient.q.dot(predicted.q) + gradient.p * predicted.p;
+            }
         if (y.kind == StepConstraint::parameter) y.normal = {Eigen::VectorXd::Zero(predicted.q.size()), 1};
         return y;
     }
 
-    /// The gradient of the constraint, in weighted coordinates, and its value at the increment `moved`; planes have the
-    /// value 0 at every iterate.
-    std::pair<Direction, double> constraint_at(const Constraint& c, const Direction& moved) const {
+    /// The gradient of the constraint, in weighted coordinates, and its value at (q, p), the increment `moved` away from
+    /// the last point; planes have the value 0 at every iterate.
+    std::pair<Direction, double> constraint_at(const Constraint& c, const Direction& moved, const Configuration<P>& q,
+                                               double p) const {
         const auto weighted = [&](const Direction& d) {
             return Direction{weights_.cwiseProduct(d.q), theta_ * theta_ * d.p};
         };
@@ -246,6 +255,10 @@ private:
                 d.p = 0;
                 return {d, (reached2 - radius2) / 2};
             }
+            case StepConstraint::scalar:
+                if constexpr (Controlled<P>)
+                    return {control_gradient(*problem_, q, p, moved.q.size()), problem_->control(q, p) - c.target};
+                break;
             case StepConstraint::unknown:
             case StepConstraint::parameter: break;
         }
@@ -266,7 +279,7 @@ private:
             if (!factor(k_now)) return std::nullopt;
             const BorderedSolution q0 = solver_.solve(-g, 0), s = solver_.solve(-g_p, 0),
                                    r = solver_.solve(Eigen::VectorXd::Zero(g.size()), 1);
-            const auto [normal, value] = constraint_at(constraint, moved);
+            const auto [normal, value] = constraint_at(constraint, moved, q, p);
             // [sigma, t_s; n.r, n.s + n_p] [z; dp] = [-t0; -value - n.q0]
             const double a = r.tau, b = s.tau, c = normal.q.dot(r.x), d = normal.q.dot(s.x) + normal.p;
             const double e = -q0.tau, f = -value - normal.q.dot(q0.x), determinant = a * d - b * c;
@@ -289,6 +302,7 @@ private:
                 (k > 0 && contraction > 0.5 && (rounding || size <= 1e3 * tolerance(moved)))) {
                 Direction along = from.tangent;
                 along.q = transport(*problem_, from.q, moved.q, along.q);
+                q = rebase(*problem_, std::move(q), p);
                 auto point = assess(q, p, along);
                 if (!point) return std::nullopt;
                 point->corrections = k + 1;
@@ -323,7 +337,7 @@ private:
     BorderedSolver<Matrix> solver_;
     double theta_;
     Eigen::VectorXd weights_;
-    Eigen::Index pinned_ = 0;
+    Border border_;
 };
 
 }  // namespace equilibria

@@ -17,6 +17,7 @@ enum class StepConstraint {
     cylinder,       ///< at the distance h of the unknowns alone (Crisfield)
     unknown,        ///< where one unknown has moved by the predicted amount
     parameter,      ///< at the predicted parameter: load control, which fails at folds
+    scalar,         ///< where problem.control(q, p) has changed by the predicted amount
 };
 
 enum class Predictor { tangent, secant, quadratic };

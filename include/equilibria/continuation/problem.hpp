@@ -14,14 +14,18 @@
 ///     Configuration retract(q, increment)             q (+) increment; q + increment
 ///     Eigen::VectorXd transport(q, increment, v)      the tangent vector v at q, seen from retract(q, increment); v
 ///     Eigen::VectorXd difference(q, near)             the increment from q to `near`: the inverse of retract; near - q
+///     Configuration rebase(q, p)                      q written anew after a step, as charts need it; q
 ///     Eigen::VectorXd weights(q)                      of |v|^2 = sum w_i v_i^2, positive; ones
 ///     Matrix tangent_derivative(q, p, v)              dK along v; central differences of K, error O(eps^(2/3))
 ///     Eigen::VectorXd parameter_derivative_along(q, p, v)   d(dg/dp) along v; central differences
 ///     Eigen::VectorXd second_parameter_derivative(q, p)     d2g/dp2; central differences
+///     double control(q, p)                            what StepConstraint::scalar controls
+///     Direction control_gradient(q, p)                its derivatives; central differences, 2 n + 2 evaluations
 ///     int multipliers()                               how many unknowns, the last ones, are Lagrange multipliers; 0
 /// On a curved space g and K are taken at q itself: derivatives of the energy by increments of q at increment 0.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <concepts>
 #include <limits>
@@ -30,6 +34,7 @@
 #include <utility>
 
 #include <Eigen/Core>
+#include <Eigen/QR>
 #include <Eigen/SparseCore>
 
 #include <equilibria/core/error.hpp>
@@ -50,6 +55,12 @@ struct ConfigurationOf<P> {
 
 template <class P>
 using Configuration = typename detail::ConfigurationOf<P>::type;
+
+/// A direction of (q, p) space: an increment of q, and one of p.
+struct Direction {
+    Eigen::VectorXd q;
+    double p = 0;
+};
 
 /// A problem that can be continued; see the file.
 template <class P>
@@ -110,6 +121,15 @@ Eigen::VectorXd transport(const P& problem, const Configuration<P>& q, const Eig
         return problem.transport(q, increment, v);
     else
         return v;
+}
+
+/// The same configuration, written anew after a step.
+template <ContinuationProblem P>
+Configuration<P> rebase(const P& problem, Configuration<P> q, double p) {
+    if constexpr (requires { problem.rebase(q, p); })
+        return problem.rebase(q, p);
+    else
+        return q;
 }
 
 /// The weights of |v|^2 = sum w_i v_i^2 for increments of q.
@@ -180,6 +200,30 @@ Eigen::VectorXd parameter_derivative_along(const P& problem, const Configuration
     }
 }
 
+/// Whether a problem has a scalar of its own to be controlled by.
+template <class P>
+concept Controlled = ContinuationProblem<P> && requires(const P& problem, const Configuration<P>& q, double p) {
+    { problem.control(q, p) } -> std::convertible_to<double>;
+};
+
+/// The derivatives of problem.control.
+template <Controlled P>
+Direction control_gradient(const P& problem, const Configuration<P>& q, double p, Eigen::Index size) {
+    if constexpr (requires { problem.control_gradient(q, p); }) {
+        return problem.control_gradient(q, p);
+    } else {
+        const double h = detail::third_root_of_rounding, hp = h * std::max(1e-3, std::abs(p));
+        Direction y{Eigen::VectorXd(size), (problem.control(q, p + hp) - problem.control(q, p - hp)) / (2 * hp)};
+        for (Eigen::Index i = 0; i < size; ++i) {
+            const Eigen::VectorXd e = h * Eigen::VectorXd::Unit(size, i);
+            y.q(i) = (problem.control(retract(problem, q, e), p) -
+                      problem.control(retract(problem, q, Eigen::VectorXd(-e)), p)) /
+                     (2 * h);
+        }
+        return y;
+    }
+}
+
 /// d2g/dp2.
 template <ContinuationProblem P>
 Eigen::VectorXd second_parameter_derivative(const P& problem, const Configuration<P>& q, double p) {
@@ -197,12 +241,15 @@ struct DerivativeErrors {
     double tangent = 0;               ///< |K v - difference of g| over their size
     double symmetry = 0;              ///< |K v - K^T v| over |K v|; 0 where no symmetry is promised
     double parameter_derivative = 0;  ///< of dg/dp
-    double tangent_derivative = 0;    ///< of dK along v; 0 where the problem gives none
+    // 0 where the problem gives none
+    double tangent_derivative = 0;           ///< of dK along v
+    double parameter_derivative_along = 0;   ///< of d(dg/dp) along v
+    double second_parameter_derivative = 0;  ///< of d2g/dp2
 };
 
 /// Compares the derivatives of a problem with central differences along a fixed direction without zeros. Throws
-/// InvalidArgument that names the function where a value is not finite, a size does not fit or an error is above
-/// `tolerance`.
+/// InvalidArgument that names the function where a value is not finite, a size does not fit, an error is above
+/// `tolerance` or constraints are redundant: their gradients, the rows of K of the multipliers, dependent at q.
 template <ContinuationProblem P>
 DerivativeErrors check_derivatives(const P& problem, const Configuration<P>& q, double p, double tolerance = 1e-4) {
     require(std::isfinite(p), "p", p, "must be finite");
@@ -240,6 +287,18 @@ DerivativeErrors check_derivatives(const P& problem, const Configuration<P>& q, 
             TangentMatrix<P>(problem.tangent(ahead, p)) * w - TangentMatrix<P>(problem.tangent(behind, p)) * w;
         y.tangent_derivative = error(exact, difference / (2 * h), 1e-10 * (1 + kv.norm()) / tolerance);
     }
+    if constexpr (requires { problem.parameter_derivative_along(q, p, v); }) {
+        const Eigen::VectorXd difference =
+            (problem.parameter_derivative(ahead, p) - problem.parameter_derivative(behind, p)) / (2 * h);
+        y.parameter_derivative_along = error(problem.parameter_derivative_along(q, p, v), difference,
+                                             1e-10 * (1 + g_p.norm()) / tolerance);
+    }
+    if constexpr (requires { problem.second_parameter_derivative(q, p); }) {
+        const Eigen::VectorXd difference =
+            (problem.parameter_derivative(q, p + hp) - problem.parameter_derivative(q, p - hp)) / (2 * hp);
+        y.second_parameter_derivative = error(problem.second_parameter_derivative(q, p), difference,
+                                              1e-12 * (1 + g_p.norm()) / hp / tolerance);
+    }
     const auto check = [&](const char* function, double value, const char* what) {
         require(value <= tolerance, function, to_text(value) + " relative error", what);
     };
@@ -248,6 +307,20 @@ DerivativeErrors check_derivatives(const P& problem, const Configuration<P>& q, 
           "must be symmetric, or the problem must say static constexpr bool symmetric = false");
     check("problem.parameter_derivative", y.parameter_derivative, "must be the derivative of the residual by p");
     check("problem.tangent_derivative", y.tangent_derivative, "must be the derivative of the tangent along v");
+    check("problem.parameter_derivative_along", y.parameter_derivative_along,
+          "must be the derivative of parameter_derivative along v");
+    check("problem.second_parameter_derivative", y.second_parameter_derivative,
+          "must be the derivative of parameter_derivative by p");
+    if constexpr (requires { problem.multipliers(); }) {
+        const Eigen::Index m = problem.multipliers();
+        require(m >= 0 && m < g.size(), "problem.multipliers", m,
+                "must be 0 to " + std::to_string(g.size() - 1) + ", below the number of unknowns");
+        const Eigen::MatrixXd gradients = k.bottomLeftCorner(m, g.size() - m);
+        const Eigen::Index rank = m > 0 ? gradients.colPivHouseholderQr().rank() : 0;
+        require(rank == m, "problem.multipliers", m,
+                "must be the number of independent constraints: redundant ones, or a dead point, at the start, where "
+                "the rank is " + std::to_string(rank));
+    }
     return y;
 }
 

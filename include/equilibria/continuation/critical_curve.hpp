@@ -1,0 +1,453 @@
+/// \file
+/// Curves of critical points in two parameters, as continuation problems of their own: what follows a branch follows
+/// them, and folds of a fold curve are its cusps.
+///
+/// A family gives for each value of the second parameter r a problem in the first, p:
+///
+///     const auto arches = [](double rise) { return ShallowArch{rise}; };
+///     const auto curve = continue_folds(arches, fold, 2.5, -1, {.low = 1, .high = 3});
+///     for (const auto& point : curve.points) std::cout << point.p << ' ' << point.q.p << '\n';  // r, p
+///
+/// Fold curve, unknowns (p, q):            Curve of bifurcation points, unknowns (p, gamma, q):
+///     [ sigma(q, p; r) ]                      [ sigma(q, p; r)             ]
+///     [ g(q, p; r)     ] = 0                  [ mu(q, p; r)                ] = 0
+///                                             [ g(q, p; r) + gamma e_j     ]
+/// sigma and mu are those of bordered.hpp, with a border that is chosen anew after each step. Their derivatives are
+///     d sigma = -psi^T dK r        d mu = psi^T (dK s + d(dg/dp)),        psi the left null vector,
+/// exact where the problem's tangent_derivative is,
+/// otherwise, as the family's derivative by r, five-point differences, error O(eps^(4/5)).
+/// Source: Govaerts, Numerical Methods for Bifurcations of Dynamical Equilibria, chapters 3, 4 and 8.
+#pragma once
+
+#include <utility>
+#include <vector>
+
+#include <equilibria/continuation/branch.hpp>
+
+namespace equilibria {
+
+namespace detail {
+/// A derivative at 0 by the five-point difference: error O(eps^(4/5)) for a function of unknowns of size 1.
+template <class Function>
+auto five_point_difference(const Function& f, double size) {
+    const double h = std::pow(std::numeric_limits<double>::epsilon(), 0.2) / size;
+    auto near = f(h), far = f(2 * h);
+    near -= f(-h);
+    far -= f(-2 * h);
+    near *= 8 / (12 * h);
+    far *= 1 / (12 * h);
+    near -= far;
+    return near;
+}
+
+/// dK along v, with more digits than tangent_derivative where that is a difference: it becomes part of a tangent matrix
+/// whose own derivative is one.
+template <ContinuationProblem P>
+TangentMatrix<P> accurate_tangent_derivative(const P& problem, const Configuration<P>& q, double p,
+                                             const Eigen::VectorXd& v) {
+    if constexpr (requires { problem.tangent_derivative(q, p, v); }) {
+        return problem.tangent_derivative(q, p, v);
+    } else {
+        const double size = v.lpNorm<Eigen::Infinity>();
+        return five_point_difference(
+            [&](double t) -> TangentMatrix<P> {
+                return problem.tangent(equilibria::retract(problem, q, Eigen::VectorXd(t * v)), p);
+            },
+            size > 0 ? size : 1.0);
+    }
+}
+
+template <class F>
+using MemberOf = std::remove_cvref_t<std::invoke_result_t<const F&, double>>;
+}  // namespace detail
+
+/// Gives a problem in p for each value of the second parameter.
+template <class F>
+concept ProblemFamily = std::invocable<const F&, double> && ContinuationProblem<detail::MemberOf<F>>;
+
+/// A point of a curve of critical points; Q: the configuration of the member.
+template <class Q>
+struct CriticalConfiguration {
+    Q q{};
+    double p = 0;
+    double gamma = 0;  ///< of bifurcation points: 0 where the bifurcation is perfect
+    Border border;
+    double sign = 1;  ///< of sigma and mu, so that a change of border leaves no jump of the determinant's sign
+};
+
+/// Base of both curves: extra unknowns first, then q.
+template <ProblemFamily F, int extra>
+class CriticalCurve {
+public:
+    using Problem = detail::MemberOf<F>;
+    using Configuration = CriticalConfiguration<equilibria::Configuration<Problem>>;
+    using Matrix = TangentMatrix<Problem>;
+    static constexpr bool symmetric = false;
+
+    /// r: a value at which the family is defined; p_scale: a change of p that counts as much as one of 1 in the
+    /// unknowns.
+    CriticalCurve(F family, double r, double p_scale)
+        : family_(std::move(family)), any_(family_(r)), p_scale_(p_scale) {
+        require(p_scale > 0 && std::isfinite(p_scale), "p_scale", p_scale, "must be positive and finite");
+    }
+
+    Problem problem(double r) const { return family_(r); }
+    double p_scale() const { return p_scale_; }
+
+    Configuration retract(const Configuration& y, const Eigen::VectorXd& d) const {
+        Configuration moved = y;
+        moved.q = equilibria::retract(any_, y.q, Eigen::VectorXd(d.tail(d.size() - extra)));
+        moved.p += d(0);
+        if constexpr (extra == 2) moved.gamma += d(1);
+        return moved;
+    }
+    Eigen::VectorXd difference(const Configuration& y, const Configuration& near) const {
+        Eigen::VectorXd dq = equilibria::difference(any_, y.q, near.q), d(dq.size() + extra);
+        d(0) = near.p - y.p;
+        if constexpr (extra == 2) d(1) = near.gamma - y.gamma;
+        d.tail(dq.size()) = dq;
+        return d;
+    }
+    Eigen::VectorXd transport(const Configuration& y, const Eigen::VectorXd& d, const Eigen::VectorXd& v) const {
+        const Eigen::Index n = v.size() - extra;
+        Eigen::VectorXd moved = v;
+        moved.tail(n) =
+            equilibria::transport(any_, y.q, Eigen::VectorXd(d.tail(n)), Eigen::VectorXd(v.tail(n)));
+        return moved;
+    }
+    int multipliers() const { return equilibria::multipliers(any_); }
+
+    /// The same point with the border where the null vectors are largest.
+    Configuration rebase(const Configuration& y, double r) const {
+        const Problem problem = family_(r);
+        const Bordered b(problem, y);
+        if (!b.regular) return y;
+        const Eigen::Index size = b.g.size() - equilibria::multipliers(problem);
+        const Eigen::VectorXd root = equilibria::weights(problem, y.q, b.g.size()).cwiseSqrt();
+        Configuration moved = y;
+        const auto turn = [&](const Eigen::VectorXd& v, Eigen::Index& at) {
+            Eigen::Index best = 0;
+            const double largest = root.cwiseProduct(v).head(size).cwiseAbs().maxCoeff(&best);
+            if (!(largest > 2 * root(at) * std::abs(v(at)))) return;
+            if (v(best) * v(at) < 0) moved.sign = -moved.sign;
+            at = best;
+        };
+        turn(b.null.x, moved.border.column);
+        turn(b.left.x, moved.border.row);
+        if (symmetric_tangent<Problem>) moved.border.row = moved.border.column, moved.sign = y.sign;
+        return moved;
+    }
+
+    /// Everything that one factorisation at a point gives.
+    struct Bordered {
+        Bordered(const Problem& problem, const Configuration& y)
+            : g(problem.residual(y.q, y.p)), g_p(problem.parameter_derivative(y.q, y.p)), k(problem.tangent(y.q, y.p)),
+              solver(symmetric_tangent<Problem>), regular(g.allFinite() && solver.factor(k, y.border)) {
+            if (!regular) return;
+            null = solver.solve(Eigen::VectorXd::Zero(g.size()), 1);
+            left = symmetric_tangent<Problem> ? null
+                                              : solver.solve_transposed(Eigen::VectorXd::Zero(g.size()), 1);
+            slope = solver.solve(-g_p, 0);
+        }
+        double mu() const { return -slope.tau; }
+
+        Eigen::VectorXd g, g_p;
+        Matrix k;
+        BorderedSolver<Matrix> solver;
+        bool regular;
+        BorderedSolution null, left, slope;  ///< [r; sigma], the same of B^T, [s; -mu]
+    };
+
+protected:
+    static Eigen::VectorXd not_a_number(Eigen::Index size) {
+        return Eigen::VectorXd::Constant(size, std::numeric_limits<double>::quiet_NaN());
+    }
+    /// K below and to the right of `extra` rows and columns.
+    static Matrix bordered(const Matrix& k, const Eigen::MatrixXd& rows, const Eigen::MatrixXd& columns) {
+        const Eigen::Index n = k.rows();
+        if constexpr (detail::is_sparse<Problem>) {
+            std::vector<Eigen::Triplet<double>> entries;
+            for (Eigen::Index c = 0; c < k.outerSize(); ++c)
+                for (typename Matrix::InnerIterator entry(k, c); entry; ++entry)
+                    entries.emplace_back(static_cast<int>(entry.row()) + extra, static_cast<int>(entry.col()) + extra,
+                                         entry.value());
+            for (int i = 0; i < extra; ++i) {
+                for (int j = 0; j < n + extra; ++j) entries.emplace_back(i, j, rows(i, j));
+                for (int j = 0; j < n; ++j)
+                    if (columns(j, i) != 0) entries.emplace_back(j + extra, i, columns(j, i));
+            }
+            Matrix y(n + extra, n + extra);
+            y.setFromTriplets(entries.begin(), entries.end());
+            return y;
+        } else {
+            Matrix y(n + extra, n + extra);
+            y << rows, columns, k;
+            return y;
+        }
+    }
+    /// Those of p and gamma, then q's own.
+    Eigen::VectorXd weights_after(const Eigen::VectorXd& own) const {
+        Eigen::VectorXd w(own.size() + extra);
+        w.head(extra).setConstant(1 / (p_scale_ * p_scale_));
+        w.tail(own.size()) = own;
+        return w;
+    }
+    template <class Curve>
+    static Eigen::VectorXd by_second_parameter(const Curve& curve, const Configuration& y, double r) {
+        return detail::five_point_difference([&](double t) -> Eigen::VectorXd { return curve.residual(y, r + t); },
+                                             1 / std::max(1e-3, std::abs(r)));
+    }
+
+    F family_;
+    Problem any_;  ///< for what does not depend on r
+    double p_scale_;
+};
+
+/// The folds of a family; parameter r, unknowns (p, q).
+template <ProblemFamily F>
+class FoldCurve : public CriticalCurve<F, 1> {
+    using Base = CriticalCurve<F, 1>;
+
+public:
+    using typename Base::Bordered;
+    using typename Base::Configuration;
+    using typename Base::Matrix;
+    using typename Base::Problem;
+    using Base::Base;
+
+    Eigen::VectorXd residual(const Configuration& y, double r) const {
+        const Problem problem = this->family_(r);
+        const Bordered b(problem, y);
+        if (!b.regular) return Base::not_a_number(b.g.size() + 1);
+        Eigen::VectorXd f(b.g.size() + 1);
+        f << y.sign * b.null.tau, b.g;
+        return f;
+    }
+    Matrix tangent(const Configuration& y, double r) const {
+        const Problem problem = this->family_(r);
+        const Bordered b(problem, y);
+        const Eigen::Index n = b.g.size();
+        Eigen::MatrixXd row(1, n + 1);
+        if (b.regular) {
+            row(0, 0) = -b.left.x.dot(parameter_derivative_along(problem, y.q, y.p, b.null.x));
+            row.rightCols(n) = -(detail::accurate_tangent_derivative(problem, y.q, y.p, b.null.x).transpose() * b.left.x).transpose();
+            row *= y.sign;
+        } else {
+            row.setConstant(std::numeric_limits<double>::quiet_NaN());
+        }
+        return Base::bordered(b.k, row, b.g_p);
+    }
+    Eigen::VectorXd parameter_derivative(const Configuration& y, double r) const {
+        return Base::by_second_parameter(*this, y, r);
+    }
+    Eigen::VectorXd weights(const Configuration& y) const {
+        const Problem& problem = this->any_;
+        return Base::weights_after(equilibria::weights(problem, y.q, problem.residual(y.q, y.p).size()));
+    }
+};
+template <class F>
+FoldCurve(F, double, double) -> FoldCurve<F>;
+
+/// The simple bifurcation points of a family; parameter r, unknowns (p, gamma, q). gamma, the load in row j that
+/// would keep the bifurcation perfect, is 0 along the whole curve where a symmetry does that.
+template <ProblemFamily F>
+class BifurcationCurve : public CriticalCurve<F, 2> {
+    using Base = CriticalCurve<F, 2>;
+
+public:
+    using typename Base::Bordered;
+    using typename Base::Configuration;
+    using typename Base::Matrix;
+    using typename Base::Problem;
+    using Base::Base;
+
+    Eigen::VectorXd residual(const Configuration& y, double r) const {
+        const Problem problem = this->family_(r);
+        const Bordered b(problem, y);
+        if (!b.regular) return Base::not_a_number(b.g.size() + 2);
+        Eigen::VectorXd f(b.g.size() + 2);
+        f << y.sign * b.null.tau, y.sign * b.mu(), b.g;
+        f(y.border.row + 2) += y.gamma;
+        return f;
+    }
+    Matrix tangent(const Configuration& y, double r) const {
+        const Problem problem = this->family_(r);
+        const Bordered b(problem, y);
+        const Eigen::Index n = b.g.size();
+        Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(2, n + 2), columns = Eigen::MatrixXd::Zero(n, 2);
+        columns.col(0) = b.g_p;
+        columns(y.border.row, 1) = 1;
+        if (b.regular) {
+            const Eigen::VectorXd &phi = b.null.x, &psi = b.left.x, &s = b.slope.x;
+            const Eigen::VectorXd gp_s = parameter_derivative_along(problem, y.q, y.p, s);
+            const Matrix k_p = detail::five_point_difference(
+                [&](double t) -> Matrix { return problem.tangent(y.q, y.p + t); }, 1 / std::max(1e-3, std::abs(y.p)));
+            rows(0, 0) = -psi.dot(parameter_derivative_along(problem, y.q, y.p, phi));
+            rows.row(0).tail(n) = -(detail::accurate_tangent_derivative(problem, y.q, y.p, phi).transpose() * psi).transpose();
+            rows(1, 0) = psi.dot(second_parameter_derivative(problem, y.q, y.p) + gp_s);
+            rows.row(1).tail(n) = (detail::accurate_tangent_derivative(problem, y.q, y.p, s).transpose() * psi +
+                                   k_p.transpose() * psi)
+                                      .transpose();
+            rows *= y.sign;
+        } else {
+            rows.setConstant(std::numeric_limits<double>::quiet_NaN());
+        }
+        return Base::bordered(b.k, rows, columns);
+    }
+    Eigen::VectorXd parameter_derivative(const Configuration& y, double r) const {
+        return Base::by_second_parameter(*this, y, r);
+    }
+    Eigen::VectorXd weights(const Configuration& y) const {
+        const Problem& problem = this->any_;
+        return Base::weights_after(equilibria::weights(problem, y.q, problem.residual(y.q, y.p).size()));
+    }
+};
+template <class F>
+BifurcationCurve(F, double, double) -> BifurcationCurve<F>;
+
+/// A special point of a curve of critical points.
+template <class Curve>
+struct CriticalCurvePoint {
+    /// On a fold curve: cusp; hilltop, where a second null vector joins; or, where r turns back in a bifurcation of the
+    /// member, the kind of that. On a curve of bifurcations: hilltop, where the bifurcation equation degenerates and r
+    /// turns back, or a second null vector joins; or, where gamma passes 0, the kind of the perfect bifurcation.
+    CriticalKind kind;
+    std::size_t step;  ///< between points step and step + 1
+    Configuration<Curve> at;
+    double r;
+    double residual;  ///< of the curve's equations, the largest entry
+};
+
+/// A curve of critical points: branch.points[k].p is r, and branch.points[k].q holds p and q.
+template <class Curve>
+struct CriticalCurveTrace {
+    Branch<Curve> branch;
+    std::vector<CriticalCurvePoint<Curve>> special;
+};
+
+namespace detail {
+
+template <class P>
+CriticalConfiguration<Configuration<P>> configuration_of(const CriticalPoint<P>& point) {
+    CriticalConfiguration<Configuration<P>> y;
+    y.q = point.q;
+    y.p = point.p;
+    point.null_vector.cwiseAbs().maxCoeff(&y.border.column);
+    point.left_null_vector.cwiseAbs().maxCoeff(&y.border.row);
+    return y;
+}
+
+/// A change of p that moves the unknowns by 1.
+template <class P>
+double scale_of_parameter(const P& problem, const CriticalConfiguration<Configuration<P>>& y) {
+    const typename FoldCurve<std::function<P(double)>>::Bordered b(problem, y);
+    if (!b.regular) return 1;
+    const double slope =
+        std::sqrt(b.slope.x.dot(weights(problem, y.q, b.g.size()).cwiseProduct(b.slope.x)));
+    return slope > 0 && std::isfinite(slope) ? 1 / slope : 1.0;
+}
+
+/// The smallest eigenvalue, by the weights, of K without its border: 0 where a second null vector joins the first.
+template <class Curve>
+double second_eigenvalue(const Curve& curve, const BranchPoint<Curve>& point) {
+    const auto problem = curve.problem(point.p);
+    const typename Curve::Bordered b(problem, point.q);
+    if (!b.regular) return 0;
+    const Eigen::VectorXd w = weights(problem, point.q.q, b.g.size());
+    Eigen::VectorXd v = generic_vector(b.g.size());
+    for (int k = 0; k < 8; ++k) {
+        v = b.solver.solve(w.cwiseProduct(v), 0).x;
+        v /= std::sqrt(v.dot(w.cwiseProduct(v)));
+    }
+    return v.dot(b.k * v);
+}
+
+/// Follows a curve from a point, with event functions, the first of which is the second eigenvalue; the points where one
+/// of them vanishes are special, `kind_at` of its number.
+template <class Curve, class KindAt>
+CriticalCurveTrace<Curve> trace_curve(const Curve& curve, const Configuration<Curve>& start, double r, int direction,
+                                      const ContinuationOptions& options,
+                                      std::vector<EventFunction<Curve>> functions, const KindAt& kind_at) {
+    functions.insert(functions.begin(), {"second eigenvalue", [&curve](const BranchPoint<Curve>& point) {
+                                             return second_eigenvalue(curve, point);
+                                         }});
+    CriticalCurveTrace<Curve> trace;
+    trace.branch = continue_branch(curve, start, r, direction, options, functions);
+    for (const auto& [step, function, point] : trace.branch.crossings) {
+        trace.special.push_back({function == 0 ? CriticalKind::hilltop : kind_at(function, point), step, point.q,
+                                 point.p, point.residual});
+        // it explains its step: there the curve's own tangent may be singular
+        std::erase_if(trace.branch.unexplained, [at = step](const auto& u) { return u.step == at; });
+    }
+    return trace;
+}
+
+template <class P>
+CriticalKind kind_of(const P& problem, const CriticalConfiguration<Configuration<P>>& at,
+                     CriticalPointOptions options) {
+    options.bifurcation_start = std::numeric_limits<double>::infinity();  // no fold is asked for
+    CriticalPointSolver<P> solver(problem, options);
+    const auto there = solver.solve(at.q, at.p, at.border);
+    return there ? there->kind : CriticalKind::hilltop;
+}
+
+template <class Curve>
+void sort_special(CriticalCurveTrace<Curve>& trace) {
+    std::stable_sort(trace.special.begin(), trace.special.end(),
+                     [](const auto& a, const auto& b) { return a.step < b.step; });
+}
+
+}  // namespace detail
+
+/// Follows the folds of a family from one of them, found at the value r of the second parameter, towards larger r
+/// (direction 1) or smaller (-1), through cusps. options.low and high bound r. Cusps, points where r turns back in a
+/// bifurcation, and points with a second null vector are located. Without points where the curve cannot be started.
+/// Throws as continue_branch does.
+template <ProblemFamily F>
+CriticalCurveTrace<FoldCurve<F>> continue_folds(const F& family, const CriticalPoint<detail::MemberOf<F>>& fold,
+                                                double r, int direction, const ContinuationOptions& options = {}) {
+    const auto start = detail::configuration_of(fold);
+    const FoldCurve<F> curve(family, r, detail::scale_of_parameter(family(r), start));
+    auto trace = detail::trace_curve(curve, start, r, direction, options, {},
+                                     [](std::size_t, const auto&) { return CriticalKind::hilltop; });
+    for (const auto& [step, point] : trace.branch.events) {
+        CriticalKind kind = point.kind;
+        if (kind == CriticalKind::fold) {
+            // at a cusp p turns back with r
+            const Eigen::VectorXd own = point.null_vector.tail(point.null_vector.size() - 1);
+            const bool cusp = std::abs(point.null_vector(0)) / curve.p_scale() < 1e-5 * own.norm();
+            kind = cusp ? CriticalKind::cusp : detail::kind_of(family(point.p), point.q, options.critical);
+        } else if (std::any_of(trace.special.begin(), trace.special.end(),
+                               [at = step](const auto& other) { return other.step == at; })) {
+            continue;  // a hilltop by its second eigenvalue
+        }
+        trace.special.push_back({kind, step, point.q, point.p, point.residual});
+    }
+    detail::sort_special(trace);
+    return trace;
+}
+
+/// Follows the bifurcation points of a family, as continue_folds does its folds. gamma stays 0 where a symmetry keeps
+/// the bifurcation; where none does, the member bifurcates where gamma passes 0, which is located.
+template <ProblemFamily F>
+CriticalCurveTrace<BifurcationCurve<F>> continue_bifurcations(const F& family,
+                                                              const CriticalPoint<detail::MemberOf<F>>& point, double r,
+                                                              int direction, const ContinuationOptions& options = {}) {
+    using Curve = BifurcationCurve<F>;
+    const auto start = detail::configuration_of(point);
+    const auto member = family(r);
+    const Curve curve(family, r, detail::scale_of_parameter(member, start));
+    const double noise = 1e-10 * detail::largest_entry(member.tangent(point.q, point.p));
+    auto trace = detail::trace_curve(
+        curve, start, r, direction, options,
+        {{"gamma",
+          [noise](const BranchPoint<Curve>& at) { return std::abs(at.q.gamma) < noise ? 0.0 : at.q.gamma; }},
+         {"dr/ds", [](const BranchPoint<Curve>& at) { return at.tangent.p; }}},
+        [&](std::size_t function, const BranchPoint<Curve>& at) {
+            return function == 1 ? detail::kind_of(family(at.p), at.q, options.critical) : CriticalKind::hilltop;
+        });
+    detail::sort_special(trace);
+    return trace;
+}
+
+}  // namespace equilibria

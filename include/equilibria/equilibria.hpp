@@ -6,8 +6,9 @@
 #include <equilibria/algebra/laurent.hpp>
 #include <equilibria/algebra/polynomial_system.hpp>
 #include <equilibria/certify/refine.hpp>
-#include <equilibria/continuation/arc_length.hpp>
-#include <equilibria/continuation/branch.hpp>
+#include <equilibria/continuation/branch_graph.hpp>
+#include <equilibria/continuation/generic_problem.hpp>
+#include <equilibria/continuation/imperfection.hpp>
 #include <equilibria/enumerate/enumerate.hpp>
 #include <equilibria/enumerate/prove.hpp>
 #include <equilibria/enumerate/stream.hpp>

@@ -1,6 +1,6 @@
 // Reduced coefficients and line events on models whose bifurcations are known in closed form.
 #include <cmath>
-#include <equilibria/locus/fold_curve.hpp>
+#include <equilibria/locus/reduced_coefficients.hpp>
 #include <equilibria/locus/line_events.hpp>
 #include <equilibria/mechanisms/rotating_chain.hpp>
 

@@ -4,7 +4,6 @@
 
 #include <Eigen/Core>
 
-#include <equilibria/continuation/step_control.hpp>
 #include <equilibria/core/error.hpp>
 
 namespace equilibria {
@@ -37,7 +36,12 @@ struct PathOptions {
     double resolution = 1e-4;     ///< a step is not halved below this for the sake of eigenvalues
 
     void validate() const {
-        detail::require_step_control(*this, 1.5);
+        require(smallest_step > 0, "smallest_step", smallest_step, "must be positive");
+        require(first_step >= smallest_step, "first_step", first_step, "must be at least smallest_step");
+        require(largest_step >= first_step, "largest_step", largest_step, "must be at least first_step");
+        require(largest_angle > 0 && largest_angle < 1.5, "largest_angle", largest_angle, "must be in (0, 1.5)");
+        require(most_corrections >= 2, "most_corrections", most_corrections, "must be at least 2");
+        require(tolerance > 0, "tolerance", tolerance, "must be positive");
         require(parameter_weight >= 0, "parameter_weight", parameter_weight, "must be 0 (chosen) or positive");
         require(controlled >= 0, "controlled", controlled, "must be the number of an unknown");
         require(resolution >= smallest_step, "resolution", resolution, "must be at least smallest_step");

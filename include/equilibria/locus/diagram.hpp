@@ -8,45 +8,12 @@
 #include <cmath>
 #include <vector>
 
-#include <equilibria/continuation/arc_length.hpp>
+#include <equilibria/continuation/path.hpp>
 #include <equilibria/enumerate/enumerate.hpp>
 #include <equilibria/locus/line_events.hpp>
+#include <equilibria/locus/model_problem.hpp>
 
 namespace equilibria {
-
-/// A branch F(q, p) = 0 as a curve y = (q, p_active).
-template <Model M, int Active>
-struct BranchCurve {
-    static constexpr int n = n_unknowns<M>;
-    static constexpr int unknowns = n + 1;
-    using Vector = Eigen::Matrix<double, unknowns, 1>;
-
-    Parameters<M> parameters;  ///< the active one is not read
-
-    Unknowns<M> q(const Vector& y) const {
-        Unknowns<M> u;
-        for (int i = 0; i < n; ++i) u[i] = y(i);
-        return u;
-    }
-    Parameters<M> p(const Vector& y) const {
-        Parameters<M> values = parameters;
-        values[Active] = y(n);
-        return values;
-    }
-    Eigen::Matrix<double, n, 1> residual(const Vector& y) const {
-        const auto f = equations<M, double>(q(y), p(y));
-        Eigen::Matrix<double, n, 1> r;
-        for (int i = 0; i < n; ++i) r(i) = f[i];
-        return r;
-    }
-    Eigen::Matrix<double, n, unknowns> jacobian(const Vector& y) const {
-        Eigen::Matrix<double, n, unknowns> j;
-        j.template leftCols<n>() = equilibria::jacobian<M, double>(q(y), p(y));
-        const auto fp = parameter_derivative<M, double>(q(y), p(y), Active);
-        for (int i = 0; i < n; ++i) j(i, n) = fp[i];
-        return j;
-    }
-};
 
 /// A piece of a branch between two events.
 template <Model M>
@@ -73,7 +40,7 @@ struct BifurcationDiagram {
 /// cancel: these are of one enumeration, and a diagram takes many.
 template <Model M, int Active, int Fixed>
 BifurcationDiagram<M> trace_diagram(const Parameters<M>& p, double low, double high,
-                                    const EnumerateOptions& options = {}, ArcLengthOptions arc_length = {}) {
+                                    const EnumerateOptions& options = {}, PathOptions path = {.first_step = 1e-3, .largest_step = 0.02}) {
     require_finite(p, "parameters");
     require(std::isfinite(low) && std::isfinite(high) && low < high, "interval", to_text(low) + ":" + to_text(high),
             "must be finite and run from the smaller to the larger value");
@@ -91,61 +58,47 @@ BifurcationDiagram<M> trace_diagram(const Parameters<M>& p, double low, double h
         if (e.value - ends.back() > 1e-9 * (high - low)) ends.push_back(e.value);
     if (high - ends.back() > 1e-9 * (high - low)) ends.push_back(high);
 
-    using Curve = BranchCurve<M, Active>;
-    const Curve curve{p};
-    typename Curve::Vector scale = Curve::Vector::Ones();
-    scale(Curve::n) = high - low;
-    const ArcLengthStepper<Curve> stepper(curve, scale, arc_length);
+    using Problem = ModelProblem<M, Active>;
+    using Point = BranchPoint<Problem>;
+    const Problem problem(p);
+    if (path.parameter_weight == 0) path.parameter_weight = 1 / (high - low);
+    PathStepper<Problem> stepper(problem, path);
     for (std::size_t k = 0; k + 1 < ends.size(); ++k) {
         Parameters<M> middle = p;
         middle[Active] = 0.5 * (ends[k] + ends[k + 1]);
         for (const auto& e : enumerate<M>(middle, options).equilibria) {
-            typename Curve::Vector y0;
-            for (int i = 0; i < Curve::n; ++i) y0(i) = e.q[i];
-            y0(Curve::n) = middle[Active];
-            std::vector<typename Curve::Vector> points{y0};
+            BranchPiece<M> piece{e.index, {{middle[Active], e.q}}};
             for (const int side : {-1, 1}) {
                 const double end = side < 0 ? ends[k] : ends[k + 1];
-                auto state = stepper.start(y0, 1);
-                if (!state) continue;
-                if (state->tangent(Curve::n) * side < 0) state->tangent = -state->tangent;
-                std::vector<typename Curve::Vector> half;
-                while (half.size() < 100000) {
-                    const auto next = stepper.advance(*state);
+                std::optional<Point> point = stepper.start(Problem::vector(e.q), middle[Active], side);
+                std::vector<typename BranchPiece<M>::Point> half;
+                while (point && half.size() < 100000) {
+                    const auto next = stepper.advance(*point);
                     if (!next) break;
-                    const bool turned = next->tangent(Curve::n) * side <= 0;  // around a fold or a pitchfork
-                    if (turned || (next->y(Curve::n) - end) * side >= 0) {
-                        typename Curve::Vector last = state->y;
-                        if (!turned)
-                            last += (end - state->y(Curve::n)) / (next->y(Curve::n) - state->y(Curve::n)) *
-                                    (next->y - state->y);
-                        last(Curve::n) = end;
-                        if (turned)  // the degenerate equilibrium itself
-                            for (const auto& event : diagram.events) {
-                                double distance = 0;
-                                for (int i = 0; i < Curve::n; ++i)
-                                    distance = std::max(distance,
-                                                        i < n_angles<M>
-                                                            ? std::abs(std::remainder(event.q[i] - last(i), 2 * std::numbers::pi))
-                                                            : std::abs(event.q[i] - last(i)));
-                                if (std::abs(event.value - end) > 1e-9 * (high - low) || distance > 0.2) continue;
-                                for (int i = 0; i < Curve::n; ++i)
-                                    last(i) += i < n_angles<M> ? std::remainder(event.q[i] - last(i), 2 * std::numbers::pi)
-                                                               : event.q[i] - last(i);
-                            }
-                        half.push_back(last);
-                        break;
+                    const bool turned = next->tangent.p * side <= 0;  // around a fold or a pitchfork
+                    if (!turned && (next->p - end) * side < 0) {
+                        half.push_back({next->p, Problem::unknowns(next->q)});
+                        point = next;
+                        continue;
                     }
-                    half.push_back(next->y);
-                    state = next;
+                    Eigen::VectorXd last = point->q;
+                    if (!turned) last += (end - point->p) / (next->p - point->p) * (next->q - point->q);
+                    if (turned)  // the degenerate equilibrium itself
+                        for (const auto& event : diagram.events) {
+                            Eigen::VectorXd to = Problem::vector(event.q) - last;
+                            for (int i = 0; i < n_angles<M>; ++i) to(i) = std::remainder(to(i), 2 * std::numbers::pi);
+                            if (std::abs(event.value - end) > 1e-9 * (high - low) || to.cwiseAbs().maxCoeff() > 0.2)
+                                continue;
+                            last += to;
+                        }
+                    half.push_back({end, Problem::unknowns(last)});
+                    break;
                 }
                 if (side < 0)
-                    points.insert(points.begin(), half.rbegin(), half.rend());
+                    piece.points.insert(piece.points.begin(), half.rbegin(), half.rend());
                 else
-                    points.insert(points.end(), half.begin(), half.end());
+                    piece.points.insert(piece.points.end(), half.begin(), half.end());
             }
-            BranchPiece<M> piece{e.index, {}};
-            for (const auto& y : points) piece.points.push_back({y(Curve::n), curve.q(y)});
             diagram.pieces.push_back(std::move(piece));
         }
     }

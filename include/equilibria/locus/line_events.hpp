@@ -18,7 +18,6 @@
 #include <Eigen/LU>
 
 #include <equilibria/enumerate/enumerate.hpp>
-#include <equilibria/locus/fold_curve.hpp>
 #include <equilibria/locus/fold_model.hpp>
 
 namespace equilibria {

@@ -11,13 +11,12 @@
 #include <optional>
 #include <vector>
 
-#include <boost/math/tools/toms748_solve.hpp>
-
-#include <equilibria/continuation/arc_length.hpp>
+#include <equilibria/continuation/critical_curve.hpp>
 #include <equilibria/enumerate/enumerate.hpp>
-#include <equilibria/locus/fold_curve.hpp>
 #include <equilibria/locus/line_events.hpp>
 #include <equilibria/locus/locus_result.hpp>
+#include <equilibria/locus/pitchfork_curve.hpp>
+#include <equilibria/locus/reduced_coefficients.hpp>
 #include <equilibria/locus/region_counts.hpp>
 
 namespace equilibria {
@@ -26,14 +25,15 @@ struct LocusOptions {
     int lines = 12;            ///< lines in each direction that are solved for seeds, at least 2
     int checks = 20;           ///< points in each direction whose count is compared with their region's; 0: none
     std::uint64_t seed = 1;    ///< of every enumeration
-    ArcLengthOptions arc_length{.first_step = 1e-3, .largest_step = 0.01};
+    /// Of the curves, in angles and in parts of the window; parameter_weight is set by it.
+    PathOptions path{.first_step = 1e-3, .largest_step = 0.006, .largest_angle = 0.15};
     int most_points = 20000;   ///< of one curve
 
     void validate() const {
         require(lines >= 2 && lines <= 10000, "lines", lines, "must be 2 to 10000");
         require(checks >= 0 && checks <= 10000, "checks", checks, "must be 0 to 10000");
         require(most_points > 1, "most_points", most_points, "must be more than 1");
-        arc_length.validate();
+        path.validate();
     }
 };
 
@@ -141,212 +141,233 @@ private:
         return true;
     }
 
-    template <class System>
-    LocusPoint<M> point_of(const System& system, const typename System::Vector& y) const {
-        const int x_at = System::unknowns - 2;
-        LocusPoint<M> p{y(x_at), y(x_at + 1), {}, system.v(y)};
-        if constexpr (requires { system.branch; })
-            p.q = system.branch;
+    using Family = ModelFamily<M, X, Y>;
+    using Folds = FoldCurve<Family>;
+    using Pitchforks = PitchforkCurve<M, X, Y>;
+    /// Of both kinds of curves: q, x and the border.
+    using At = Configuration<Folds>;
+
+    /// The unit null vector, with the sign of `before` where that is given.
+    Eigen::VectorXd null_vector(const At& at, double y, const Eigen::VectorXd* before = nullptr) const {
+        const typename Folds::Bordered b(Family{locus_.parameters}(y), at);
+        Eigen::VectorXd v = b.regular ? b.null.x.normalized().eval() : Eigen::VectorXd::Zero(n).eval();
+        if (before && v.dot(*before) < 0) v = -v;
+        return v;
+    }
+    LocusPoint<M> point_of(const At& at, double y) const {
+        using Problem = ModelProblem<M, X>;
+        return {at.p, y, Problem::unknowns(at.q), Problem::unknowns(null_vector(at, y))};
+    }
+
+    void trace_from(const Seed& seed) {
+        At at;
+        at.q = ModelProblem<M, X>::vector(seed.at.q);
+        at.p = seed.at.x;
+        ModelProblem<M, X>::vector(seed.at.v).cwiseAbs().maxCoeff(&at.border.column);
+        at.border.row = at.border.column;
+        const Family family{locus_.parameters};
+        at = Folds(family, seed.at.y, locus_.window.width()).rebase(at, seed.at.y);
+        if (seed.kind == LocusKind::fold)
+            trace(Folds(family, seed.at.y, locus_.window.width()), at, seed);
         else
-            p.q = system.q(y);
-        return p;
+            trace(Pitchforks(family, seed.at.y, locus_.window.width()), at, seed);
     }
 
-    void trace_from(Seed& seed) {
-        if (seed.kind == LocusKind::fold) {
-            const FoldCurve<M, X, Y> system{locus_.parameters};
-            typename FoldCurve<M, X, Y>::Vector y;
-            for (int i = 0; i < n; ++i) y(i) = seed.at.q[i], y(n + i) = seed.at.v[i];
-            y(2 * n) = seed.at.x;
-            y(2 * n + 1) = seed.at.y;
-            trace(system, y, seed);
-        } else {
-            const PitchforkCurve<M, X, Y> system{locus_.parameters, seed.at.q};
-            typename PitchforkCurve<M, X, Y>::Vector y;
-            for (int i = 0; i < n; ++i) y(i) = seed.at.v[i];
-            y(n) = seed.at.x;
-            y(n + 1) = seed.at.y;
-            trace(system, y, seed);
+    template <class Curve>
+    void trace(const Curve& system, const At& at, const Seed& seed) {
+        PathOptions path = options_.path;
+        path.parameter_weight = 1 / locus_.window.height();
+        PathStepper<Curve> stepper(system, path);
+        auto start = stepper.start(at, seed.at.y, 1);
+        if (!start) {
+            // where y turns back Newton's method at a fixed y fails, and the seed is exact
+            start = stepper.assess(at, seed.at.y, std::nullopt);
+            if (!start) return;
+            start->proposed_step = path.first_step;
         }
-    }
-
-    template <class System>
-    void trace(const System& system, const typename System::Vector& y0, const Seed& seed) {
-        using Stepper = ArcLengthStepper<System>;
-        using Vector = typename System::Vector;
-        constexpr int x_at = System::unknowns - 2;
-        Vector scale = Vector::Ones();
-        scale(x_at) = locus_.window.width();
-        scale(x_at + 1) = locus_.window.height();
-        const Stepper stepper(system, scale, options_.arc_length);
         LocusCurve<M> curve{seed.kind, {}, {CurveEnd::step, CurveEnd::step}};
-        std::vector<Vector> whole;
+        std::vector<BranchPoint<Curve>> whole;
         for (int side = 0; side < 2; ++side) {
-            auto state = stepper.start(y0, side == 0 ? -1 : 1);
-            std::vector<Vector> half;
-            if (state) {
-                half.push_back(state->y);
-                curve.ends[static_cast<std::size_t>(side)] = follow(system, stepper, *state, half);
-            }
+            PathStepper<Curve>::flip(start->tangent);
+            std::vector<BranchPoint<Curve>> half{*start};
+            curve.ends[static_cast<std::size_t>(side)] = follow(stepper, half);
             if (side == 0) {
                 whole.assign(half.rbegin(), half.rend());
                 if (curve.ends[0] == CurveEnd::closed) {
                     curve.ends[1] = CurveEnd::closed;
                     break;
                 }
-            } else if (!half.empty()) {
+            } else {
                 whole.insert(whole.end(), half.begin() + 1, half.end());
             }
         }
         for (const CurveEnd end : curve.ends)
             locus_.evidence.broken_curves += end == CurveEnd::step || end == CurveEnd::length;
-        for (const Vector& y : whole) curve.points.push_back(point_of(system, y));
+        for (const auto& point : whole) curve.points.push_back(point_of(point.q, point.p));
         if (curve.points.size() < 2) return;
-        claim_seeds(system, stepper, whole, seed.kind);
+        claim_seeds(stepper, whole, seed.kind);
         locus_.curves.push_back(std::move(curve));
     }
 
-    /// Follows a curve from a state, appending its points, to the border of the window or where it ends within.
-    template <class System, class Stepper>
-    CurveEnd follow(const System& system, const Stepper& stepper, typename Stepper::State state,
-                    std::vector<typename System::Vector>& points) {
-        constexpr int x_at = System::unknowns - 2;
-        const auto first = state;
-        double third = third_at(system, state.y);
+    /// Follows a curve from its only point, appending to it, to the border of the window or where it ends within.
+    template <class Curve>
+    CurveEnd follow(PathStepper<Curve>& stepper, std::vector<BranchPoint<Curve>>& points) {
+        constexpr bool folds = std::is_same_v<Curve, Folds>;
+        const BranchPoint<Curve> first = points.front();
+        BranchPoint<Curve> last = first;
         while (static_cast<int>(points.size()) < options_.most_points) {
-            const auto next = stepper.advance(state);
+            auto next = stepper.advance(last);
             if (!next) return CurveEnd::step;
-            const double x = next->y(x_at), y = next->y(x_at + 1);
-            if (!locus_.window.contains(x, y)) {
-                points.push_back(at_border(stepper, state.y, next->y));
+            if (!locus_.window.contains(next->q.p, next->p)) {
+                points.push_back(at_border(stepper, last, *next));
                 return CurveEnd::window;
             }
-            if constexpr (!requires { system.branch; }) {
-                const double now = third_at(system, next->y);
-                if (std::signbit(now) != std::signbit(third) && note_cusp(system, stepper, state, *next, points))
-                    return CurveEnd::symmetric;
-                third = now;
+            if constexpr (folds) {
+                const Eigen::VectorXd v = null_vector(last.q, last.p);
+                const EventFunction<Curve> third{"third derivative", [&](const BranchPoint<Curve>& at) {
+                                                     return third_at(at, v);
+                                                 }};
+                std::optional<BranchPoint<Curve>> cusp;
+                if (std::signbit(third.value(last)) != std::signbit(third.value(*next)))
+                    cusp = detail::zero_between(stepper, third, last, *next);
+                if (cusp) {
+                    points.push_back(*cusp);
+                    if (note_cusp(*cusp)) return CurveEnd::symmetric;
+                }
             }
-            if (points.size() > 10 && closes(first, *next)) {
-                points.push_back(first.y);
+            if (points.size() > 10 && closes(stepper, first, *next)) {
+                points.push_back(first);
                 return CurveEnd::closed;
             }
-            points.push_back(next->y);
-            state = *next;
+            points.push_back(*next);
+            last = std::move(*next);
         }
         return CurveEnd::length;
     }
 
-    template <class System>
-    double third_at(const System& system, const typename System::Vector& y) const {
-        if constexpr (requires { system.branch; })
-            return 1;
-        else
-            return reduced_coefficients<M>(system.q(y), system.v(y), system.p(y)).third;
+    /// The reduced third derivative along the null vector on the side of `before`.
+    double third_at(const BranchPoint<Folds>& at, const Eigen::VectorXd& before) const {
+        using Problem = ModelProblem<M, X>;
+        return reduced_coefficients<M>(Problem::unknowns(at.q.q), Problem::unknowns(null_vector(at.q, at.p, &before)),
+                                       parameters_at(at.q.p, at.p))
+            .third;
     }
 
     /// Back at the first point, in the same direction; angles modulo 2 pi.
-    template <class State>
-    bool closes(const State& first, const State& now) const {
-        constexpr int size = decltype(first.y)::RowsAtCompileTime;
-        auto d = (now.y - first.y).eval();
-        if constexpr (size == 2 * n + 2)
-            for (int i = 0; i < n_angles<M>; ++i) d(i) = std::remainder(d(i), 2 * std::numbers::pi);
-        d(size - 2) /= locus_.window.width();
-        d(size - 1) /= locus_.window.height();
-        return d.norm() < 1.5 * options_.arc_length.largest_step && first.tangent.dot(now.tangent) > 0.95;
+    template <class Curve>
+    bool closes(const PathStepper<Curve>& stepper, const BranchPoint<Curve>& first, const BranchPoint<Curve>& now) const {
+        Direction d = stepper.difference(first, now.q, now.p);
+        for (int i = 0; i + 1 < d.q.size() && i < n_angles<M>; ++i)
+            d.q(i + 1) = std::remainder(d.q(i + 1), 2 * std::numbers::pi);
+        return stepper.length(d) < 1.5 * options_.path.largest_step && stepper.dot(first.tangent, now.tangent) > 0.95;
     }
+
+    /// The point of the curve near `from` (+) chord at which x (axis 0) or y (axis 1) is that of the chord's end.
+    template <class Curve>
+    std::optional<BranchPoint<Curve>> where(PathStepper<Curve>& stepper, const BranchPoint<Curve>& from,
+                                            const Direction& chord, int axis) const {
+        Direction normal{Eigen::VectorXd::Zero(chord.q.size()), axis == 1 ? 1.0 : 0.0};
+        if (axis == 0) normal.q(0) = 1;
+        return stepper.onto(from.q, from.p, chord, normal, from.tangent);
+    }
+    static double& entry(Direction& d, int axis) { return axis == 0 ? d.q(0) : d.p; }
 
     /// Where the segment from a (inside) to b (outside) leaves the window: on the curve if Newton's method finds it
     /// there, else on the chord.
-    template <class Stepper, class Vector>
-    Vector at_border(const Stepper& stepper, const Vector& a, const Vector& b) const {
-        constexpr int x_at = Vector::RowsAtCompileTime - 2;
+    template <class Curve>
+    BranchPoint<Curve> at_border(PathStepper<Curve>& stepper, const BranchPoint<Curve>& a,
+                                 const BranchPoint<Curve>& b) const {
         const PlaneWindow& w = locus_.window;
+        const double from[] = {a.q.p, a.p}, to[] = {b.q.p, b.p};
         double part = 1;
-        int unknown = x_at;
-        double value = b(x_at);
+        int axis = 0;
+        double value = to[0];
         const auto clip = [&](int k, double bound) {
-            if ((a(k) - bound) * (b(k) - bound) < 0 || b(k) == bound) {
-                const double s = (bound - a(k)) / (b(k) - a(k));
-                if (s < part) part = s, unknown = k, value = bound;
+            if ((from[k] - bound) * (to[k] - bound) < 0 || to[k] == bound) {
+                const double s = (bound - from[k]) / (to[k] - from[k]);
+                if (s < part) part = s, axis = k, value = bound;
             }
         };
-        clip(x_at, w.x_low);
-        clip(x_at, w.x_high);
-        clip(x_at + 1, w.y_low);
-        clip(x_at + 1, w.y_high);
-        Vector chord = a + part * (b - a);
-        chord(unknown) = value;
-        const double size = unknown == x_at ? w.width() : w.height();
-        const auto near = [&](const std::optional<Vector>& y) { return y && ((*y) - chord).norm() < 0.1 * (1 + size); };
-        if (const auto y = stepper.where(chord, unknown, value); near(y)) return *y;
-        // the border itself may be degenerate (a massless link): extrapolate from two points close to it
-        const double inward = (a(unknown) > value ? 1 : -1) * 1e-6 * size;
-        const auto first = stepper.where(chord, unknown, value + inward);
-        const auto second = stepper.where(chord, unknown, value + 2 * inward);
-        if (near(first) && near(second)) chord = 2 * *first - *second;
-        chord(unknown) = value;
-        return chord;
+        clip(0, w.x_low);
+        clip(0, w.x_high);
+        clip(1, w.y_low);
+        clip(1, w.y_high);
+        Direction chord = stepper.difference(a, b.q, b.p);
+        PathStepper<Curve>::scale(chord, part);
+        entry(chord, axis) = value - from[axis];
+        const auto exactly = [&](BranchPoint<Curve> point) {
+            (axis == 0 ? point.q.p : point.p) = value;
+            return point;
+        };
+        const auto near = [&](const std::optional<BranchPoint<Curve>>& point) {
+            if (!point) return false;
+            Direction d = stepper.difference(a, point->q, point->p);
+            d.q -= chord.q;
+            d.p -= chord.p;
+            return stepper.length(d) < 0.1;
+        };
+        if (const auto point = where(stepper, a, chord, axis); near(point)) return exactly(*point);
+        // the border itself may be degenerate (a massless link): close to it in quarters of the way, then along the
+        // tangent
+        BranchPoint<Curve> y = a;
+        const double size = axis == 0 ? w.width() : w.height();
+        const auto at = [&](const BranchPoint<Curve>& point) { return axis == 0 ? point.q.p : point.p; };
+        const auto ahead = [&](double share) {
+            Direction d = y.tangent;
+            PathStepper<Curve>::scale(d, share * (value - at(y)) / entry(d, axis));
+            return d;
+        };
+        while (std::abs(at(y) - value) > 1e-6 * size) {
+            auto closer = where(stepper, y, ahead(0.75), axis);
+            if (!near(closer)) break;
+            y = std::move(*closer);
+        }
+        const Direction end = entry(y.tangent, axis) != 0 ? ahead(1) : chord;
+        y.q = retract(stepper.problem(), y.q, end.q);
+        y.p += end.p;
+        return exactly(std::move(y));
     }
 
-    /// Locates the zero of the third derivative between two states; true if it is a symmetric point, where the curve
-    /// turns into its mirror image.
-    template <class System, class Stepper>
-    bool note_cusp(const System& system, const Stepper& stepper, const typename Stepper::State& a,
-                   const typename Stepper::State& b, std::vector<typename System::Vector>& points) {
-        using Vector = typename System::Vector;
-        Vector scale = Vector::Ones();
-        scale(System::unknowns - 2) = locus_.window.width();
-        scale(System::unknowns - 1) = locus_.window.height();
-        const double length = a.tangent.dot((b.y - a.y).cwiseQuotient(scale));
-        const auto third = [&](double h) {
-            const auto y = stepper.at(a, h);
-            return y ? third_at(system, *y) : std::numeric_limits<double>::quiet_NaN();
-        };
-        const double at_a = third(0), at_b = third(length);
-        if (!(at_a * at_b <= 0)) return false;
-        std::uintmax_t iterations = 100;
-        const auto bracket = boost::math::tools::toms748_solve(
-            third, 0.0, length, at_a, at_b, [](double l, double r) { return std::abs(r - l) <= 1e-15; }, iterations);
-        const auto y = stepper.at(a, 0.5 * (bracket.first + bracket.second));
-        if (!y) return false;
-        const LocusPoint<M> at = point_of(system, *y);
-        points.push_back(*y);
+    /// A zero of the third derivative; true if it is a symmetric point, where the curve turns into its mirror image.
+    bool note_cusp(const BranchPoint<Folds>& cusp) {
+        const LocusPoint<M> at = point_of(cusp.q, cusp.p);
         if (is_symmetric(at.q)) {
             locus_.degenerate_pitchforks.push_back(at);
             return true;
         }
-        const auto coefficients_there = reduced_coefficients<M>(at.q, at.v, system.p(*y));
         for (const Cusp<M>& other : locus_.cusps)
             if (same(other.at, at)) return false;
-        const double residual =
-            std::max(system.residual(*y).template lpNorm<Eigen::Infinity>(), std::abs(coefficients_there.third));
-        locus_.cusps.push_back({at, residual, coefficients_there.fourth});
+        const Parameters<M> p = parameters_at(at.x, at.y);
+        const auto coefficients = reduced_coefficients<M>(at.q, at.v, p);
+        const Eigen::VectorXd v = ModelProblem<M, X>::vector(at.v);
+        const double residual = std::max({cusp.residual, (jacobian<M, double>(at.q, p) * v).cwiseAbs().maxCoeff(),
+                                          std::abs(coefficients.third)});
+        locus_.cusps.push_back({at, residual, coefficients.fourth});
         return false;
     }
 
     /// Marks the seeds that a traced curve passes, and counts its crossings of lines that are no seed.
-    template <class System, class Stepper>
-    void claim_seeds(const System& system, const Stepper& stepper, const std::vector<typename System::Vector>& curve,
-                     LocusKind kind) {
-        constexpr int x_at = System::unknowns - 2;
+    template <class Curve>
+    void claim_seeds(PathStepper<Curve>& stepper, const std::vector<BranchPoint<Curve>>& curve, LocusKind kind) {
         const PlaneWindow& w = locus_.window;
-        for (const int fixed : {X, Y}) {
-            const int k = fixed == X ? x_at : x_at + 1;
-            const double low = fixed == X ? w.x_low : w.y_low, size = fixed == X ? w.width() : w.height();
+        for (const int axis : {0, 1}) {
+            const double low = axis == 0 ? w.x_low : w.y_low, size = axis == 0 ? w.width() : w.height();
+            const auto value = [&](std::size_t i) { return axis == 0 ? curve[i].q.p : curve[i].p; };
             for (int l = 0; l < options_.lines; ++l) {
                 const double line = low + size * (l + 0.4713) / options_.lines;
                 for (std::size_t i = 0; i + 1 < curve.size(); ++i) {
-                    const double before = curve[i](k) - line, after = curve[i + 1](k) - line;
+                    const double before = value(i) - line, after = value(i + 1) - line;
                     if (!(before * after < 0) && before != 0) continue;
-                    const double part = before == 0 ? 0 : before / (before - after);
-                    const auto y = stepper.where(curve[i] + part * (curve[i + 1] - curve[i]), k, line);
-                    if (!y || !w.contains((*y)(x_at), (*y)(x_at + 1))) continue;
-                    const LocusPoint<M> at = point_of(system, *y);
+                    Direction chord = stepper.difference(curve[i], curve[i + 1].q, curve[i + 1].p);
+                    PathStepper<Curve>::scale(chord, before == 0 ? 0 : before / (before - after));
+                    entry(chord, axis) = -before;
+                    const auto point = where(stepper, curve[i], chord, axis);
+                    if (!point || !w.contains(point->q.p, point->p)) continue;
+                    const LocusPoint<M> at = point_of(point->q, point->p);
                     bool known = false;
                     for (Seed& seed : seeds_)
-                        if (seed.kind == kind && seed.fixed == fixed && seed.line == line && same(seed.at, at))
+                        if (seed.kind == kind && seed.fixed == (axis == 0 ? X : Y) && seed.line == line &&
+                            same(seed.at, at))
                             known = seed.traced = true;
                     locus_.evidence.unseeded_crossings += !known;
                 }

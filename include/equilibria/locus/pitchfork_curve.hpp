@@ -1,0 +1,70 @@
+/// \file
+/// Pitchforks of a symmetric branch in a plane of two parameters.
+#pragma once
+
+#include <Eigen/Core>
+
+#include <equilibria/continuation/critical_curve.hpp>
+#include <equilibria/locus/model_problem.hpp>
+
+namespace equilibria {
+
+/// Where the tangent is singular on a branch q = const, in the plane of the parameters X and Y: sigma(x; y) = 0, a
+/// continuation problem in one unknown, x. It is regular where curves of bifurcation points in general are not: where
+/// the curve turns back in y.
+template <Model M, int X, int Y>
+class PitchforkCurve {
+public:
+    using Family = ModelFamily<M, X, Y>;
+    using Bordered = typename FoldCurve<Family>::Bordered;
+    using Configuration = equilibria::Configuration<FoldCurve<Family>>;
+    static constexpr bool symmetric = false;
+
+    /// y: a value at which the border is chosen; x_scale: a change of x that counts as much as one of 1.
+    PitchforkCurve(const Family& family, double y, double x_scale)
+        : folds_(family, y, x_scale), family_(family), x_scale_(x_scale) {}
+
+    auto problem(double y) const { return family_(y); }
+
+    Eigen::VectorXd residual(const Configuration& at, double y) const {
+        const Bordered b(family_(y), at);
+        return Eigen::VectorXd::Constant(1, b.regular ? b.null.tau : std::numeric_limits<double>::quiet_NaN());
+    }
+    Eigen::MatrixXd tangent(const Configuration& at, double y) const {
+        return Eigen::MatrixXd::Constant(1, 1, derivative<X>(at, y));
+    }
+    Eigen::VectorXd parameter_derivative(const Configuration& at, double y) const {
+        return Eigen::VectorXd::Constant(1, derivative<Y>(at, y));
+    }
+    Configuration retract(const Configuration& at, const Eigen::VectorXd& d) const {
+        Configuration moved = at;
+        moved.p += d(0);
+        return moved;
+    }
+    Eigen::VectorXd difference(const Configuration& at, const Configuration& near) const {
+        return Eigen::VectorXd::Constant(1, near.p - at.p);
+    }
+    Configuration rebase(const Configuration& at, double y) const { return folds_.rebase(at, y); }
+    Eigen::VectorXd weights(const Configuration&) const {
+        return Eigen::VectorXd::Constant(1, 1 / (x_scale_ * x_scale_));
+    }
+
+private:
+    /// d sigma = -psi^T dK r.
+    template <int Parameter>
+    double derivative(const Configuration& at, double y) const {
+        const Bordered b(family_(y), at);
+        if (!b.regular) return std::numeric_limits<double>::quiet_NaN();
+        Parameters<M> p = family_.parameters;
+        p[X] = at.p;
+        p[Y] = y;
+        const auto q = ModelProblem<M, X>::unknowns(at.q);
+        return -b.left.x.dot(jacobian_parameter_derivative<M, double>(q, p, Parameter) * b.null.x);
+    }
+
+    FoldCurve<Family> folds_;
+    Family family_;
+    double x_scale_;
+};
+
+}  // namespace equilibria

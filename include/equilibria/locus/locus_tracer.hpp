@@ -339,7 +339,7 @@ private:
             if (same(other.at, at)) return false;
         const Parameters<M> p = parameters_at(at.x, at.y);
         const auto coefficients = reduced_coefficients<M>(at.q, at.v, p);
-        const Eigen::VectorXd v = ModelProblem<M, X>::vector(at.v);
+        const Eigen::Matrix<double, n, 1> v = ModelProblem<M, X>::vector(at.v);
         const double residual = std::max({cusp.residual, (jacobian<M, double>(at.q, p) * v).cwiseAbs().maxCoeff(),
                                           std::abs(coefficients.third)});
         locus_.cusps.push_back({at, residual, coefficients.fourth});

@@ -30,7 +30,8 @@ public:
         return jacobian_derivative<M, double>(unknowns(q), unknowns(v), at(p));
     }
     Vector parameter_derivative_along(const Vector& q, double p, const Vector& v) const {
-        return jacobian_parameter_derivative<M, double>(unknowns(q), at(p), X) * v;
+        const Eigen::Matrix<double, n, 1> fixed = v;  // of fixed size: g++'s warnings misread the mixed product
+        return jacobian_parameter_derivative<M, double>(unknowns(q), at(p), X) * fixed;
     }
 
     static Vector vector(const Unknowns<M>& q) {

@@ -59,7 +59,8 @@ private:
         p[X] = at.p;
         p[Y] = y;
         const auto q = ModelProblem<M, X>::unknowns(at.q);
-        return -b.left.x.dot(jacobian_parameter_derivative<M, double>(q, p, Parameter) * b.null.x);
+        const Eigen::Matrix<double, n_unknowns<M>, 1> left = b.left.x, null = b.null.x;
+        return -left.dot(jacobian_parameter_derivative<M, double>(q, p, Parameter) * null);
     }
 
     FoldCurve<Family> folds_;

@@ -1,0 +1,73 @@
+// Branches and fold curves followed with all their events; items are points of the branch. The arguments of the chain of
+// springs are links.
+#include <benchmark/benchmark.h>
+
+#include <equilibria/continuation/critical_curve.hpp>
+#include <equilibria/locus/model_problem.hpp>
+#include <equilibria/mechanisms/rotating_chain.hpp>
+
+#include "../../examples/support/structures.hpp"
+
+using namespace equilibria;
+using support::VectorXd;
+
+namespace {
+
+/// The star dome of bench/peers/continuation, from the unloaded state through its fold.
+void star_dome(benchmark::State& state) {
+    const auto dome = support::star_dome(0.5, 1);
+    ContinuationOptions options;
+    options.low = -1e-3;
+    options.high = 2e-3;
+    std::size_t points = 0, events = 0;
+    for (auto _ : state) {
+        const auto branch = continue_branch(dome, dome.unloaded(), 0, 1, options);
+        points += branch.points.size();
+        events = branch.events.size();
+    }
+    state.SetItemsProcessed(static_cast<std::int64_t>(points));
+    state.counters["events"] = static_cast<double>(events);
+}
+
+/// The fold curve of the two-link chain, both ways from a fold at alpha = 0.33, with its cusp.
+void chain_fold_curve(benchmark::State& state) {
+    using Chain = mechanisms::TwoLinkChain;
+    const ModelFamily<Chain, Chain::omega, Chain::alpha> family{{.33, 1.5, 2}};
+    ContinuationOptions options;
+    options.low = 0.01;
+    options.high = 0.55;
+    options.path.first_step = 1e-3;
+    CriticalPointSolver<ModelProblem<Chain, Chain::omega>> solver(family(0.33));
+    const auto fold = solver.solve(VectorXd(Eigen::Vector2d(1.1, -1.04)), 2.06);
+    if (!fold || fold->kind != CriticalKind::fold) return state.SkipWithError("no fold at alpha = 0.33");
+    std::size_t points = 0, special = 0;
+    for (auto _ : state)
+        for (const int direction : {1, -1}) {
+            const auto trace = continue_folds(family, *fold, 0.33, direction, options);
+            points += trace.branch.points.size();
+            special = std::max(special, trace.special.size());
+        }
+    state.SetItemsProcessed(static_cast<std::int64_t>(points));
+    state.counters["special"] = static_cast<double>(special);
+}
+
+/// 200 steps of a straight chain of springs, through its first buckling loads.
+void spring_elastica(benchmark::State& state) {
+    const support::SpringElastica chain{static_cast<int>(state.range(0))};
+    const double critical = chain.buckling_load();
+    ContinuationOptions options;
+    options.path.parameter_weight = 1 / critical;
+    options.most_steps = 200;
+    std::size_t points = 0;
+    for (auto _ : state) {
+        const auto branch = continue_branch(chain, VectorXd(VectorXd::Zero(chain.links)), 0, 1, options);
+        points += branch.points.size();
+    }
+    state.SetItemsProcessed(static_cast<std::int64_t>(points));
+}
+
+BENCHMARK(star_dome)->Unit(benchmark::kMillisecond);
+BENCHMARK(chain_fold_curve)->Unit(benchmark::kMillisecond);
+BENCHMARK(spring_elastica)->Arg(1000)->Arg(10000)->Arg(100000)->Unit(benchmark::kMillisecond);
+
+}  // namespace

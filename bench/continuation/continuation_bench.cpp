@@ -37,7 +37,8 @@ void chain_fold_curve(benchmark::State& state) {
     options.low = 0.01;
     options.high = 0.55;
     options.path.first_step = 1e-3;
-    CriticalPointSolver<ModelProblem<Chain, Chain::omega>> solver(family(0.33));
+    const auto member = family(0.33);
+    CriticalPointSolver<ModelProblem<Chain, Chain::omega>> solver(member);
     const auto fold = solver.solve(VectorXd(Eigen::Vector2d(1.1, -1.04)), 2.06);
     if (!fold || fold->kind != CriticalKind::fold) return state.SkipWithError("no fold at alpha = 0.33");
     std::size_t points = 0, special = 0;

@@ -129,7 +129,8 @@ TEST_CASE("folds of an unsymmetric problem end in a trans-critical point or in a
         // sign 1: folds x = 0, p^2 = r; sign -1: x = 0, p^2 = -r
         const auto family = [sign](double r) { return Crossing{r, sign}; };
         const double r0 = 0.25 * sign;
-        CriticalPointSolver<Crossing> solver(family(r0));
+        const Crossing member = family(r0);
+        CriticalPointSolver<Crossing> solver(member);
         const auto fold = solver.solve(VectorXd(Eigen::Vector2d(0.05, 0)), 0.52);
         REQUIRE(fold);
         REQUIRE(fold->kind == CriticalKind::fold);

@@ -188,5 +188,6 @@ TEST_CASE("control by a scalar of the problem, which falls all along the branch"
         CHECK(arch.residual(point->q, point->p).norm() < 1e-10);
     }
     CHECK(point->q(0) < 0);
-    CHECK_THROWS_WITH(PathStepper<ShallowArch>(ShallowArch{2}, options), Catch::Contains("constraint"));
+    const ShallowArch uncontrolled{2};
+    CHECK_THROWS_WITH(PathStepper<ShallowArch>(uncontrolled, options), Catch::Contains("constraint"));
 }

@@ -80,8 +80,10 @@ class CriticalPointSolver {
 public:
     using Matrix = TangentMatrix<P>;
 
-    CriticalPointSolver(const P& problem, const CriticalPointOptions& options = {})
+    /// The problem must outlive the solver.
+    explicit CriticalPointSolver(const P& problem, const CriticalPointOptions& options = {})
         : problem_(&problem), options_(options), solver_(symmetric_tangent<P>) {}
+    explicit CriticalPointSolver(P&&, const CriticalPointOptions& = {}) = delete;
 
     /// The critical point next to (q, p); nothing where neither system converges. border: with which the search for the
     /// weakest direction begins.

@@ -27,13 +27,14 @@ public:
     using Matrix = TangentMatrix<P>;
     using Point = BranchPoint<P>;
 
-    /// Throws InvalidArgument for options out of range.
+    /// The problem must outlive the stepper. Throws InvalidArgument for options out of range.
     PathStepper(const P& problem, const PathOptions& options)
         : problem_(&problem), options_(options), solver_(symmetric_tangent<P>), theta_(options.parameter_weight) {
         options.validate();
         require(options.constraint != StepConstraint::scalar || Controlled<P>, "constraint", "scalar",
                 "must not be asked of a problem without control(q, p)");
     }
+    PathStepper(P&&, const PathOptions&) = delete;
 
     const P& problem() const { return *problem_; }
     const PathOptions& options() const { return options_; }

@@ -2,7 +2,7 @@
 // springs are links.
 #include <benchmark/benchmark.h>
 
-#include <equilibria/continuation/critical_curve.hpp>
+#include <equilibria/continuation/critical_curve_trace.hpp>
 #include <equilibria/locus/model_problem.hpp>
 #include <equilibria/mechanisms/rotating_chain.hpp>
 

@@ -2,6 +2,7 @@
 #include <equilibria/continuation/generic_problem.hpp>
 
 #include "../examples/support/structures.hpp"
+#include "continuation/arch_energy.hpp"
 #include "support/catch.hpp"
 
 using namespace equilibria;
@@ -9,16 +10,7 @@ using namespace support;
 
 namespace {
 
-/// ShallowArch by its energy.
-struct ArchEnergy {
-    double l;
-    template <class T>
-    T energy(const Eigen::VectorX<T>& a, const T& p) const {
-        const T bend = a(0) - l, stretch = a(0) * a(0) + 4 * a(1) * a(1) - l * l;
-        return 0.5 * bend * bend + 8 * a(1) * a(1) + 0.25 * stretch * stretch + p * a(0);
-    }
-};
-/// And by its equations, with vectors of a fixed size.
+/// ShallowArch by its equations, with vectors of a fixed size.
 struct ArchResidual {
     static constexpr bool symmetric = true;
     double l;

@@ -11,6 +11,7 @@
 #include <equilibria/continuation/critical_point.hpp>
 #include <equilibria/continuation/generic_problem.hpp>
 
+#include "continuation/arch_energy.hpp"
 #include "support/catch.hpp"
 
 using namespace equilibria;
@@ -19,16 +20,6 @@ using Eigen::MatrixXd, Eigen::VectorXd;
 namespace {
 
 const double eps = std::numeric_limits<double>::epsilon();
-
-/// The shallow arch of two modes; see ShallowArch.
-struct Arch {
-    double l;
-    template <class T>
-    T energy(const Eigen::VectorX<T>& a, const T& p) const {
-        const T bend = a(0) - l, stretch = a(0) * a(0) + 4 * a(1) * a(1) - l * l;
-        return 0.5 * bend * bend + 8 * a(1) * a(1) + 0.25 * stretch * stretch + p * a(0);
-    }
-};
 
 /// Two bars with EA = 1 from (-1, 0) and (1, 0) to the apex, which is at q; unloaded at (0, h), load p down.
 /// Engineering strain, or Green's.
@@ -363,7 +354,7 @@ TEST_CASE("coefficients of the arch and of the truss: closed form, exact derivat
         CHECK(differenced->curvature == Approx(curvature).epsilon(noisy));
     };
     const double l = 2.5, a1 = std::sqrt(l * l - 4);
-    check(EnergyProblem(Arch{l}), Eigen::Vector2d(1.01 * a1, 0), l + 3 * a1, -8 * a1 / (2 * l * l - 11), -12 / a1);
+    check(EnergyProblem(ArchEnergy{l}), Eigen::Vector2d(1.01 * a1, 0), l + 3 * a1, -8 * a1 / (2 * l * l - 11), -12 / a1);
     const double h = 3;
     const auto green = green_pitchfork(h), engineering = engineering_pitchfork(h);
     CHECK(green.curvature == Approx(-0.02390457).epsilon(1e-6));
@@ -386,7 +377,7 @@ TEST_CASE("coefficients of folds: a and the curvature of p") {
         CHECK(differenced->curvature == Approx(curvature).epsilon(50 * std::pow(eps, 2.0 / 3)));
     };
     const double l = 1.8, a1 = std::sqrt((l * l - 1) / 3);
-    check(EnergyProblem(Arch{l}), Eigen::Vector2d(a1 + 0.02, 0.01), l + 2 * (l * l - 1) * a1 / 3, 6 * a1, -6 * a1);
+    check(EnergyProblem(ArchEnergy{l}), Eigen::Vector2d(a1 + 0.02, 0.01), l + 2 * (l * l - 1) * a1 / 3, 6 * a1, -6 * a1);
     // Green: p = y (h^2 - y^2) / l^3
     const double h = 1.2, l3 = std::pow(1 + h * h, 1.5), y = h / std::sqrt(3.0);
     check(EnergyProblem(Truss{h}), Eigen::Vector2d(0.001, y + 0.02), 2 * h * h * y / (3 * l3), 6 * y / l3, -6 * y / l3);
@@ -416,7 +407,7 @@ TEST_CASE("the curvature of a pitchfork converges with the square of its step") 
 
 TEST_CASE("limit points: quadratic with exact derivatives, and the root of the full system (28)") {
     const double l = 1.8;
-    check_convergence(EnergyProblem(Arch{l}),
+    check_convergence(EnergyProblem(ArchEnergy{l}),
                       {"arch", Eigen::Vector2d(l, 0), l + 2 * std::pow(l * l - 1, 1.5) / (3 * std::sqrt(3.0))},
                       CriticalKind::fold, 3);
     const double h = 1.2, l3 = std::pow(1 + h * h, 1.5);
@@ -427,7 +418,7 @@ TEST_CASE("limit points: quadratic with exact derivatives, and the root of the f
 
 TEST_CASE("bifurcation points: quadratic with exact derivatives, and the root of the full system (29)") {
     const double l = 2.5;
-    check_convergence(EnergyProblem(Arch{l}), {"arch", Eigen::Vector2d(l, 0), l + 3 * std::sqrt(l * l - 4)},
+    check_convergence(EnergyProblem(ArchEnergy{l}), {"arch", Eigen::Vector2d(l, 0), l + 3 * std::sqrt(l * l - 4)},
                       CriticalKind::pitchfork, 12);
     check_convergence(EnergyProblem(Truss{3}), {"truss", Eigen::Vector2d(0, 3), green_pitchfork(3).p},
                       CriticalKind::pitchfork, 12);

@@ -123,7 +123,7 @@ Branch<P> follow(PathStepper<P>& stepper, const BranchPoint<P>& start, const Con
         for (std::size_t f = 0; f < functions.size(); ++f) {
             const double at_from = functions[f].value(from), at_next = functions[f].value(*next);
             if (!(at_from * at_next < 0 || (at_next == 0 && at_from != 0))) continue;
-            if (auto zero = detail::zero_between(stepper, functions[f], from, *next))
+            if (auto zero = zero_between(stepper, functions[f], from, *next))
                 branch.crossings.push_back({step, f, std::move(*zero)});
             else
                 branch.unexplained.push_back({step, functions[f].name + " changes sign, and no zero was found"});

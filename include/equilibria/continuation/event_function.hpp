@@ -20,8 +20,6 @@ struct EventFunction {
     std::function<double(const BranchPoint<P>&)> value;
 };
 
-namespace detail {
-
 /// Where the function vanishes between two neighbouring points at which its signs differ; nothing where the branch is
 /// lost or the function jumps.
 template <ContinuationProblem P>
@@ -45,7 +43,5 @@ std::optional<BranchPoint<P>> zero_between(PathStepper<P>& stepper, const EventF
     if (!(least <= 1e-6 * std::max(std::abs(at_a), std::abs(at_b)))) return std::nullopt;
     return best;
 }
-
-}  // namespace detail
 
 }  // namespace equilibria

@@ -69,7 +69,7 @@ private:
         const EventFunction<P> approach{
             "approach", [this](const Point& at) { return at.weak_eigenvalue < 0 ? -slope(at) : slope(at); }};
         if (!(approach.value(a) < 0 && approach.value(b) > 0)) return std::nullopt;
-        const auto nearest = detail::zero_between(*stepper_, approach, a, b);
+        const auto nearest = zero_between(*stepper_, approach, a, b);
         const double far = std::max(std::abs(a.weak_eigenvalue), std::abs(b.weak_eigenvalue));
         if (!nearest || !(std::abs(nearest->weak_eigenvalue) < 1e-6 * far)) return std::nullopt;
         // it does not cross 0 there, to be crossed by another one next to it

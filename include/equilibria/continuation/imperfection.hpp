@@ -9,7 +9,7 @@
 
 #include <utility>
 
-#include <equilibria/continuation/critical_curve.hpp>
+#include <equilibria/continuation/critical_curve_trace.hpp>
 
 namespace equilibria {
 

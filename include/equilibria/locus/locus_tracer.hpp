@@ -12,6 +12,7 @@
 #include <vector>
 
 #include <equilibria/continuation/critical_curve.hpp>
+#include <equilibria/continuation/event_function.hpp>
 #include <equilibria/enumerate/enumerate.hpp>
 #include <equilibria/locus/line_events.hpp>
 #include <equilibria/locus/locus_result.hpp>
@@ -229,7 +230,7 @@ private:
                                                  }};
                 std::optional<BranchPoint<Curve>> cusp;
                 if (std::signbit(third.value(last)) != std::signbit(third.value(*next)))
-                    cusp = detail::zero_between(stepper, third, last, *next);
+                    cusp = zero_between(stepper, third, last, *next);
                 if (cusp) {
                     points.push_back(*cusp);
                     if (note_cusp(*cusp)) return CurveEnd::symmetric;

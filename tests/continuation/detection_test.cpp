@@ -140,3 +140,43 @@ TEST_CASE("200 random problems with planted folds, pitchforks, trans-critical po
     CHECK(invented == 0);
     CHECK(unexplained == 0);
 }
+
+namespace {
+
+/// V = y_0^3 / 6 - p y_0 and three modes along it, of which one stays weak: c_1 falls and c_2 rises through 0 within 1 %.
+struct Opposite {
+    static constexpr double falls = 1.5, rises = 1.51, weak = 1e-3;
+    VectorXd modes(const VectorXd& y) const { return Eigen::Vector3d(falls - y(0), y(0) - rises, weak); }
+    VectorXd residual(const VectorXd& y, double p) const {
+        VectorXd g(4);
+        g(0) = y(0) * y(0) / 2 - p - 0.5 * y(1) * y(1) + 0.5 * y(2) * y(2);
+        g.tail(3) = modes(y).cwiseProduct(y.tail(3)) + Eigen::Vector3d(std::pow(y(1), 3), std::pow(y(2), 3), 0);
+        return g;
+    }
+    MatrixXd tangent(const VectorXd& y, double) const {
+        MatrixXd k = MatrixXd::Zero(4, 4);
+        k(0, 0) = y(0);
+        k(0, 1) = k(1, 0) = -y(1);
+        k(0, 2) = k(2, 0) = y(2);
+        k.diagonal().tail(3) = modes(y) + 3 * Eigen::Vector3d(y(1) * y(1), y(2) * y(2), 0);
+        return k;
+    }
+    VectorXd parameter_derivative(const VectorXd&, double) const { return Eigen::Vector4d(-1, 0, 0, 0); }
+};
+
+}  // namespace
+
+TEST_CASE("two eigenvalues that cross 0 in opposite directions in one step, hidden behind a third") {
+    ContinuationOptions options;
+    options.low = 0;
+    options.high = 3;
+    options.path.largest_step = 0.5;
+    const auto branch = continue_branch(Opposite{}, VectorXd(Eigen::Vector4d(1, 0, 0, 0)), 0.5, 1, options);
+    CHECK(branch.end == BranchEnd::window);
+    CHECK(branch.unexplained.empty());
+    REQUIRE(branch.events.size() == 2);
+    CHECK(branch.events[0].step == branch.events[1].step);
+    CHECK(branch.events[0].point.p == Approx(Opposite::falls * Opposite::falls / 2).epsilon(1e-12));
+    CHECK(branch.events[1].point.p == Approx(Opposite::rises * Opposite::rises / 2).epsilon(1e-12));
+    for (const auto& event : branch.events) CHECK(event.point.kind == CriticalKind::pitchfork);
+}

@@ -45,6 +45,12 @@ struct Border {
     friend bool operator==(const Border&, const Border&) = default;
 };
 
+/// The inertia of a symmetric K. Its eigenvalues next to 0 are not known of a sparse one.
+struct TangentInertia {
+    int negative = 0;
+    double below = -std::numeric_limits<double>::infinity(), above = std::numeric_limits<double>::infinity();
+};
+
 namespace detail {
 
 /// K with the border's row and column replaced by zeros and, where they cross, `corner`; dense or sparse.
@@ -118,16 +124,21 @@ public:
     /// With B^T.
     BorderedSolution solve_transposed(const Eigen::VectorXd& f, double xi) const { return solve(f, xi, true); }
 
-    /// The number of negative eigenvalues of a symmetric K; nothing where it cannot be told. sigma: that of this K.
-    std::optional<int> negative(double sigma) const {
+    /// The inertia of a symmetric K; nothing where it cannot be told. sigma: that of this K.
+    std::optional<TangentInertia> inertia(double sigma) const {
+        TangentInertia y;
         if constexpr (sparse) {
             if (!negative_) return std::nullopt;
-            return *negative_ + (sigma > 0 ? 1 : 0);
+            y.negative = *negative_ + (sigma > 0 ? 1 : 0);
         } else {
             if (!symmetric_) return std::nullopt;
             const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(k_, Eigen::EigenvaluesOnly);
-            return static_cast<int>((eigen.eigenvalues().array() < 0).count());
+            const Eigen::VectorXd& values = eigen.eigenvalues();  // in increasing order
+            y.negative = static_cast<int>((values.array() < 0).count());
+            if (y.negative > 0) y.below = values(y.negative - 1);
+            if (y.negative < values.size()) y.above = values(y.negative);
         }
+        return y;
     }
     /// The sign of det K; sigma: that of this K.
     int sign_of_determinant(double sigma) const { return sigma > 0 ? -sign_without_ : sign_without_; }

@@ -2,6 +2,7 @@
 /// A converged point of a branch.
 #pragma once
 
+#include <limits>
 #include <optional>
 
 #include <Eigen/Core>
@@ -23,6 +24,9 @@ struct BranchPoint {
     double sigma = 0, mu = 0;        ///< test functions, see bordered.hpp
     Border border;                   ///< where the weak directions are large
     std::optional<int> negative;     ///< negative eigenvalues of K
+    /// Eigenvalues of a dense symmetric K next to 0, below and above; infinite where there is none or it is not known.
+    double eigenvalue_below = -std::numeric_limits<double>::infinity();
+    double eigenvalue_above = std::numeric_limits<double>::infinity();
     int determinant_sign = 1;        ///< of K
     double residual = 0;             ///< |g|, the largest entry
     int corrections = 0;             ///< of the corrector

@@ -8,8 +8,9 @@
 ///     dp/ds alone                a pitchfork passed along its side branch, where an eigenvalue only touches 0
 ///     two eigenvalues or more    several points close to each other, or one with several null vectors
 /// Where the points found do not account for the step it is halved, down to a resolution; so it is where an
-/// eigenvalue's slope at one end predicts a zero in the step that is not seen at the other (two that change in opposite
-/// directions). Where it only touches 0 that is a dead point of a mechanism, or tangential branches.
+/// eigenvalue's slope at one end predicts a zero in the step that is not seen at the other, or where K changes by more
+/// than the distances of its eigenvalues from 0: two may change in opposite directions. Where one only touches 0 that is a
+/// dead point of a mechanism, or branches touch.
 #pragma once
 
 #include <vector>
@@ -54,7 +55,16 @@ private:
         const auto predicted = [&](const Point& from, double ahead) {
             return from.weak_eigenvalue * (from.weak_eigenvalue + ahead * slope(from)) < 0;
         };
-        return predicted(a, h) || predicted(b, -h);
+        return predicted(a, h) || predicted(b, -h) || two_may_cross(a, b);
+    }
+    /// One eigenvalue may have risen through 0 and another one fallen: both are within reach at both ends. Eigenvalues of
+    /// a symmetric K move by no more than the norm of K's change (Weyl).
+    bool two_may_cross(const Point& a, const Point& b) const {
+        if (!std::isfinite(a.eigenvalue_below) || !std::isfinite(a.eigenvalue_above)) return false;
+        TangentMatrix<P> change = stepper_->problem().tangent(b.q, b.p);
+        change -= stepper_->problem().tangent(a.q, a.p);
+        const double reach = change.norm();
+        return std::max({a.eigenvalue_above, -a.eigenvalue_below, b.eigenvalue_above, -b.eigenvalue_below}) < reach;
     }
     /// Of the weakest eigenvalue along the branch.
     double slope(const Point& from) const {

@@ -151,7 +151,11 @@ public:
         point.weak_left = weak->left;
         point.weak_eigenvalue = weak->eigenvalue;
         point.border = border_;
-        point.negative = solver_.negative(r.tau);
+        if (const auto inertia = solver_.inertia(r.tau)) {
+            point.negative = inertia->negative;
+            point.eigenvalue_below = inertia->below;
+            point.eigenvalue_above = inertia->above;
+        }
         point.determinant_sign = solver_.sign_of_determinant(r.tau);
         if (theta_ == 0) {
             // the parameter's share of the first tangent is a half

@@ -1,0 +1,43 @@
+// The rotating chain as a continuation problem, without the locus module's search.
+#include <equilibria/continuation/critical_curve_trace.hpp>
+#include <equilibria/locus/model_problem.hpp>
+#include <equilibria/mechanisms/rotating_chain.hpp>
+
+#include "support/catch.hpp"
+
+using namespace equilibria;
+using Chain = mechanisms::TwoLinkChain;
+using Eigen::VectorXd;
+
+TEST_CASE("the chain's fold at alpha = 0.33 and its fold curve through the cusp, by continuation alone") {
+    const ModelFamily<Chain, Chain::omega, Chain::alpha> family{{.33, 1.5, 2}};
+    const auto member = family(0.33);
+    const VectorXd start = Eigen::Vector2d(1.1, -1.04);
+    const auto errors = check_derivatives(member, start, 2.06);
+    CHECK(errors.tangent < 1e-8);
+    CHECK(errors.tangent_derivative < 1e-8);
+    CHECK(errors.parameter_derivative_along < 1e-8);
+
+    CriticalPointSolver solver(member);
+    const auto fold = solver.solve(start, 2.06);
+    REQUIRE(fold);
+    CHECK(fold->kind == CriticalKind::fold);
+    CHECK(fold->residual < 1e-14);
+
+    ContinuationOptions options;
+    options.low = 0.01;
+    options.high = 0.55;
+    options.path.first_step = 1e-3;
+    const auto curve = continue_folds(family, *fold, 0.33, 1, options);
+    CHECK(curve.branch.end == BranchEnd::window);
+    CHECK(curve.branch.unexplained.empty());
+    // where alpha is largest the fold is born or dies in the plane of omega: a vertical tangent of the locus
+    REQUIRE(curve.special.size() == 2);
+    CHECK(is_bifurcation(curve.special[0].kind));
+    CHECK(curve.special[0].r == Approx(1.0 / 3).epsilon(1e-11));
+    CHECK(curve.special[0].at.p == Approx(2).epsilon(1e-9));
+    CHECK(curve.special[1].kind == CriticalKind::cusp);
+    CHECK(curve.special[1].r == Approx(0.32989617641140).epsilon(1e-12));
+    CHECK(curve.special[1].at.p == Approx(1.93791347451593).epsilon(1e-12));
+    for (const auto& point : curve.special) CHECK(point.residual < 1e-13);
+}

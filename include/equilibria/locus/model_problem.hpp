@@ -30,11 +30,13 @@ public:
         return jacobian_derivative<M, double>(unknowns(q), unknowns(v), at(p));
     }
     Vector parameter_derivative_along(const Vector& q, double p, const Vector& v) const {
-        const Eigen::Matrix<double, n, 1> fixed = v;  // of fixed size: g++'s warnings misread the mixed product
-        return jacobian_parameter_derivative<M, double>(unknowns(q), at(p), X) * fixed;
+        const Eigen::Matrix<double, n, 1> fixed = v;
+        const Eigen::Matrix<double, n, 1> y = jacobian_parameter_derivative<M, double>(unknowns(q), at(p), X) * fixed;
+        return vector(y);
     }
 
-    static Vector vector(const Unknowns<M>& q) {
+    /// Of n numbers, with operator[].
+    static Vector vector(const auto& q) {
         Vector v(n);
         for (int i = 0; i < n; ++i) v(i) = q[i];
         return v;

@@ -53,37 +53,42 @@ struct TangentInertia {
 
 namespace detail {
 
-/// K with the border's row and column replaced by zeros and, where they cross, `corner`; dense or sparse.
-inline Eigen::MatrixXd without(const Eigen::MatrixXd& k, Border border, double corner) {
-    Eigen::MatrixXd y = k;
-    y.row(border.row).setZero();
-    y.col(border.column).setZero();
-    y(border.row, border.column) = corner;
-    return y;
-}
-/// The pattern of K stays, so that it is analysed once, where the entry of the corner is stored.
-inline Eigen::SparseMatrix<double> without(const Eigen::SparseMatrix<double>& k, Border border, double corner) {
-    Eigen::SparseMatrix<double> y = k;
-    for (Eigen::Index c = 0; c < y.outerSize(); ++c)
-        for (Eigen::SparseMatrix<double>::InnerIterator entry(y, c); entry; ++entry)
-            if (entry.row() == border.row || entry.col() == border.column) entry.valueRef() = 0;
-    y.coeffRef(border.row, border.column) = corner;
+template <class Matrix>
+inline constexpr bool is_dense_matrix = !std::is_same_v<typename Matrix::StorageKind, Eigen::Sparse>;
+
+/// K with the border's row and column replaced by zeros and, where they cross, `corner`. The pattern of a sparse K
+/// stays, so that it is analysed once, where the entry of the corner is stored.
+template <class Matrix>
+Matrix without(const Matrix& k, Border border, double corner) {
+    Matrix y = k;
+    if constexpr (is_dense_matrix<Matrix>) {
+        y.row(border.row).setZero();
+        y.col(border.column).setZero();
+        y(border.row, border.column) = corner;
+    } else {
+        for (Eigen::Index c = 0; c < y.outerSize(); ++c)
+            for (typename Matrix::InnerIterator entry(y, c); entry; ++entry)
+                if (entry.row() == border.row || entry.col() == border.column) entry.valueRef() = 0;
+        y.coeffRef(border.row, border.column) = corner;
+    }
     return y;
 }
 
 /// The largest absolute value; NaN where one is.
-inline double largest_entry(const Eigen::MatrixXd& k) {
-    if (k.hasNaN()) return std::numeric_limits<double>::quiet_NaN();
-    return k.size() == 0 ? 0 : k.cwiseAbs().maxCoeff();
-}
-inline double largest_entry(const Eigen::SparseMatrix<double>& k) {
+template <class Matrix>
+double largest_entry(const Matrix& k) {
     double y = 0;
-    for (Eigen::Index c = 0; c < k.outerSize(); ++c)
-        for (Eigen::SparseMatrix<double>::InnerIterator entry(k, c); entry; ++entry)
-            if (std::isnan(entry.value()))
-                return entry.value();
-            else
-                y = std::max(y, std::abs(entry.value()));
+    if constexpr (is_dense_matrix<Matrix>) {
+        if (k.hasNaN()) return std::numeric_limits<double>::quiet_NaN();
+        if (k.size() > 0) y = k.cwiseAbs().maxCoeff();
+    } else {
+        for (Eigen::Index c = 0; c < k.outerSize(); ++c)
+            for (typename Matrix::InnerIterator entry(k, c); entry; ++entry)
+                if (std::isnan(entry.value()))
+                    return entry.value();
+                else
+                    y = std::max(y, std::abs(entry.value()));
+    }
     return y;
 }
 
@@ -96,7 +101,7 @@ inline double largest_entry(const Eigen::SparseMatrix<double>& k) {
 template <class Matrix>
 class BorderedSolver {
 public:
-    static constexpr bool sparse = !std::is_same_v<Matrix, Eigen::MatrixXd>;
+    static constexpr bool sparse = !detail::is_dense_matrix<Matrix>;
 
     explicit BorderedSolver(bool symmetric) : symmetric_(symmetric) {}
     bool symmetric() const { return symmetric_; }
@@ -250,9 +255,8 @@ inline Eigen::Index border_candidates(const Eigen::VectorXd& direction, int mult
 /// diagonal disturbed so that it is regular.
 template <class Matrix>
 Border border_for(const Matrix& k, const Eigen::VectorXd& weights, int multipliers, bool symmetric) {
-    constexpr bool sparse = !std::is_same_v<Matrix, Eigen::MatrixXd>;
-    using LU = std::conditional_t<sparse, Eigen::SparseLU<Eigen::SparseMatrix<double>>,
-                                  Eigen::PartialPivLU<Eigen::MatrixXd>>;
+    using LU = std::conditional_t<is_dense_matrix<Matrix>, Eigen::PartialPivLU<Eigen::MatrixXd>,
+                                  Eigen::SparseLU<Eigen::SparseMatrix<double>>>;
     const Eigen::VectorXd noise = 1e-8 * largest_entry(k) * generic_vector(k.rows(), 1);
     Matrix disturbed = k;
     disturbed += Matrix(noise.asDiagonal());

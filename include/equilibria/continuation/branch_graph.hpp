@@ -155,8 +155,8 @@ private:
         return stepper_.length(stepper_.difference(at(a.q, a.p), b.q, b.p)) <
                1e-3 * options_.continuation.path.first_step;
     }
-    /// On a branch that was followed, in the same direction where the start is that of two halves, or the image of one
-    /// that is.
+    /// Whether a branch that was followed passes through the start or an image of it; not so of the two halves from one
+    /// start.
     bool known(const Start& next) {
         for (const auto& edge : graph_.branches) {
             const Point& first = edge.branch.points.front();

@@ -21,8 +21,7 @@
 #include <utility>
 #include <vector>
 
-#include <equilibria/continuation/bordered.hpp>
-#include <equilibria/continuation/problem.hpp>
+#include <equilibria/continuation/bordered_tangent.hpp>
 
 namespace equilibria {
 
@@ -64,16 +63,6 @@ using MemberOf = std::remove_cvref_t<std::invoke_result_t<const F&, double>>;
 /// Gives a problem in p for each value of the second parameter.
 template <class F>
 concept ProblemFamily = std::invocable<const F&, double> && ContinuationProblem<detail::MemberOf<F>>;
-
-/// A point of a curve of critical points; Q: the configuration of the member.
-template <class Q>
-struct CriticalConfiguration {
-    Q q{};
-    double p = 0;
-    double gamma = 0;  ///< of bifurcation points: 0 where the bifurcation is perfect
-    Border border;
-    double sign = 1;  ///< of sigma and mu, so that a change of border leaves no jump of the determinant's sign
-};
 
 /// Base of both curves: extra unknowns first, then q.
 template <ProblemFamily F, int extra>
@@ -124,46 +113,7 @@ public:
         return w;
     }
 
-    /// The same point with the border where the null vectors are largest.
-    Configuration rebase(const Configuration& y, double r) const {
-        const Problem problem = family_(r);
-        const Bordered b(problem, y);
-        if (!b.regular) return y;
-        const Eigen::Index size = b.g.size() - equilibria::multipliers(problem);
-        const Eigen::VectorXd root = equilibria::weights(problem, y.q, b.g.size()).cwiseSqrt();
-        Configuration moved = y;
-        const auto turn = [&](const Eigen::VectorXd& v, Eigen::Index& at) {
-            Eigen::Index best = 0;
-            const double largest = root.cwiseProduct(v).head(size).cwiseAbs().maxCoeff(&best);
-            if (!(largest > 2 * root(at) * std::abs(v(at)))) return;
-            if (v(best) * v(at) < 0) moved.sign = -moved.sign;
-            at = best;
-        };
-        turn(b.null.x, moved.border.column);
-        turn(b.left.x, moved.border.row);
-        if (symmetric_tangent<Problem>) moved.border.row = moved.border.column, moved.sign = y.sign;
-        return moved;
-    }
-
-    /// Everything that one factorisation at a point gives.
-    struct Bordered {
-        Bordered(const Problem& problem, const Configuration& y)
-            : g(problem.residual(y.q, y.p)), g_p(problem.parameter_derivative(y.q, y.p)), k(problem.tangent(y.q, y.p)),
-              solver(symmetric_tangent<Problem>), regular(g.allFinite() && solver.factor(k, y.border)) {
-            if (!regular) return;
-            null = solver.solve(Eigen::VectorXd::Zero(g.size()), 1);
-            left = symmetric_tangent<Problem> ? null
-                                              : solver.solve_transposed(Eigen::VectorXd::Zero(g.size()), 1);
-            slope = solver.solve(-g_p, 0);
-        }
-        double mu() const { return -slope.tau; }
-
-        Eigen::VectorXd g, g_p;
-        Matrix k;
-        BorderedSolver<Matrix> solver;
-        bool regular;
-        BorderedSolution null, left, slope;  ///< [r; sigma], the same of B^T, [s; -mu]
-    };
+    Configuration rebase(const Configuration& y, double r) const { return with_best_border(family_(r), y); }
 
 protected:
     static Eigen::VectorXd not_a_number(Eigen::Index size) {
@@ -209,7 +159,6 @@ class FoldCurve : public CriticalCurve<F, 1> {
     using Base = CriticalCurve<F, 1>;
 
 public:
-    using typename Base::Bordered;
     using typename Base::Configuration;
     using typename Base::Matrix;
     using typename Base::Problem;
@@ -217,20 +166,21 @@ public:
 
     Eigen::VectorXd residual(const Configuration& y, double r) const {
         const Problem problem = this->family_(r);
-        const Bordered b(problem, y);
+        const BorderedTangent<Problem> b(problem, y);
         if (!b.regular) return Base::not_a_number(b.g.size() + 1);
         Eigen::VectorXd f(b.g.size() + 1);
-        f << y.sign * b.null.tau, b.g;
+        f << y.sign * b.sigma(), b.g;
         return f;
     }
     Matrix tangent(const Configuration& y, double r) const {
         const Problem problem = this->family_(r);
-        const Bordered b(problem, y);
+        const BorderedTangent<Problem> b(problem, y);
         const Eigen::Index n = b.g.size();
         Eigen::MatrixXd row(1, n + 1);
         if (b.regular) {
             row(0, 0) = -b.left.x.dot(parameter_derivative_along(problem, y.q, y.p, b.null.x));
-            row.rightCols(n) = -(detail::accurate_tangent_derivative(problem, y.q, y.p, b.null.x).transpose() * b.left.x).transpose();
+            const Matrix along_null = detail::accurate_tangent_derivative(problem, y.q, y.p, b.null.x);
+            row.rightCols(n) = -(along_null.transpose() * b.left.x).transpose();
             row *= y.sign;
         } else {
             row.setConstant(std::numeric_limits<double>::quiet_NaN());
@@ -251,7 +201,6 @@ class BifurcationCurve : public CriticalCurve<F, 2> {
     using Base = CriticalCurve<F, 2>;
 
 public:
-    using typename Base::Bordered;
     using typename Base::Configuration;
     using typename Base::Matrix;
     using typename Base::Problem;
@@ -259,16 +208,16 @@ public:
 
     Eigen::VectorXd residual(const Configuration& y, double r) const {
         const Problem problem = this->family_(r);
-        const Bordered b(problem, y);
+        const BorderedTangent<Problem> b(problem, y);
         if (!b.regular) return Base::not_a_number(b.g.size() + 2);
         Eigen::VectorXd f(b.g.size() + 2);
-        f << y.sign * b.null.tau, y.sign * b.mu(), b.g;
+        f << y.sign * b.sigma(), y.sign * b.mu(), b.g;
         f(y.border.row + 2) += y.gamma;
         return f;
     }
     Matrix tangent(const Configuration& y, double r) const {
         const Problem problem = this->family_(r);
-        const Bordered b(problem, y);
+        const BorderedTangent<Problem> b(problem, y);
         const Eigen::Index n = b.g.size();
         Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(2, n + 2), columns = Eigen::MatrixXd::Zero(n, 2);
         columns.col(0) = b.g_p;
@@ -279,11 +228,11 @@ public:
             const Matrix k_p = detail::five_point_difference(
                 [&](double t) -> Matrix { return problem.tangent(y.q, y.p + t); }, 1 / std::max(1e-3, std::abs(y.p)));
             rows(0, 0) = -psi.dot(parameter_derivative_along(problem, y.q, y.p, phi));
-            rows.row(0).tail(n) = -(detail::accurate_tangent_derivative(problem, y.q, y.p, phi).transpose() * psi).transpose();
+            const Matrix along_null = detail::accurate_tangent_derivative(problem, y.q, y.p, phi);
+            const Matrix along_slope = detail::accurate_tangent_derivative(problem, y.q, y.p, s);
+            rows.row(0).tail(n) = -(along_null.transpose() * psi).transpose();
             rows(1, 0) = psi.dot(second_parameter_derivative(problem, y.q, y.p) + gp_s);
-            rows.row(1).tail(n) = (detail::accurate_tangent_derivative(problem, y.q, y.p, s).transpose() * psi +
-                                   k_p.transpose() * psi)
-                                      .transpose();
+            rows.row(1).tail(n) = (along_slope.transpose() * psi + k_p.transpose() * psi).transpose();
             rows *= y.sign;
         } else {
             rows.setConstant(std::numeric_limits<double>::quiet_NaN());

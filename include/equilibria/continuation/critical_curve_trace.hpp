@@ -6,7 +6,9 @@
 ///     for (const auto& point : curve.branch.points) std::cout << point.p << ' ' << point.q.p << '\n';  // r, p
 #pragma once
 
-#include <functional>
+#include <algorithm>
+#include <cmath>
+#include <limits>
 #include <vector>
 
 #include <equilibria/continuation/branch.hpp>
@@ -49,10 +51,9 @@ CriticalConfiguration<Configuration<P>> configuration_of(const CriticalPoint<P>&
 /// A change of p that moves the unknowns by 1.
 template <class P>
 double scale_of_parameter(const P& problem, const CriticalConfiguration<Configuration<P>>& y) {
-    const typename FoldCurve<std::function<P(double)>>::Bordered b(problem, y);
+    const BorderedTangent<P> b(problem, y);
     if (!b.regular) return 1;
-    const double slope =
-        std::sqrt(b.slope.x.dot(weights(problem, y.q, b.g.size()).cwiseProduct(b.slope.x)));
+    const double slope = std::sqrt(b.slope.x.dot(weights(problem, y.q, b.g.size()).cwiseProduct(b.slope.x)));
     return slope > 0 && std::isfinite(slope) ? 1 / slope : 1.0;
 }
 
@@ -60,7 +61,7 @@ double scale_of_parameter(const P& problem, const CriticalConfiguration<Configur
 template <class Curve>
 double second_eigenvalue(const Curve& curve, const BranchPoint<Curve>& point) {
     const auto problem = curve.problem(point.p);
-    const typename Curve::Bordered b(problem, point.q);
+    const BorderedTangent b(problem, point.q);
     if (!b.regular) return 0;
     const Eigen::VectorXd w = weights(problem, point.q.q, b.g.size());
     Eigen::VectorXd v = generic_vector(b.g.size());

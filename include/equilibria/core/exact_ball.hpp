@@ -118,10 +118,13 @@ public:
         if (a.exact() && b.exact()) return {a.mid_ * b.mid_, 0};
         return {a.mid_ * b.mid_, rounded_up(a.size() * b.rad_ + a.rad_ * (b.size() + b.rad_))};
     }
-    /// Throws InvalidArgument where the divisor may be 0.
-    friend ExactBall operator/(const ExactBall& a, const ExactBall& b) { return a * inverse(b); }
 
     // Templates, so that a program pays only for the functions that its models call.
+
+    /// Throws InvalidArgument where the divisor may be 0.
+    template <class A, class B>
+    requires(std::same_as<A, ExactBall> || std::same_as<B, ExactBall>)
+    friend ExactBall operator/(const A& a, const B& b) { return ExactBall(a) * inverse(ExactBall(b)); }
     template <std::same_as<ExactBall> B>
     friend ExactBall sqrt(const B& a) {
         if (a == 0) return 0;
@@ -183,9 +186,10 @@ private:
     }
     std::string text() const { return to_text(mid_.to<double>()) + (exact() ? "" : " +- " + to_text(rad_)); }
 
-    friend ExactBall inverse(const ExactBall& a) {
+    template <std::same_as<ExactBall> B>
+    friend ExactBall inverse(const B& a) {
         if (a == 1) return 1;
-        const double gap = std::abs(a.mid_.to<double>()) * (1 - 1e-14) - a.rad_;
+        const double gap = std::abs(a.mid_.template to<double>()) * (1 - 1e-14) - a.rad_;
         require(gap > 0, "model", a.text(), "divides by a number that may be 0 at these parameters");
         return a.through([](const Float& x) { return Float(1 / x); }, 1.01 / gap / gap);
     }

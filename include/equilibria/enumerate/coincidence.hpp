@@ -27,7 +27,8 @@ public:
     }
 
     /// Groups of two or more numbers k < size whose points are within `tolerance` of each other, relative to their
-    /// size; point(k) gives a point, valid until the next call but one, or nullptr to leave k out. Each group is sorted, and so are the groups.
+    /// size; point(k) gives a point, valid until the next call but one, or nullptr to leave k out. Each group is sorted,
+    /// and so are the groups.
     template <class PointOf>
     std::vector<std::vector<std::size_t>> groups(std::size_t size, PointOf&& point, double tolerance) const {
         struct Entry {
@@ -56,16 +57,18 @@ public:
                     parent[root(j)] = root(i);
                     joined[i] = joined[j] = 1;
                 }
-        std::vector<std::pair<std::size_t, std::size_t>> members;  // of groups: the group's root, the number k
+        std::vector<std::size_t> least(entries.size(), size);  // of the numbers in a root's group
         for (std::size_t i = 0; i < entries.size(); ++i)
-            if (joined[i]) members.push_back({root(i), entries[i].k});
+            if (joined[i]) least[root(i)] = std::min(least[root(i)], entries[i].k);
+        std::vector<std::pair<std::size_t, std::size_t>> members;  // of groups: the least number, the number
+        for (std::size_t i = 0; i < entries.size(); ++i)
+            if (joined[i]) members.push_back({least[root(i)], entries[i].k});
         std::sort(members.begin(), members.end());
         std::vector<std::vector<std::size_t>> found;
         for (std::size_t m = 0; m < members.size(); ++m) {
             if (m == 0 || members[m].first != members[m - 1].first) found.emplace_back();
             found.back().push_back(members[m].second);
         }
-        std::sort(found.begin(), found.end());
         return found;
     }
 

@@ -150,7 +150,7 @@ private:
 
     /// The unit null vector, with the sign of `before` where that is given.
     Eigen::VectorXd null_vector(const At& at, double y, const Eigen::VectorXd* before = nullptr) const {
-        const typename Folds::Bordered b(Family{locus_.parameters}(y), at);
+        const BorderedTangent<ModelProblem<M, X>> b(Family{locus_.parameters}(y), at);
         Eigen::VectorXd v = b.regular ? b.null.x.normalized().eval() : Eigen::VectorXd::Zero(n).eval();
         if (before && v.dot(*before) < 0) v = -v;
         return v;
@@ -167,11 +167,11 @@ private:
         ModelProblem<M, X>::vector(seed.at.v).cwiseAbs().maxCoeff(&at.border.column);
         at.border.row = at.border.column;
         const Family family{locus_.parameters};
-        at = Folds(family, seed.at.y, locus_.window.width()).rebase(at, seed.at.y);
+        at = with_best_border(family(seed.at.y), at);
         if (seed.kind == LocusKind::fold)
             trace(Folds(family, seed.at.y, locus_.window.width()), at, seed);
         else
-            trace(Pitchforks(family, seed.at.y, locus_.window.width()), at, seed);
+            trace(Pitchforks(family, locus_.window.width()), at, seed);
     }
 
     template <class Curve>

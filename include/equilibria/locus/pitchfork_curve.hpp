@@ -2,9 +2,11 @@
 /// Pitchforks of a symmetric branch in a plane of two parameters.
 #pragma once
 
+#include <limits>
+
 #include <Eigen/Core>
 
-#include <equilibria/continuation/critical_curve.hpp>
+#include <equilibria/continuation/bordered_tangent.hpp>
 #include <equilibria/locus/model_problem.hpp>
 
 namespace equilibria {
@@ -16,19 +18,16 @@ template <Model M, int X, int Y>
 class PitchforkCurve {
 public:
     using Family = ModelFamily<M, X, Y>;
-    using Bordered = typename FoldCurve<Family>::Bordered;
-    using Configuration = equilibria::Configuration<FoldCurve<Family>>;
+    using Problem = ModelProblem<M, X>;
+    using Configuration = CriticalConfiguration<equilibria::Configuration<Problem>>;
     static constexpr bool symmetric = false;
 
-    /// y: a value at which the border is chosen; x_scale: a change of x that counts as much as one of 1.
-    PitchforkCurve(const Family& family, double y, double x_scale)
-        : folds_(family, y, x_scale), family_(family), x_scale_(x_scale) {}
-
-    auto problem(double y) const { return family_(y); }
+    /// x_scale: a change of x that counts as much as one of 1.
+    PitchforkCurve(const Family& family, double x_scale) : family_(family), x_scale_(x_scale) {}
 
     Eigen::VectorXd residual(const Configuration& at, double y) const {
-        const Bordered b(family_(y), at);
-        return Eigen::VectorXd::Constant(1, b.regular ? b.null.tau : std::numeric_limits<double>::quiet_NaN());
+        const BorderedTangent<Problem> b(family_(y), at);
+        return Eigen::VectorXd::Constant(1, b.regular ? b.sigma() : std::numeric_limits<double>::quiet_NaN());
     }
     Eigen::MatrixXd tangent(const Configuration& at, double y) const {
         return Eigen::MatrixXd::Constant(1, 1, derivative<X>(at, y));
@@ -44,7 +43,7 @@ public:
     Eigen::VectorXd difference(const Configuration& at, const Configuration& near) const {
         return Eigen::VectorXd::Constant(1, near.p - at.p);
     }
-    Configuration rebase(const Configuration& at, double y) const { return folds_.rebase(at, y); }
+    Configuration rebase(const Configuration& at, double y) const { return with_best_border(family_(y), at); }
     Eigen::VectorXd weights(const Configuration&) const {
         return Eigen::VectorXd::Constant(1, 1 / (x_scale_ * x_scale_));
     }
@@ -53,7 +52,7 @@ private:
     /// d sigma = -psi^T dK r.
     template <int Parameter>
     double derivative(const Configuration& at, double y) const {
-        const Bordered b(family_(y), at);
+        const BorderedTangent<Problem> b(family_(y), at);
         if (!b.regular) return std::numeric_limits<double>::quiet_NaN();
         Parameters<M> p = family_.parameters;
         p[X] = at.p;
@@ -63,7 +62,6 @@ private:
         return -left.dot(jacobian_parameter_derivative<M, double>(q, p, Parameter) * null);
     }
 
-    FoldCurve<Family> folds_;
     Family family_;
     double x_scale_;
 };

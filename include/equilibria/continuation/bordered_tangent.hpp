@@ -1,0 +1,68 @@
+/// \file
+/// A configuration next to a critical point, with the border that makes its tangent regular, and what one factorisation
+/// gives there: what the curves of critical points are written with.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include <equilibria/continuation/bordered.hpp>
+#include <equilibria/continuation/problem.hpp>
+
+namespace equilibria {
+
+/// A point of a curve of critical points; Q: the configuration of the member.
+template <class Q>
+struct CriticalConfiguration {
+    Q q{};
+    double p = 0;
+    double gamma = 0;  ///< of bifurcation points: 0 where the bifurcation is perfect
+    Border border;
+    double sign = 1;  ///< of sigma and mu, so that a change of border leaves no jump of the determinant's sign
+};
+
+/// sigma, mu and the vectors of bordered.hpp, of a problem at one configuration.
+template <ContinuationProblem P>
+struct BorderedTangent {
+    BorderedTangent(const P& problem, const CriticalConfiguration<Configuration<P>>& y)
+        : g(problem.residual(y.q, y.p)), g_p(problem.parameter_derivative(y.q, y.p)), k(problem.tangent(y.q, y.p)),
+          solver(symmetric_tangent<P>), regular(g.allFinite() && solver.factor(k, y.border)) {
+        if (!regular) return;
+        const Eigen::VectorXd zero = Eigen::VectorXd::Zero(g.size());
+        null = solver.solve(zero, 1);
+        left = symmetric_tangent<P> ? null : solver.solve_transposed(zero, 1);
+        slope = solver.solve(-g_p, 0);
+    }
+    double sigma() const { return null.tau; }
+    double mu() const { return -slope.tau; }
+
+    Eigen::VectorXd g, g_p;
+    TangentMatrix<P> k;
+    BorderedSolver<TangentMatrix<P>> solver;
+    bool regular;
+    BorderedSolution null, left, slope;  ///< [r; sigma], the same of B^T, [s; -mu]; empty where not regular
+};
+
+/// The same point with the border where the null vectors are largest.
+template <ContinuationProblem P>
+CriticalConfiguration<Configuration<P>> with_best_border(const P& problem,
+                                                         const CriticalConfiguration<Configuration<P>>& y) {
+    const BorderedTangent<P> b(problem, y);
+    if (!b.regular) return y;
+    const Eigen::Index size = b.g.size() - multipliers(problem);
+    const Eigen::VectorXd root = weights(problem, y.q, b.g.size()).cwiseSqrt();
+    auto moved = y;
+    const auto turn = [&](const Eigen::VectorXd& v, Eigen::Index& at) {
+        Eigen::Index best = 0;
+        const double largest = root.cwiseProduct(v).head(size).cwiseAbs().maxCoeff(&best);
+        if (!(largest > 2 * root(at) * std::abs(v(at)))) return;
+        if (v(best) * v(at) < 0) moved.sign = -moved.sign;
+        at = best;
+    };
+    turn(b.null.x, moved.border.column);
+    turn(b.left.x, moved.border.row);
+    if (symmetric_tangent<P>) moved.border.row = moved.border.column, moved.sign = y.sign;
+    return moved;
+}
+
+}  // namespace equilibria

@@ -5,7 +5,7 @@
 /// Unknowns: the model's, then w (n - 1 numbers), then the active parameter. Equations:
 ///     F(q, p) = 0,    J(q, p) v = 0,    v = B (1, w),
 /// with a random basis B, so that no null vector is at infinity in w. Pitchforks on symmetric branches are singular
-/// solutions of it; they are found on those branches (see pitchfork.hpp). Source: math of Govaerts, Numerical Methods
+/// solutions of it; they are found on those branches (line_events.hpp). Source: math of Govaerts, Numerical Methods
 /// for Bifurcations of Dynamical Equilibria, and Baillieul's section 3 for the example.
 #pragma once
 

@@ -52,9 +52,15 @@ std::string json(const Locus& locus, double ratio) {
                                   {"area", r.area},
                                   {"confirmed", r.confirmed && r.clean}});
     const auto& e = locus.evidence;
+    out["extremal"] = Json::array();
+    for (const auto& p : locus.extremal)
+        out["extremal"].push_back(
+            {{"kind", name(p.kind)}, {"of", p.parameter == Chain::alpha ? "alpha" : "omega"}, {"alpha", p.at.x}, {"omega", p.at.y}, {"angles", {p.at.q[0], p.at.q[1]}}});
+    out["argument"] = locus.argument();
     out["evidence"] = {{"lines", e.lines},
                        {"seeds", e.seeds},
-                       {"failed_paths", e.failed_paths},
+                       {"failed_paths", e.all_failed_paths()},
+                       {"unsolved_points", e.unsolved_points},
                        {"untraced_seeds", e.untraced_seeds},
                        {"unseeded_crossings", e.unseeded_crossings},
                        {"broken_curves", e.broken_curves},
@@ -82,12 +88,7 @@ void print(const Locus& locus) {
     std::printf("%llu lines solved, %llu events on them, %llu counts checked: %s\n",
                 static_cast<unsigned long long>(e.lines), static_cast<unsigned long long>(e.seeds),
                 static_cast<unsigned long long>(e.checked_points), e.complete() ? "all explained" : "NOT ALL EXPLAINED");
-    if (!e.complete())
-        std::printf("  failed paths %llu, untraced events %llu, crossings without event %llu, broken curves %llu, wrong "
-                    "counts %llu\n",
-                    static_cast<unsigned long long>(e.failed_paths), static_cast<unsigned long long>(e.untraced_seeds),
-                    static_cast<unsigned long long>(e.unseeded_crossings),
-                    static_cast<unsigned long long>(e.broken_curves), static_cast<unsigned long long>(e.wrong_counts));
+    std::printf("argument: %s\n", locus.argument().c_str());
     std::printf("%.2f s\n", e.seconds);
 }
 

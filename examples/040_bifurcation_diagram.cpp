@@ -45,7 +45,7 @@ std::string script(const Diagram& diagram, double ratio, double alpha, double lo
                                              rows(diagram, index, angle));
         std::ostringstream events[2];
         for (const auto& e : diagram.events)
-            events[e.kind == equilibria::LocusKind::fold ? 0 : 1]
+            events[e.kind == equilibria::CriticalKind::fold ? 0 : 1]
                 << e.value << ' ' << (e.q[angle] > 3.1415 ? e.q[angle] : std::remainder(e.q[angle], 2 * std::numbers::pi))
                 << '\n';
         for (int kind = 0; kind < 2; ++kind)
@@ -76,7 +76,7 @@ std::string json(const Diagram& diagram, double ratio, double alpha) {
     Json out{{"ratio", ratio}, {"alpha", alpha}, {"failed_paths", diagram.failed_paths},
              {"events", Json::array()}, {"branches", Json::array()}};
     for (const auto& e : diagram.events)
-        out["events"].push_back({{"kind", e.kind == equilibria::LocusKind::fold ? "fold" : "pitchfork"},
+        out["events"].push_back({{"kind", e.kind == equilibria::CriticalKind::fold ? "fold" : "pitchfork"},
                                  {"omega", e.value},
                                  {"angles", {e.q[0], e.q[1]}}});
     for (const auto& piece : diagram.pieces) {
@@ -115,7 +115,7 @@ int main(int argc, char** argv) {
     if (app.count("--svg") > 0) svg_file.emplace("--svg", svg_name);
     if (app.count("--png") > 0) png_file.emplace("--png", png_name);
     try {
-        const Diagram diagram = equilibria::trace_diagram<Chain, Chain::omega, Chain::alpha>({alpha, ratio, 1}, omega.low,
+        const Diagram diagram = equilibria::trace_diagram<Chain, Chain::omega>({alpha, ratio, 1}, omega.low,
                                                                                              omega.high, options);
         const auto picture = [&] { return script(diagram, ratio, alpha, omega.low, omega.high); };
         if (svg_file)
@@ -126,7 +126,7 @@ int main(int argc, char** argv) {
         if (!json_file || !json_file->to_stdout()) {
             for (const auto& e : diagram.events)
                 std::printf("%-9s  omega %.12f  at %9.6f %9.6f\n",
-                            e.kind == equilibria::LocusKind::fold ? "fold" : "pitchfork", e.value, e.q[0], e.q[1]);
+                            e.kind == equilibria::CriticalKind::fold ? "fold" : "pitchfork", e.value, e.q[0], e.q[1]);
             std::printf("%zu branches between them\n", diagram.pieces.size());
             if (diagram.failed_paths > 0)
                 std::printf("INCOMPLETE: %llu paths failed; events may be missing.\n",

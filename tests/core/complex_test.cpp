@@ -105,3 +105,19 @@ TEST_CASE("a number divided by zero is not a finite one: acceptance tests refuse
     const auto a = inverse(Complex<double>(0, 0));
     CHECK_FALSE(norm2(a) < 1e300);
 }
+
+TEST_CASE("the square root is the one with a real part that is not negative, in every lane") {
+    Generator generator(5);
+    for (int k = 0; k < 1000; ++k) {
+        const Complex<double> z(uniform(generator, -2, 2), uniform(generator, -2, 2)), root = sqrt(z);
+        const std::complex<double> expected = std::sqrt(std::complex<double>(z.re, z.im));
+        CHECK(std::abs(root.re - expected.real()) < 1e-15);
+        CHECK(std::abs(root.im - expected.imag()) < 1e-15);
+    }
+    CHECK(sqrt(Complex<double>(0.0)).re == 0);
+    CHECK(sqrt(Complex<double>(-4.0)).im == 2);
+    Complex<Pack> z;
+    for (int k = 0; k < native_lanes; ++k) set_lane(z, k, {k - 0.5, 1.0 - k});
+    const Complex<Pack> root = sqrt(z);
+    for (int k = 0; k < native_lanes; ++k) CHECK(std::abs(lane(root, k) - std::sqrt(lane(z, k))) < 1e-15);
+}

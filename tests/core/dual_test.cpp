@@ -1,6 +1,7 @@
 #include <cmath>
 
 #include <equilibria/core/dual.hpp>
+#include <equilibria/core/multiprecision.hpp>
 #include <equilibria/core/random.hpp>
 
 #include "support/catch.hpp"
@@ -81,4 +82,11 @@ TEST_CASE("duals in constant expressions") {
     STATIC_REQUIRE(f.value == 11.5);
     STATIC_REQUIRE(f.derivative[0] == 3);
     STATIC_REQUIRE(f.derivative[1] == -9.0 / 4 + 12);
+}
+
+TEST_CASE("a quotient by a plain number has all the digits of the scalar") {
+    using S = Multiprecision<40>;
+    const Dual<S, 1> x = Dual<S, 1>::variable(S(1.0), 0), third = x / 3;
+    CHECK(abs(3 * third.value - 1) < S(1e-38));
+    CHECK(abs(3 * third.derivative[0] - 1) < S(1e-38));
 }

@@ -78,8 +78,8 @@ TEST_CASE("the holonomic mechanism at 100 N: four equilibria of six roots") {
     p[M::mass] = 10;
     p[M::gravity] = 9.80665;
     p[M::length] = 1.25;
-    p[M::spring_1] = 162.5;
-    p[M::spring_2] = 1100.0 / 3;
+    p[M::stiffness_1] = 162.5;
+    p[M::stiffness_2] = 1100.0 / 3;
     p[M::force] = 100;
     const auto r = enumerate<M>(p);
     check_accounts(r);

@@ -1,5 +1,7 @@
 // Reduced coefficients and line events on models whose bifurcations are known in closed form.
 #include <cmath>
+#include <numbers>
+#include <vector>
 #include <equilibria/locus/reduced_coefficients.hpp>
 #include <equilibria/locus/line_events.hpp>
 #include <equilibria/mechanisms/rotating_chain.hpp>
@@ -22,33 +24,35 @@ struct TorquePendulum {
 }  // namespace
 
 TEST_CASE("Polynomial roots by Chebyshev interpolation, also where the degree is only a bound") {
-    const auto roots = detail::polynomial_roots([](double x) { return (x - 0.25) * (x - 1) * (x - 3.5) * (x - 7); }, 9, 0, 5);
+    const auto roots = polynomial_roots([](double x) { return (x - 0.25) * (x - 1) * (x - 3.5) * (x - 7); }, 9, 0, 5);
     REQUIRE(roots.size() == 3);
     CHECK(roots[0] == Approx(0.25).margin(1e-12));
     CHECK(roots[1] == Approx(1).margin(1e-12));
     CHECK(roots[2] == Approx(3.5).margin(1e-12));
-    CHECK(detail::polynomial_roots([](double) { return 2.0; }, 3, 0, 1).empty());
+    CHECK(polynomial_roots([](double) { return 2.0; }, 3, 0, 1).empty());
 }
 
 TEST_CASE("The folds of a pendulum under a torque: all of them, and nothing else") {
-    const LineSolver<TorquePendulum, TorquePendulum::torque> solver({0, 1}, TorquePendulum::stiffness, 0.5, 2, {});
     for (const double stiffness : {0.3, 1.0, 2.5}) {
-        std::uint64_t failed = 0;
-        auto folds = solver.folds(stiffness, failed);
-        CHECK(failed == 0);
-        REQUIRE(folds.size() == 2);
-        std::sort(folds.begin(), folds.end(), [](const auto& a, const auto& b) { return a.value < b.value; });
+        const auto found = find_events<TorquePendulum, TorquePendulum::torque>({0, stiffness}, -4, 3);
+        CHECK(found.complete());
+        REQUIRE(found.events.size() == 2);
         for (int k = 0; k < 2; ++k) {
             const double sign = k == 0 ? -1 : 1;
-            CHECK(folds[static_cast<std::size_t>(k)].value == Approx(sign * stiffness).margin(1e-12));
-            CHECK(folds[static_cast<std::size_t>(k)].q[0] == Approx(sign * std::numbers::pi / 2).margin(1e-12));
+            const auto& event = found.events[static_cast<std::size_t>(k)];
+            CHECK(event.kind == CriticalKind::fold);
+            CHECK(event.value == Approx(sign * stiffness).margin(1e-12));
+            CHECK(event.q[0] == Approx(sign * std::numbers::pi / 2).margin(1e-12));
         }
+        REQUIRE(found.intervals.size() == 3);
+        CHECK(found.intervals[0].count == 0);
+        CHECK(found.intervals[1].count == 2);
+        CHECK(found.intervals[2].count == 0);
     }
 }
 
 TEST_CASE("Folds and pitchforks of the two-link chain on lines alpha = const (facts.md)") {
     using Chain = mechanisms::TwoLinkChain;
-    const LineSolver<Chain, Chain::omega> solver({0.5, 1.5, 1}, Chain::alpha, 0, 1, {});
     struct Line {
         double alpha, pitchforks[4], fold;
     };
@@ -57,29 +61,31 @@ TEST_CASE("Folds and pitchforks of the two-link chain on lines alpha = const (fa
           Line{.4, {.6960675016716, .90127739195077, 1.1695539717331, 1.5143539252415}, 2.4293853881739},
           Line{.6, {.66948880558549, .96948528423161, 1.3316287206556, 1.9283286560808}, 7.4951235452437},
           Line{.7, {.65870047908076, 1.0175035388023, 1.4650681085145, 2.2631105219176}, 0}}) {
-        std::uint64_t failed = 0;
+        const auto found = find_events<Chain, Chain::omega>({line.alpha, 1.5, 1}, 0, 8);
+        CHECK(found.complete());
         int folds = 0;
-        for (const auto& e : solver.folds(line.alpha, failed)) {
-            if (e.value < 0) continue;  // omega and -omega are the same
-            ++folds;
-            CHECK(e.value == Approx(line.fold).epsilon(1e-11));
-            const auto p = Parameters<Chain>{line.alpha, 1.5, e.value};
-            for (const double f : equations<Chain, double>(e.q, p)) CHECK(std::abs(f) < 1e-10);
-            CHECK(std::abs(jacobian<Chain, double>(e.q, p).determinant()) < 1e-9);
-            CHECK(std::abs(reduced_coefficients<Chain>(e.q, e.v, p).third) > 1e-3);
+        std::vector<double> pitchforks;
+        for (const auto& e : found.events) {
+            CHECK(e.residual < 1e-12);
+            CHECK(e.correction < 1e-12);
+            if (e.kind == CriticalKind::fold) {
+                ++folds;
+                CHECK(e.value == Approx(line.fold).epsilon(1e-12));
+                CHECK(std::abs(e.reduced.third) > 1e-3);
+            } else {
+                CHECK(e.kind == CriticalKind::pitchfork);
+                pitchforks.push_back(e.value);
+                CHECK(std::abs(e.reduced.third) < 1e-12);  // v is odd
+                CHECK(std::abs(e.reduced.fourth) > 1e-3);
+            }
         }
         CHECK(folds == (line.fold > 0 ? 2 : 0));  // and its mirror image
-        CHECK(failed == 0);
-        auto pitchforks = solver.pitchforks(line.alpha, 0, 5);
-        std::sort(pitchforks.begin(), pitchforks.end(), [](const auto& a, const auto& b) { return a.value < b.value; });
         REQUIRE(pitchforks.size() == 4);
-        for (std::size_t k = 0; k < 4; ++k) {
-            CHECK(pitchforks[k].value == Approx(line.pitchforks[k]).epsilon(1e-10));
-            const auto p = Parameters<Chain>{line.alpha, 1.5, pitchforks[k].value};
-            const auto reduced = reduced_coefficients<Chain>(pitchforks[k].q, pitchforks[k].v, p);
-            CHECK(std::abs(reduced.third) < 1e-12);  // v is odd
-            CHECK(std::abs(reduced.fourth) > 1e-3);
-        }
+        for (std::size_t k = 0; k < 4; ++k) CHECK(pitchforks[k] == Approx(line.pitchforks[k]).epsilon(1e-12));
+        // a pitchfork adds two equilibria, a fold and its mirror image four
+        CHECK(found.intervals.back().count == 4u + 2 * 4 + 2 * static_cast<unsigned>(folds));
+        CHECK(found.paths.total == 96);
+        CHECK(found.pitchfork_paths == 24);
     }
 }
 
@@ -88,7 +94,7 @@ TEST_CASE("Reduced coefficients agree with the energy along the centre manifold,
     const Parameters<Chain> p{0.4, 1.5, .6960675016716};  // pitchfork of (0, 0)
     const Unknowns<Chain> q{0, 0};
     const auto j = jacobian<Chain, double>(q, p);
-    const auto v = detail::null_vector<Chain>(j);
+    const auto v = null_vector<Chain>(j);
     const auto reduced = reduced_coefficients<Chain>(q, v, p);
     // minimise V over the direction orthogonal to v at distance a along v
     const auto energy = [&](double a) {

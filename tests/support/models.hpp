@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 
+#include <equilibria/mechanisms/holonomic_mechanism.hpp>
 #include <equilibria/model/model.hpp>
 
 namespace models {
@@ -57,17 +58,7 @@ struct EqualAngles {
     }
 };
 
-/// The potential of the holonomic mechanism of the third seed, equation (1.14), with the force's -F x_2.
-struct TwoAngleMechanism {
-    static constexpr int n_angles = 2;
-    enum Parameter { mass, gravity, length, spring_1, spring_2, force, n_parameters };
-    constexpr auto potential(const auto& q, const auto& p) const {
-        const auto weight = p[mass] * p[gravity] * p[length];
-        const auto square = p[length] * p[length];
-        return 2 * weight * sin(q[0]) - weight * cos(q[1]) + p[spring_2] * square * (1 - sin(q[0])) +
-               p[spring_1] * square * (1 - sin(q[0] + q[1])) - p[force] * p[length] * (cos(q[0]) - sin(q[1]));
-    }
-};
+using TwoAngleMechanism = equilibria::mechanisms::HolonomicMechanism;
 
 /// Multiples, differences and phases of angles, powers of a coordinate, functions of parameters.
 struct Everything {

@@ -49,6 +49,16 @@ struct Complex {
         const R d = 1.0 / (a.re * a.re + a.im * a.im);
         return {a.re * d, -(a.im * d)};
     }
+    /// The root with a real part that is not negative.
+    friend Complex sqrt(const Complex& a) {
+        const R size = square_root(a.re * a.re + a.im * a.im), one = broadcast<R>(1.0);
+        const auto right = a.re >= broadcast<R>(0.0);
+        const R larger = square_root(0.5 * (size + select(right, a.re, -a.re)));
+        const R smaller = 0.5 * a.im / select(larger > broadcast<R>(0.0), larger, one);
+        const auto below = smaller < broadcast<R>(0.0);
+        return {select(right, larger, select(below, -smaller, smaller)),
+                select(right, smaller, select(below, -larger, larger))};
+    }
     /// |a|^2
     friend constexpr R norm2(const Complex& a) { return a.re * a.re + a.im * a.im; }
     friend constexpr Complex conj(const Complex& a) { return {a.re, -a.im}; }

@@ -87,7 +87,11 @@ struct Dual {
     friend constexpr Dual operator*(const Dual& b, A a) { return a * b; }
     template <class A>
     requires std::is_arithmetic_v<A>
-    friend constexpr Dual operator/(const Dual& b, A a) { return (1.0 / detail::plain(a)) * b; }
+    friend constexpr Dual operator/(const Dual& b, A a) {
+        Dual y(b.value / detail::plain(a));
+        for (int k = 0; k < N; ++k) y.derivative[k] = b.derivative[k] / detail::plain(a);
+        return y;
+    }
     constexpr Dual& operator+=(const Dual& b) { return *this = *this + b; }
     constexpr Dual& operator-=(const Dual& b) { return *this = *this - b; }
     constexpr Dual& operator*=(const Dual& b) { return *this = *this * b; }

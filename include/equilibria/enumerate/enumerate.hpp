@@ -89,7 +89,7 @@ private:
 /// paths, a mirror image after its original; those that rest come last. path_of(k) is the number of path k,
 /// `mirror(path)` that of its mirror image, the path itself where there is none.
 template <Model M, class PathOf, class RestingPath, class Mirror, class Take>
-void collect(PathCounts& paths, std::vector<FailedPath>& failures, EndpointStore<M>& ends, PathOf&& path_of,
+void collect(PathCounts& paths, std::vector<FailedPath<M>>& failures, EndpointStore<M>& ends, PathOf&& path_of,
              const std::vector<Endpoint<M>>& resting, RestingPath&& resting_path, bool symmetric, Mirror&& mirror,
              Take&& take) {
     const std::size_t size = ends.size() + resting.size();
@@ -113,8 +113,10 @@ void collect(PathCounts& paths, std::vector<FailedPath>& failures, EndpointStore
             case PathStatus::singular: paths.singular += w; break;
             case PathStatus::failed:
                 paths.failed += w;
-                failures.push_back({path(k), end(k).reason});
-                if (w == 2) failures.push_back({mirror(path(k)), end(k).reason});
+                failures.push_back({path(k), end(k).reason, root_of(end(k), path(k)).q});
+                if (w == 2)
+                    failures.push_back({mirror(path(k)), end(k).reason,
+                                        reflected(root_of(end(k), path(k)), mirror(path(k))).q});
         }
     }
     std::sort(failures.begin(), failures.end(), [](const auto& a, const auto& b) { return a.path < b.path; });
@@ -227,6 +229,18 @@ void check_arguments(const RootSet<M>& solved, const Parameters<M>& p, const Enu
             "a start instance must have regular roots only");
 }
 
+/// The start point of a path that begins at a solved instance's root q.
+template <Model M>
+Point<M, double> start_point(const Array<std::complex<double>, n_unknowns<M>>& q) {
+    Point<M, double> y;
+    for (int i = 0; i < n_angles<M>; ++i) {
+        set_lane(y.c[i], 0, std::cos(q[i]));
+        set_lane(y.s[i], 0, std::sin(q[i]));
+    }
+    for (int j = 0; j < n_coordinates<M>; ++j) set_lane(y.x[j], 0, q[n_angles<M> + j]);
+    return y;
+}
+
 /// Follows regular roots at parameters `from` to the roots at p, along a line in the space of coefficients.
 template <Model M>
 RootSet<M> enumerate_from(const std::vector<Root<M>>& roots, const Parameters<M>& from, const Parameters<M>& p,
@@ -241,16 +255,7 @@ RootSet<M> enumerate_from(const std::vector<Root<M>>& roots, const Parameters<M>
     using H = Homotopy<M, StartKind::parameter, double>;
     PathSolver<M, StartKind::parameter, double> solver(
         H::parameter(coefficients<M, double>(from), target, unit_complex(generator)), p, scale, options, rescue);
-    const auto start = [&](std::uint64_t path) {
-        Point<M, double> q;
-        const auto& root = roots[path].q;
-        for (int i = 0; i < n_angles<M>; ++i) {
-            set_lane(q.c[i], 0, std::cos(root[i]));
-            set_lane(q.s[i], 0, std::sin(root[i]));
-        }
-        for (int j = 0; j < n_coordinates<M>; ++j) set_lane(q.x[j], 0, root[n_angles<M> + j]);
-        return q;
-    };
+    const auto start = [&](std::uint64_t path) { return start_point<M>(roots[path].q); };
     auto ends = solver.store(roots.size(), start, "a solved instance", false);
     solver.run(ends, start, {}, false, set.paths);
     set.tracking_seconds = solver.tracking_seconds();

@@ -98,6 +98,9 @@ public:
                 !streamed};
     }
 
+    /// The same in memory, whatever the options.
+    EndpointStore<M> memory(std::uint64_t size) const { return {size, block(size)}; }
+
     /// Tracks the paths from start(path) that `ends` lacks. resting: solutions that rest at every t (none of the paths may
     /// end there); reflected: mirror images count as the same endpoint. Where it was cancelled, `ends` is not complete.
     template <class Start>

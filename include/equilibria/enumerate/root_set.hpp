@@ -63,10 +63,12 @@ struct PathCounts {
     bool accounted_for() const { return finite + at_infinity + singular + failed + cancelled == total; }
 };
 
-/// A path that failed, and why.
+/// A path that failed, why, and where it was last.
+template <Model M>
 struct FailedPath {
     std::uint64_t path = 0;
     FailureReason reason = FailureReason::none;
+    Array<std::complex<double>, n_unknowns<M>> q;  ///< as of a Root; far out on paths that were on their way to infinity
 };
 
 template <Model M>
@@ -77,7 +79,7 @@ struct RootSet {
     std::vector<Root<M>> roots;               ///< distinct and isolated, by path number
     std::vector<Equilibrium<M>> equilibria;   ///< the real ones, by index, then nullity, then path
     std::vector<Family<M>> families;          ///< curves and surfaces of solutions: none of `roots` lies on one
-    std::vector<FailedPath> failures;
+    std::vector<FailedPath<M>> failures;
     Alarms alarms;                            ///< tests that betray lost or doubled roots where no bound is sharp
     /// The imaginary parts that separated real from not: the largest among the real roots, the smallest among the
     /// others (infinity where there are none).

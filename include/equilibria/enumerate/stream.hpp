@@ -24,7 +24,7 @@ struct StreamedRoots {
     Parameters<M> parameters;
     std::uint64_t seed = 0;
     PathCounts paths;
-    std::vector<FailedPath> failures;
+    std::vector<FailedPath<M>> failures;
     std::uint64_t distinct = 0, real = 0, degenerate = 0;
     /// Nondegenerate equilibria of each index 0 .. n.
     std::vector<std::int64_t> by_index = std::vector<std::int64_t>(static_cast<std::size_t>(n_unknowns<M>) + 1);

@@ -115,6 +115,10 @@ private:
             end.status = PathStatus::at_infinity;
             return;
         }
+        if (r > 10 * smallest_radius && grows(at, r, end.steps)) {
+            end.status = PathStatus::at_infinity;
+            return;
+        }
         // no singularity on any scale: the path is regular there, only badly conditioned
         if (r <= 10 * smallest_radius) {
             if (track(closing_, at, time(r), time(0), end.steps) == Progress::arrived) {
@@ -196,6 +200,21 @@ private:
             if (unknown_size2(q, u) > 100 && nu[u] > 0.05 && before[u] > 0 &&
                 std::abs(nu[u] - before[u]) < 0.05 * nu[u])
                 return true;
+        return false;
+    }
+
+    /// Where rounding stops a path on its way: whether some unknown is far out, and has grown since ten times the radius by
+    /// the power of it that its valuation says on both scales.
+    bool grows(const At& q, double r, std::int32_t& steps) {
+        At here = q, back = q;
+        if (10 * r > 0.05 || track(closing_, back, time(r), time(10 * r), steps) != Progress::arrived) return false;
+        const Array<double, n> now = valuations(here, r), before = valuations(back, 10 * r);
+        for (int u = 0; u < n; ++u) {
+            const double size2 = unknown_size2(here, u), nu = now[u];
+            if (!(size2 > 100 && nu > 0.05 && std::abs(nu - before[u]) < 0.1 * nu)) continue;
+            const double growth = 0.5 * std::log10(size2 / unknown_size2(back, u));
+            if (std::abs(growth - nu) < 0.1 * nu) return true;
+        }
         return false;
     }
 

@@ -11,6 +11,7 @@
 
 #include <complex>
 #include <cstddef>
+#include <cstdint>
 
 #include <equilibria/core/complex.hpp>
 #include <equilibria/core/static_for.hpp>
@@ -69,6 +70,8 @@ public:
     static constexpr int n = n_unknowns<M>;
     static constexpr int order = 3;
     static constexpr bool symmetric = Formulation<M>::has_potential;
+    /// Unrolled, every term is code of its own: fastest, but hundreds of terms compile for minutes.
+    static constexpr bool unrolled = Kind != StartKind::parameter || Formulation<M>::terms <= 128;
 
     explicit Evaluation(const H& h) : h_(&h) {}
 
@@ -76,10 +79,14 @@ public:
     void value(const Point<M, R>& q, const Time& t, Z (&f)[n]) {
         prepare(q, t);
         for (Z& entry : f) entry = zero();
-        static_for<Plan::n_groups>([&](auto g) {
-            constexpr auto group = Plan::groups[g];
-            accumulate(f[group.equation], own<g>(0), blend_[0][g]);
-        });
+        if constexpr (unrolled) {
+            static_for<Plan::n_groups>([&](auto g) {
+                constexpr auto group = Plan::groups[g];
+                accumulate(f[group.equation], own<g>(0), blend_[0][g]);
+            });
+        } else {
+            for (int g = 0; g < Plan::n_groups; ++g) f[Plan::groups[g].equation] += with_own(g, blend_[0][g]);
+        }
     }
 
     /// H(q, t) and its Jacobian; with a potential only the entries on and above the diagonal are set.
@@ -87,7 +94,8 @@ public:
         value(q, t, f);
         for (int r = 0; r < n; ++r)
             for (int c = symmetric ? r : 0; c < n; ++c) j[r][c] = zero();
-        static_for<Plan::n_groups>([&](auto g) {
+        if constexpr (!unrolled) return add_slopes(j);
+        else static_for<Plan::n_groups>([&](auto g) {
             constexpr auto group = Plan::groups[g];
             constexpr int i = group.equation;
             constexpr int own_factor = Plan::factor(i, group.own_code);
@@ -124,7 +132,16 @@ public:
     void taylor_right_side(int k, Z (&f)[n]) {
         extend_factors(k);
         for (Z& entry : f) entry = zero();
-        static_for<Plan::n_groups>([&](auto g) {
+        if constexpr (!unrolled) {
+            for (int g = 0; g < Plan::n_groups; ++g) {
+                sum_terms(g, k);
+                const int i = Plan::groups[g].equation, own_factor = own_factors[g];
+                if (own_factor < 0)
+                    f[i] -= blend_[k][g];
+                else
+                    for (int l = 0; l <= k; ++l) f[i] -= factor_[l][own_factor] * blend_[k - l][g];
+            }
+        } else static_for<Plan::n_groups>([&](auto g) {
             constexpr auto group = Plan::groups[g];
             constexpr int own_factor = Plan::factor(group.equation, group.own_code);
             sum_terms<g>(k);
@@ -222,26 +239,32 @@ private:
         if constexpr (Kind == StartKind::parameter)
             for (int k = 0; k < Formulation<M>::terms; ++k)
                 current_[k] = number(h_->target[k]) - number(h_->difference[k]) * complement(t);
-        static_for<Plan::n_groups>([&](auto g) {
-            sum_terms<g>(0);
-            blend_[0][g] = blended<g>(0);
-        });
+        if constexpr (unrolled)
+            static_for<Plan::n_groups>([&](auto g) {
+                sum_terms<g>(0);
+                blend_[0][g] = blended<g>(0);
+            });
+        else
+            for (int g = 0; g < Plan::n_groups; ++g) sum_terms(g, 0);
     }
 
     template <int Operand>
     const Z& value_of(int k) const {
-        if constexpr (Operand < Plan::factors)
-            return factor_[k][Operand];
-        else
-            return node_[k][Operand - Plan::factors];
+        return factor_[k][Operand];
     }
     void multiply_nodes(int k) {
-        static_for<Plan::n_nodes>([&](auto m) {
-            constexpr auto node = Plan::nodes[m];
-            Z sum = value_of<node.left>(0) * value_of<node.right>(k);
-            for (int l = 1; l <= k; ++l) sum += value_of<node.left>(l) * value_of<node.right>(k - l);
-            node_[k][m] = sum;
-        });
+        const auto multiply = [&](int m, int left, int right) {
+            Z sum = factor_[0][left] * factor_[k][right];
+            for (int l = 1; l <= k; ++l) sum += factor_[l][left] * factor_[k - l][right];
+            factor_[k][Plan::factors + m] = sum;
+        };
+        if constexpr (unrolled)
+            static_for<Plan::n_nodes>([&](auto m) {
+                constexpr auto node = Plan::nodes[m];
+                multiply(m, node.left, node.right);
+            });
+        else
+            for (int m = 0; m < Plan::n_nodes; ++m) multiply(m, Plan::nodes[m].left, Plan::nodes[m].right);
     }
 
     /// P of the group, at order k; with a parameter homotopy also its change in time.
@@ -354,10 +377,13 @@ private:
             }
         });
         multiply_nodes(k);
-        static_for<Plan::n_groups>([&](auto g) {
-            sum_terms<g>(k);
-            blend_[k][g] = blended<g>(k);
-        });
+        if constexpr (unrolled)
+            static_for<Plan::n_groups>([&](auto g) {
+                sum_terms<g>(k);
+                blend_[k][g] = blended<g>(k);
+            });
+        else
+            for (int g = 0; g < Plan::n_groups; ++g) sum_terms(g, k);
     }
     template <int U>
     void raise_powers(int k) {
@@ -370,10 +396,83 @@ private:
         }
     }
 
+    // --- not unrolled -------------------------------------------------------------------------------------------
+    static constexpr Array<int, Plan::n_groups> own_factors = [] {
+        Array<int, Plan::n_groups> y{};
+        for (int g = 0; g < y.size(); ++g) y[g] = Plan::factor(Plan::groups[g].equation, Plan::groups[g].own_code);
+        return y;
+    }();
+    /// The unknown of each factor; -1 of nodes.
+    static constexpr Array<int, Plan::factors> unknowns_of_factors = [] {
+        Array<int, Plan::factors> y{};
+        for (int f = 0; f < y.size(); ++f) y[f] = Plan::unknown_of(f);
+        return y;
+    }();
+    /// Bit u: the operand depends on unknown u.
+    static constexpr Array<std::uint32_t, Plan::factors + Plan::n_nodes> dependence = [] {
+        static_assert(n <= 32);
+        Array<std::uint32_t, Plan::factors + Plan::n_nodes> y{};
+        for (int f = 0; f < Plan::factors; ++f) y[f] = std::uint32_t{1} << Plan::unknown_of(f);
+        for (int m = 0; m < Plan::n_nodes; ++m)
+            y[Plan::factors + m] = y[Plan::nodes[m].left] | y[Plan::nodes[m].right];
+        return y;
+    }();
+
+    Z with_own(int g, const Z& v) const { return own_factors[g] < 0 ? v : Z(factor_[0][own_factors[g]] * v); }
+
+    /// Of a parameter homotopy, whose blend is the sum itself and the change of one order less.
+    void sum_terms(int g, int k) {
+        const auto& group = Plan::groups[g];
+        Z p = zero(), d = zero();
+        for (int term = group.first; term < group.last; ++term) {
+            const int operand = Plan::operand[term];
+            if (operand >= 0) {
+                p += current_[term] * factor_[k][operand];
+                d += number(h_->difference[term]) * factor_[k][operand];
+            } else if (k == 0) {
+                p += current_[term];
+                d += number(h_->difference[term]);
+            }
+        }
+        sum_[k][g] = p;
+        change_[k][g] = d;
+        blend_[k][g] = k > 0 ? Z(p + change_[k - 1][g]) : p;
+    }
+
+    void add_slopes(Z (&j)[n][n]) const {
+        Z slope[Plan::factors], node_slope[Plan::n_nodes > 0 ? Plan::n_nodes : 1][n];
+        static_for<Plan::factors>([&](auto f) { slope[f] = derivative<f, unknowns_of_factors[f]>(); });
+        const auto slope_of = [&](int operand, int u) -> const Z& {
+            return operand < Plan::factors ? slope[operand] : node_slope[operand - Plan::factors][u];
+        };
+        for (int m = 0; m < Plan::n_nodes; ++m) {
+            const auto& node = Plan::nodes[m];
+            for (int u = 0; u < n; ++u)
+                if (dependence[node.left] >> u & 1) node_slope[m][u] = slope_of(node.left, u) * factor_[0][node.right];
+            node_slope[m][unknowns_of_factors[node.right]] = factor_[0][node.left] * slope[node.right];
+        }
+        for (int g = 0; g < Plan::n_groups; ++g) {
+            const auto& group = Plan::groups[g];
+            const int i = group.equation;
+            if (own_factors[g] >= 0) j[i][i] += slope[own_factors[g]] * blend_[0][g];
+            Z row[n];
+            for (Z& entry : row) entry = zero();
+            std::uint32_t used = 0;
+            for (int term = group.first; term < group.last; ++term) {
+                const int operand = Plan::operand[term];
+                if (operand < 0) continue;
+                used |= dependence[operand];
+                for (int u = 0; u < n; ++u)
+                    if (dependence[operand] >> u & 1) row[u] += current_[term] * slope_of(operand, u);
+            }
+            for (int u = symmetric ? i + 1 : 0; u < n; ++u)
+                if (used >> u & 1) j[i][u] += with_own(g, row[u]);
+        }
+    }
+
     const H* h_;
     Time time_;
-    Z factor_[order + 1][Plan::factors];
-    Z node_[order + 1][Plan::n_nodes > 0 ? Plan::n_nodes : 1];
+    Z factor_[order + 1][Plan::factors + Plan::n_nodes];  ///< operands: factors, then nodes
     Z sum_[order + 1][Plan::n_groups];
     Z change_[order + 1][Kind == StartKind::parameter ? Plan::n_groups : 1];
     Z blend_[order + 1][Plan::n_groups];

@@ -33,26 +33,16 @@ struct BifurcationDiagram {
     std::uint64_t failed_paths = 0;
 };
 
-/// The equilibria for all values in [low, high] of the parameter number Active. Fixed: the number of another parameter,
-/// in whose neighbourhood the generic line of the fold system is taken.
+/// The equilibria for all values in [low, high] of the parameter number Active.
 ///
-/// Throws InvalidArgument for an interval that is empty, reversed or not finite, and for options with a checkpoint or a
-/// cancel: these are of one enumeration, and a diagram takes many.
-template <Model M, int Active, int Fixed>
+/// Throws InvalidArgument as find_events does.
+template <Model M, int Active>
 BifurcationDiagram<M> trace_diagram(const Parameters<M>& p, double low, double high,
                                     const EnumerateOptions& options = {}, PathOptions path = {.first_step = 1e-3, .largest_step = 0.02}) {
-    require_finite(p, "parameters");
-    require(std::isfinite(low) && std::isfinite(high) && low < high, "interval", to_text(low) + ":" + to_text(high),
-            "must be finite and run from the smaller to the larger value");
-    require(options.checkpoint.empty(), "checkpoint", options.checkpoint, "must be empty: it keeps a single enumeration");
-    require(options.cancel == nullptr, "cancel", "given", "must be empty: a diagram cannot be cancelled");
     BifurcationDiagram<M> diagram;
-    const double around = 0.3 * std::max(std::abs(p[Fixed]), 1e-3);
-    const LineSolver<M, Active> solver(p, Fixed, p[Fixed] - around, p[Fixed] + around, options);
-    for (const auto& e : solver.folds(p[Fixed], diagram.failed_paths))
-        if (e.value >= low && e.value <= high) diagram.events.push_back(e);
-    for (const auto& e : solver.pitchforks(p[Fixed], low, high)) diagram.events.push_back(e);
-    std::sort(diagram.events.begin(), diagram.events.end(), [](const auto& a, const auto& b) { return a.value < b.value; });
+    auto found = find_events<M, Active>(p, low, high, options);
+    diagram.failed_paths = found.paths.failed;
+    diagram.events = std::move(found.events);
     std::vector<double> ends{low};
     for (const auto& e : diagram.events)
         if (e.value - ends.back() > 1e-9 * (high - low)) ends.push_back(e.value);

@@ -1,201 +1,365 @@
 /// \file
-/// All folds and pitchforks on a line of the parameter space, on which one parameter is active.
+/// All events on a line of the parameter space: the values of one parameter at which the number or the indices of the
+/// equilibria change, and the equilibria between them.
 ///
-/// Folds: the complex solutions of the fold system (see fold_model.hpp), all of them, real ones kept. The system is
-/// solved once, on a generic line, from a total-degree start; every other line follows by parameter homotopy.
-/// Pitchforks on the symmetric branches theta in {0, pi}^n: det J restricted to the branch is a polynomial of known
-/// degree in the active parameter; interpolated at Chebyshev points, its roots are eigenvalues of the colleague matrix.
+/// Folds are the solutions of the critical system (critical_system.hpp), all complex ones, real ones kept and refined.
+/// Pitchforks of symmetric branches are singular solutions of it; they are roots of one polynomial a branch
+/// (symmetric_branches.hpp), which accounts for their paths. Other singular solutions are refined and named. Between each
+/// two events the equilibria are enumerated: the tables must differ exactly by what the events say.
 #pragma once
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <numbers>
 #include <optional>
+#include <sstream>
+#include <string>
 #include <vector>
 
 #include <Eigen/Core>
-#include <Eigen/Eigenvalues>
-#include <Eigen/LU>
 
+#include <equilibria/continuation/critical_point.hpp>
 #include <equilibria/enumerate/enumerate.hpp>
-#include <equilibria/locus/fold_model.hpp>
+#include <equilibria/enumerate/multihomogeneous.hpp>
+#include <equilibria/locus/critical_system.hpp>
+#include <equilibria/locus/model_problem.hpp>
+#include <equilibria/locus/reduced_coefficients.hpp>
+#include <equilibria/locus/refine.hpp>
+#include <equilibria/locus/symmetric_branches.hpp>
 
 namespace equilibria {
 
-enum class LocusKind { fold, pitchfork };
-
-/// A degenerate equilibrium on a line: where it is, and the unit null vector.
+/// A degenerate equilibrium on a line.
 template <Model M>
 struct LineEvent {
-    LocusKind kind;
-    double value;  ///< of the active parameter
-    Unknowns<M> q, v;
+    CriticalKind kind = CriticalKind::fold;
+    double value = 0;       ///< of the active parameter
+    Unknowns<M> q;          ///< angles in (-pi, pi]
+    Unknowns<M> v;          ///< the unit null vector
+    double residual = 0;    ///< the largest |entry| of F and J v
+    double correction = 0;  ///< of the last step of Newton's method: about the error; NaN of kinds other than fold, pitchfork
+    ReducedCoefficients reduced;
+    double slope = 0;  ///< v . dF/dp of folds, v . (dJ/dp) v else
+    int index = 0;     ///< negative eigenvalues beside the one that vanishes
+    /// By how much the numbers of equilibria of index 0, 1, .. n change as the parameter grows; of folds, pitchforks and
+    /// trans-critical points of models with a potential. Else empty.
+    std::vector<std::int64_t> change;
+    std::size_t interval = 0;  ///< the first one above the event
 };
 
-/// The symmetric branches of a model: theta in {0, pi}^n where it has the symmetry theta -> -theta, else none.
+/// Parameter values between neighbouring events.
 template <Model M>
-std::vector<Unknowns<M>> symmetric_branches() {
-    std::vector<Unknowns<M>> branches;
-    if constexpr (Formulation<M>::reflection_symmetric)
-        for (unsigned bits = 0; bits < 1u << n_angles<M>; ++bits) {
-            Unknowns<M> q;
-            for (int i = 0; i < n_angles<M>; ++i) q[i] = bits >> i & 1 ? std::numbers::pi : 0;
-            branches.push_back(q);
-        }
-    return branches;
-}
+struct LineInterval {
+    double low = 0, high = 0, at = 0;  ///< at: where the equilibria were enumerated
+    std::uint64_t count = 0;
+    std::vector<std::int64_t> by_index;
+    bool clean = false;  ///< nothing speaks against the enumeration (RootSet::clean)
+};
+
+template <Model M>
+struct LineEvents {
+    double low = 0, high = 0;
+    std::vector<LineEvent<M>> events;       ///< by value
+    std::vector<LineInterval<M>> intervals; ///< one more than there are different values of events
+
+    PathCounts paths;                       ///< of the critical system, in the last attempt
+    std::uint64_t attempts = 0;             ///< start systems tried until no path failed
+    std::uint64_t complex_solutions = 0;    ///< of the critical system, distinct ones
+    std::uint64_t regular_solutions = 0;    ///< of those: folds, real or not, in the segment or not
+    std::uint64_t pitchfork_paths = 0;      ///< singular paths that end at pitchforks of symmetric branches
+    std::uint64_t other_singular = 0;       ///< singular paths that end elsewhere, on no real event of the segment
+    std::uint64_t unexplained = 0;          ///< real singular solutions in the segment that Newton's method did not confirm
+    std::uint64_t wrong_tables = 0;         ///< values at which the tables do not differ by what the events say
+    std::uint64_t unclean = 0;              ///< intervals whose enumeration is not clean
+    double solve_seconds = 0, seconds = 0;
+
+    bool complete() const { return paths.failed == 0 && unexplained == 0 && wrong_tables == 0 && unclean == 0; }
+    /// Why nothing is missing, or what speaks against it, in words.
+    std::string argument() const {
+        std::ostringstream out;
+        out << paths.total << " paths from a multihomogeneous start reach every isolated complex solution of F = 0, J v = 0: "
+            << regular_solutions << " regular, " << paths.singular << " singular (" << pitchfork_paths
+            << " at pitchforks of symmetric branches, found there by themselves), " << paths.at_infinity
+            << " at infinity, " << paths.failed << " failed; the tables of the " << intervals.size()
+            << " intervals, each enumerated, ";
+        if (wrong_tables == 0)
+            out << "differ exactly by the events between them";
+        else
+            out << "DO NOT DIFFER by the events at " << wrong_tables << " values";
+        if (unclean > 0) out << "; " << unclean << " ENUMERATIONS ARE NOT CLEAN";
+        if (unexplained > 0) out << "; " << unexplained << " SINGULAR SOLUTIONS ARE NOT EXPLAINED";
+        if (paths.failed > 0) out << "; NOT COMPLETE: events may be missing";
+        return out.str();
+    }
+};
 
 namespace detail {
 
-/// The real roots in [low, high] of a polynomial of degree at most `degree`, from its values: Chebyshev interpolation,
-/// then the eigenvalues of the colleague matrix. None where the values are rounding of zero throughout.
-template <class F>
-std::vector<double> polynomial_roots(F&& f, int degree, double low, double high) {
-    const int m = degree + 1;
-    const auto to_interval = [&](double t) { return 0.5 * (low + high) + 0.5 * (high - low) * t; };
-    Eigen::VectorXd values(m), c = Eigen::VectorXd::Zero(m);
-    for (int k = 0; k < m; ++k) values(k) = f(to_interval(std::cos(std::numbers::pi * (k + 0.5) / m)));
-    for (int j = 0; j < m; ++j) {
-        for (int k = 0; k < m; ++k) c(j) += values(k) * std::cos(std::numbers::pi * j * (k + 0.5) / m);
-        c(j) *= (j == 0 ? 1.0 : 2.0) / m;
-    }
-    int d = degree;
-    while (d > 0 && std::abs(c(d)) <= 1e-13 * c.cwiseAbs().maxCoeff()) --d;
-    std::vector<double> roots;
-    if (d == 0) return roots;
-    Eigen::MatrixXd colleague = Eigen::MatrixXd::Zero(d, d);
-    for (int k = 0; k < d; ++k) {
-        if (k > 0) colleague(k, k - 1) = k == d - 1 && d == 1 ? 1 : 0.5;
-        if (k + 1 < d) colleague(k, k + 1) = k == 0 ? 1 : 0.5;
-    }
-    for (int k = 0; k < d; ++k) colleague(d - 1, k) -= (d == 1 ? 1.0 : 0.5) * c(k) / c(d);
-    const Eigen::EigenSolver<Eigen::MatrixXd> solver(colleague, false);
-    for (int k = 0; k < d; ++k) {
-        const std::complex<double> t = solver.eigenvalues()(k);
-        // a double root may come out as a pair with an imaginary part of sqrt(epsilon)
-        if (std::abs(t.imag()) < 1e-7 && std::abs(t.real()) <= 1 + 1e-12)
-            roots.push_back(to_interval(std::clamp(t.real(), -1.0, 1.0)));
-    }
-    std::sort(roots.begin(), roots.end());
-    return roots;
-}
-
-/// The unit vector that J maps to the shortest one.
+/// The same equilibrium, angles modulo 2 pi.
 template <Model M>
-Unknowns<M> null_vector(const UnknownMatrix<M>& j) {
-    const Eigen::SelfAdjointEigenSolver<UnknownMatrix<M>> solver(j.transpose() * j);
-    Unknowns<M> v;
-    for (int i = 0; i < n_unknowns<M>; ++i) v[i] = solver.eigenvectors()(i, 0);
-    return v;
+bool same_unknowns(const Unknowns<M>& a, const Unknowns<M>& b, double tolerance) {
+    for (int i = 0; i < n_unknowns<M>; ++i) {
+        const double d = a[i] - b[i];
+        if (!(std::abs(i < n_angles<M> ? std::remainder(d, 2 * std::numbers::pi) : d) <= tolerance)) return false;
+    }
+    return true;
 }
 
-}  // namespace detail
+template <Model M>
+Unknowns<M> principal(Unknowns<M> q) {
+    for (int i = 0; i < n_angles<M>; ++i) {
+        q[i] = std::remainder(q[i], 2 * std::numbers::pi);
+        if (q[i] <= -std::numbers::pi) q[i] = std::numbers::pi;
+    }
+    return q;
+}
 
-/// Solves lines with active parameter `Active`, all other parameters but `fixed` being those of the instance.
+/// Fills in what follows from kind, value, q and v.
+template <Model M>
+void describe(LineEvent<M>& event, Parameters<M> p, int active) {
+    constexpr int n = n_unknowns<M>;
+    p[active] = event.value;
+    const UnknownMatrix<M> j = jacobian<M, double>(event.q, p);
+    Eigen::Matrix<double, n, 1> v;
+    for (int i = 0; i < n; ++i) v(i) = event.v[i];
+    event.residual = (j * v).cwiseAbs().maxCoeff();
+    for (const double f : equations<M, double>(event.q, p)) event.residual = std::max(event.residual, std::abs(f));
+    event.reduced = reduced_coefficients<M>(event.q, event.v, p);
+    if (event.kind == CriticalKind::fold) {
+        const auto f_p = parameter_derivative<M, double>(event.q, p, active);
+        for (int i = 0; i < n; ++i) event.slope += v(i) * f_p[i];
+    } else {
+        event.slope = v.dot(jacobian_parameter_derivative<M, double>(event.q, p, active) * v);
+    }
+    if constexpr (PotentialModel<M>) {
+        auto values = symmetric_eigenvalues(j).eval();
+        Eigen::Index zero = 0;
+        values.cwiseAbs().minCoeff(&zero);
+        for (Eigen::Index k = 0; k < values.size(); ++k) event.index += k != zero && values(k) < 0;
+        const auto k = static_cast<std::size_t>(event.index);
+        event.change.assign(n + 1, 0);
+        if (event.kind == CriticalKind::fold) {
+            // slope dp + third x^2 / 2 = 0
+            const int born = event.slope * event.reduced.third < 0 ? 1 : -1;
+            event.change[k] += born;
+            event.change[k + 1] += born;
+        } else if (event.kind == CriticalKind::pitchfork) {
+            // x (slope dp + fourth x^2 / 6) = 0: the pair lives where slope dp has the other sign than fourth
+            const int born = event.slope * event.reduced.fourth < 0 ? 1 : -1;
+            const bool falls = event.slope < 0;  // the branch's eigenvalue
+            event.change[falls ? k + 1 : k] += 1;
+            event.change[falls ? k : k + 1] -= 1;
+            event.change[event.reduced.fourth > 0 ? k : k + 1] += 2 * born;
+        } else if (event.kind != CriticalKind::transcritical) {
+            event.change.clear();
+        }
+    }
+}
+
 template <Model M, int Active>
-class LineSolver {
+class LineEventFinder {
 public:
-    using Fold = FoldModel<M, Active>;
+    using System = CriticalSystem<M, Active>;
+    using Problem = ModelProblem<M, Active>;
+    static constexpr int n = n_unknowns<M>;
 
-    /// p: the parameters; fixed: the number of the one that tells the lines apart; [low, high]: its range, in which a
-    /// generic line is taken.
-    LineSolver(const Parameters<M>& p, int fixed, double low, double high, const EnumerateOptions& options)
-        : options_(options), fixed_(fixed) {
-        // a generic line and basis are a choice: where one leaves paths undecided, another may not
-        constexpr std::uint64_t attempts = 4;
-        for (std::uint64_t attempt = 0; attempt < attempts && (attempt == 0 || paths_.failed > 0); ++attempt) {
-            EnumerateOptions with_seed = options;
-            with_seed.seed = options.seed + 0x9e3779b97f4a7c15 * attempt;
-            Generator generator(with_seed.seed);
-            Parameters<Fold> generic;
-            for (int k = 0; k < n_parameters<M>; ++k) generic[k] = p[k];
-            generic[fixed] = uniform(generator, low, high);
-            for (int k = n_parameters<M>; k < n_parameters<Fold>; ++k) generic[k] = uniform(generator, -1, 1);
-            const RootSet<Fold> solved = enumerate<Fold, StartKind::parameter>(generic, with_seed);
-            if (attempt > 0 && solved.paths.failed >= paths_.failed) continue;
-            paths_ = solved.paths;
-            generic_ = generic;
-            roots_.clear();
-            for (const auto& root : solved.roots)
-                if (root.status == PathStatus::finite && root.paths == 1) roots_.push_back(root);
-        }
-        // parameter homotopy runs on a line in the space of coefficients: safe only if the lines' own lie on one
-        auto other = generic_, third = generic_;
-        const double spread = 1 + std::abs(generic_[fixed]);  // a narrow window's own values would be too close to tell
-        other[fixed] += 0.37 * spread;
-        third[fixed] += 0.83 * spread;
-        const auto a = coefficients<Fold, double>(generic_), b = coefficients<Fold, double>(other),
-                   c = coefficients<Fold, double>(third);
-        // the distance of c from the plane of a and b
-        double aa = 0, ab = 0, bb = 0, ac = 0, bc = 0, cc = 0, distance2 = 0;
-        for (int k = 0; k < a.size(); ++k) {
-            aa += a[k] * a[k], ab += a[k] * b[k], bb += b[k] * b[k];
-            ac += a[k] * c[k], bc += b[k] * c[k], cc += c[k] * c[k];
-        }
-        const double det = aa * bb - ab * ab, of_a = (ac * bb - bc * ab) / det, of_b = (bc * aa - ac * ab) / det;
-        for (int k = 0; k < a.size(); ++k) {
-            const double d = c[k] - of_a * a[k] - of_b * b[k];
-            distance2 += d * d;
-        }
-        pencil_ = distance2 < 1e-18 * cc;
+    LineEventFinder(const Parameters<M>& p, double low, double high, const EnumerateOptions& options)
+        : p_(p), options_(options) {
+        found_.low = low;
+        found_.high = high;
     }
 
-    /// The paths of the generic line.
-    const PathCounts& paths() const { return paths_; }
-    /// Regular complex folds of a generic line.
-    std::size_t complex_folds() const { return roots_.size(); }
-
-    /// All folds on the line fixed = value; `failed` is increased by the paths that failed.
-    std::vector<LineEvent<M>> folds(double value, std::uint64_t& failed) const {
-        Parameters<Fold> p = generic_;
-        p[fixed_] = value;
-        const RootSet<Fold> set = pencil_ ? detail::enumerate_from<Fold>(roots_, generic_, p, options_)
-                                          : enumerate<Fold, StartKind::parameter>(p, options_);
-        failed += set.paths.failed;
-        std::vector<LineEvent<M>> events;
-        for (const auto& e : set.equilibria) {
-            if (!(e.condition < regular_condition) || e.multiplicity > 1) continue;  // a pitchfork, or a family
-            LineEvent<M> event{LocusKind::fold, e.q[n_unknowns<Fold> - 1], {}, {}};
-            double norm = 0;
-            for (int i = 0; i < n_unknowns<M>; ++i) {
-                event.q[i] = e.q[i];
-                event.v[i] = p[Fold::first_basis + i * n_unknowns<M>];
-                for (int k = 1; k < n_unknowns<M>; ++k)
-                    event.v[i] += p[Fold::first_basis + i * n_unknowns<M> + k] * e.q[n_unknowns<M> + k - 1];
-                norm += event.v[i] * event.v[i];
-            }
-            for (double& v : event.v) v /= std::sqrt(norm);
-            events.push_back(event);
-        }
-        return events;
-    }
-
-    /// All pitchforks of the symmetric branches on the line fixed = value, with the active parameter in [low, high].
-    std::vector<LineEvent<M>> pitchforks(double value, double low, double high) const {
-        std::vector<LineEvent<M>> events;
-        Parameters<M> p;
-        for (int k = 0; k < n_parameters<M>; ++k) p[k] = generic_[k];
-        p[fixed_] = value;
-        const int degree = n_unknowns<M> * Formulation<Fold>::degree_in(n_unknowns<Fold> - 1);
-        for (const Unknowns<M>& branch : symmetric_branches<M>()) {
-            const auto at = [&](double active) {
-                p[Active] = active;
-                return jacobian<M, double>(branch, p);
-            };
-            for (const double root :
-                 detail::polynomial_roots([&](double a) { return at(a).determinant(); }, degree, low, high))
-                events.push_back({LocusKind::pitchfork, root, branch, detail::null_vector<M>(at(root))});
-        }
-        return events;
+    LineEvents<M> run() {
+        const auto begin = std::chrono::steady_clock::now();
+        add_pitchforks();
+        add_solutions();
+        found_.solve_seconds = seconds_since(begin);
+        std::sort(found_.events.begin(), found_.events.end(),
+                  [](const auto& a, const auto& b) { return a.value < b.value; });
+        count();
+        found_.seconds = seconds_since(begin);
+        return std::move(found_);
     }
 
 private:
+    static constexpr double same_value = 1e-9;
+
+    bool in_segment(double value) const { return value >= found_.low && value <= found_.high; }
+    Parameters<M> at(double value) const {
+        Parameters<M> p = p_;
+        p[Active] = value;
+        return p;
+    }
+
+    void add_pitchforks() {
+        for (const Unknowns<M>& branch : symmetric_branches<M>()) {
+            const auto values = singular_points_of_branch<M>(branch, p_, Active, System::degree[0], found_.low, found_.high);
+            for (std::size_t k = 0; k < values.size(); ++k) {
+                LineEvent<M> event;
+                event.q = branch;
+                event.value = values[k];
+                event.v = null_vector<M>(jacobian<M, double>(branch, at(event.value)));
+                const bool twice = (k > 0 && values[k] - values[k - 1] < 1e-6) ||
+                                   (k + 1 < values.size() && values[k + 1] - values[k] < 1e-6);
+                event.kind = twice ? CriticalKind::multiple : CriticalKind::pitchfork;
+                if (!twice) {
+                    const auto refined = refine_pitchfork<M, Active>(branch, at(event.value));
+                    if (refined.converged && std::abs(refined.p[Active] - event.value) < 1e-4) {
+                        event.value = refined.p[Active];
+                        event.v = refined.v;
+                        event.correction = refined.correction;
+                    }
+                }
+                add(event);
+            }
+        }
+    }
+
+    void add_solutions() {
+        constexpr std::uint64_t most_attempts = 8;
+        while (found_.attempts < most_attempts && (found_.attempts == 0 || found_.paths.failed > 0)) {
+            EnumerateOptions options = options_;
+            options.seed = options_.seed + 0x9e3779b97f4a7c15 * found_.attempts++;
+            Generator generator(options.seed);
+            const auto set = solve_multihomogeneous<System>(System::parameters(p_, generator), options);
+            found_.paths = set.paths;
+            found_.complex_solutions = set.roots.size();
+            found_.regular_solutions = found_.pitchfork_paths = found_.other_singular = found_.unexplained = 0;
+            for (const auto& root : set.roots) {
+                if (root.status == PathStatus::finite)
+                    ++found_.regular_solutions;
+                take(root);
+            }
+        }
+    }
+
+    void take(const auto& root) {
+        Unknowns<M> q;
+        double imaginary = 0;
+        for (int i = 0; i < n; ++i) {
+            q[i] = root.q[i].real();
+            imaginary = std::max(imaginary, std::abs(root.q[i].imag()));
+        }
+        const std::complex<double> x = root.q[System::n_angles + System::first_active];
+        const bool singular = root.status == PathStatus::singular;
+        const auto paths = static_cast<std::uint64_t>(root.paths);
+        const double near = singular ? 1e-3 : 1e-6;
+        if (singular && complex_symmetric(root)) {
+            found_.pitchfork_paths += paths;
+            return;
+        }
+        const bool real = imaginary < near && std::abs(x.imag()) < near * (1 + std::abs(x)) &&
+                          (System::power[0] == 1 || x.real() > -near);
+        double value = real ? System::template parameter<double>(0, System::power[0] == 1 ? x.real() : std::max(0.0, x.real())) : 0;
+        const double around = 1e-3 * (1 + std::abs(value));
+        if (!real || value < found_.low - around || value > found_.high + around) {
+            if (singular) found_.other_singular += paths;
+            return;
+        }
+        LineEvent<M> event;
+        const auto refined = refine_fold<M, Active>(q, at(value));
+        if (refined.converged && std::abs(refined.p[Active] - value) < around &&
+            same_unknowns<M>(refined.q, q, 1e-3)) {
+            event.value = refined.p[Active];
+            event.q = principal<M>(refined.q);
+            event.v = refined.v;
+            event.correction = refined.correction;
+        } else {
+            const Problem problem(p_);
+            const auto point = CriticalPointSolver<Problem>(problem).solve(Problem::vector(q), value);
+            if (!point || std::abs(point->p - value) > around ||
+                !same_unknowns<M>(Problem::unknowns(point->q), q, 1e-2)) {
+                ++found_.unexplained;
+                return;
+            }
+            event.kind = point->kind;
+            event.value = point->p;
+            event.q = principal<M>(Problem::unknowns(point->q));
+            event.v = Problem::unknowns(point->null_vector.normalized());
+            event.correction = std::numeric_limits<double>::quiet_NaN();
+        }
+        add(event);
+    }
+
+    static bool complex_symmetric(const auto& root) {
+        if (!Formulation<M>::reflection_symmetric) return false;
+        for (int i = 0; i < n_angles<M>; ++i)
+            if (std::abs(std::sin(root.q[i])) > 1e-2) return false;
+        return true;
+    }
+
+    /// Unless it is out of the segment or known.
+    void add(LineEvent<M> event) {
+        if (!in_segment(event.value)) return;
+        for (const auto& other : found_.events)
+            if (std::abs(other.value - event.value) <= 1e-8 * (1 + std::abs(event.value)) &&
+                same_unknowns<M>(other.q, event.q, 1e-5))
+                return;
+        describe<M>(event, p_, Active);
+        found_.events.push_back(event);
+    }
+
+    /// Enumerates between the events and compares.
+    void count() {
+        const auto add_interval = [&](double low, double high) {
+            LineInterval<M> interval{low, high, 0.5 * (low + high), 0, {}, false};
+            const auto set = enumerate<M>(at(interval.at), options_);
+            interval.count = set.real();
+            interval.by_index = set.by_index();
+            interval.clean = set.clean();
+            found_.unclean += !interval.clean;
+            found_.intervals.push_back(std::move(interval));
+        };
+        double from = found_.low;
+        for (std::size_t first = 0; first < found_.events.size();) {
+            const double value = found_.events[first].value;
+            std::size_t last = first;
+            while (last < found_.events.size() &&
+                   found_.events[last].value - value <= same_value * (1 + std::abs(value)))
+                ++last;
+            add_interval(from, value);
+            from = found_.events[last - 1].value;
+            for (std::size_t k = first; k < last; ++k) found_.events[k].interval = found_.intervals.size();
+            first = last;
+        }
+        add_interval(from, found_.high);
+        compare();
+    }
+    void compare() {
+        for (std::size_t k = 1; k < found_.intervals.size(); ++k) {
+            std::vector<std::int64_t> expected = found_.intervals[k - 1].by_index;
+            bool known = true;
+            for (const auto& event : found_.events) {
+                if (event.interval != k) continue;
+                known = known && !event.change.empty();
+                for (std::size_t i = 0; i < event.change.size(); ++i) expected[i] += event.change[i];
+            }
+            found_.wrong_tables += known && expected != found_.intervals[k].by_index;
+        }
+    }
+
+    Parameters<M> p_;
     EnumerateOptions options_;
-    int fixed_;
-    Parameters<Fold> generic_;
-    std::vector<Root<Fold>> roots_;
-    PathCounts paths_;
-    bool pencil_ = true;
+    LineEvents<M> found_;
 };
+
+}  // namespace detail
+
+/// All events with the parameter number Active in [low, high], the others those of p. The model must be polynomial in that
+/// parameter.
+///
+/// Throws InvalidArgument for an interval that is empty, reversed or not finite, for parameters that are not finite, and for
+/// options with a checkpoint or a cancel: these are of one enumeration, and here are many.
+template <Model M, int Active>
+LineEvents<M> find_events(const Parameters<M>& p, double low, double high, const EnumerateOptions& options = {}) {
+    require_finite(p, "parameters");
+    require(std::isfinite(low) && std::isfinite(high) && low < high, "interval", to_text(low) + ":" + to_text(high),
+            "must be finite and run from the smaller to the larger value");
+    require(options.checkpoint.empty(), "checkpoint", options.checkpoint, "must be empty: it keeps a single enumeration");
+    require(options.cancel == nullptr, "cancel", "given", "must be empty: a search for events cannot be cancelled");
+    options.validate();
+    return detail::LineEventFinder<M, Active>(p, low, high, options).run();
+}
 
 }  // namespace equilibria

@@ -1,5 +1,5 @@
 /// \file
-/// Traces the curves of a locus from the events on lines, until every event is on a curve.
+/// Traces the curves of a locus from its points on lines, its cusps and its extremal points, until each is on a curve.
 #pragma once
 
 #include <algorithm>
@@ -14,16 +14,16 @@
 #include <equilibria/continuation/critical_curve.hpp>
 #include <equilibria/continuation/event_function.hpp>
 #include <equilibria/enumerate/enumerate.hpp>
-#include <equilibria/locus/line_events.hpp>
 #include <equilibria/locus/locus_result.hpp>
 #include <equilibria/locus/pitchfork_curve.hpp>
+#include <equilibria/locus/plane_solver.hpp>
 #include <equilibria/locus/reduced_coefficients.hpp>
 #include <equilibria/locus/region_counts.hpp>
 
 namespace equilibria {
 
 struct LocusOptions {
-    int lines = 12;            ///< lines in each direction that are solved for seeds, at least 2
+    int lines = 12;            ///< lines in each direction that are solved beside the borders of the window, at least 2
     int checks = 20;           ///< points in each direction whose count is compared with their region's; 0: none
     std::uint64_t seed = 1;    ///< of every enumeration
     /// Of the curves, in angles and in parts of the window; parameter_weight is set by it.
@@ -46,19 +46,20 @@ public:
     static constexpr int n = n_unknowns<M>;
 
     LocusTracer(const Parameters<M>& p, const PlaneWindow& window, const LocusOptions& options)
-        : options_(options), symmetric_(symmetric_branches<M>()) {
-        enumerate_options_.seed = options.seed;
+        : options_(options), enumerate_options_{.seed = options.seed}, solver_(p, enumerate_options_),
+          symmetric_(symmetric_branches<M>()) {
         locus_.window = window;
         locus_.parameters = p;
     }
 
     Locus<M> run() {
         const auto begin = std::chrono::steady_clock::now();
-        const PlaneWindow& w = locus_.window;
-        solve_lines<X, Y>(w.x_low, w.x_high, w.y_low, w.y_high);
-        solve_lines<Y, X>(w.y_low, w.y_high, w.x_low, w.x_high);
+        solve_lines<X, Y>();
+        solve_lines<Y, X>();
+        solve_points();
         for (Seed& seed : seeds_)
             if (!seed.traced) trace_from(seed);
+        compare_points();
         for (const Seed& seed : seeds_) locus_.evidence.untraced_seeds += !seed.traced;
         count_regions<M, X, Y>(locus_, options_.checks, enumerate_options_);
         locus_.evidence.seconds = seconds_since(begin);
@@ -66,37 +67,112 @@ public:
     }
 
 private:
-    /// An event on a line: where the parameter number `fixed` has the value `line`.
+    enum class Source { line, cusp, extremal, degenerate_pitchfork };
+
+    /// A point that some curve must pass. On a line the parameter number `fixed` has the value `line`.
     struct Seed {
         LocusKind kind;
+        Source source;
         int fixed;
         double line;
         LocusPoint<M> at;
         bool traced = false;
     };
 
+    using Solver = PlaneSolver<M, X, Y>;
+    using Family = PlaneFamily<M, X, Y>;
+
+    void add_seed(const Seed& seed) {
+        if (!locus_.window.contains(seed.at.x, seed.at.y) || is_family(seed.at)) return;
+        for (const Seed& other : seeds_)  // the mirror image
+            if (other.source == seed.source && other.fixed == seed.fixed && other.line == seed.line &&
+                other.kind == seed.kind && same(other.at, seed.at))
+                return;
+        seeds_.push_back(seed);
+        ++locus_.evidence.seeds;
+    }
+
     template <int Active, int Fixed>
-    void solve_lines(double active_low, double active_high, double low, double high) {
-        const LineSolver<M, Active> solver(locus_.parameters, Fixed, low, high, enumerate_options_);
-        locus_.evidence.failed_paths += solver.paths().failed;
-        for (int k = 0; k < options_.lines; ++k) {
-            // off the centre of the cells, where special values (alpha = 1/2) would sit
-            const double line = low + (high - low) * (k + 0.4713) / options_.lines;
-            const auto add = [&](const LineEvent<M>& event) {
-                if (!(event.value >= active_low && event.value <= active_high)) return;
-                LocusPoint<M> at{0, 0, event.q, event.v};
-                (Active == X ? at.x : at.y) = event.value;
-                (Active == X ? at.y : at.x) = line;
-                if (is_family(at)) return;
-                for (const Seed& other : seeds_)  // the mirror image
-                    if (other.fixed == Fixed && other.line == line && other.kind == event.kind && same(other.at, at)) return;
-                seeds_.push_back({event.kind, Fixed, line, at});
-            };
-            for (const auto& event : solver.folds(line, locus_.evidence.failed_paths)) add(event);
-            for (const auto& event : solver.pitchforks(line, active_low, active_high)) add(event);
+    void solve_lines() {
+        const PlaneWindow& w = locus_.window;
+        const double low = Fixed == X ? w.x_low : w.y_low, size = Fixed == X ? w.width() : w.height();
+        const double active_low = Active == X ? w.x_low : w.y_low, active_high = Active == X ? w.x_high : w.y_high;
+        const int degree = Solver::System::degree[Active == X ? 0 : 1];
+        Generator generator(options_.seed);
+        const typename Solver::Lines lines(solver_, Fixed == X ? 0 : 1, low + size * uniform(generator));
+        locus_.evidence.lines_solved.add(lines.counts());
+        const auto add = [&](double line, const std::vector<LocusPoint<M>>& folds) {
+            for (const auto& at : folds) add_seed({LocusKind::fold, Source::line, Fixed, line, at});
+            Parameters<M> p = locus_.parameters;
+            p[Fixed] = line;
+            for (const Unknowns<M>& branch : symmetric_) {
+                const auto determinant = [&](double value) {
+                    p[Active] = value;
+                    return Family{p}(p[Y]).tangent(PlaneProblem<M, X, Y>::vector(branch), p[X]).determinant();
+                };
+                for (const double value : polynomial_roots(determinant, n * degree, active_low, active_high)) {
+                    p[Active] = value;
+                    LocusPoint<M> at{value, line, branch, equilibria::null_vector<M>(jacobian<M, double>(branch, p))};
+                    if (Fixed == X) std::swap(at.x, at.y);
+                    add_seed({LocusKind::pitchfork, Source::line, Fixed, line, at});
+                }
+            }
+            lines_[Fixed == X ? 0 : 1].push_back(line);
             ++locus_.evidence.lines;
+        };
+        // the borders, moved in: the model may degenerate on them, and near to them may leave paths undecided
+        for (const bool upper : {false, true})
+            for (const double hair : {1e-6, 1e-4, 1e-2}) {
+                const double line = low + size * (upper ? 1 - hair : hair);
+                std::uint64_t failed = 0;
+                const bool last = hair == 1e-2;
+                const auto folds = lines.folds(line, failed, last);
+                if (failed > 0 && !last) continue;
+                locus_.evidence.failed_paths += failed;
+                double& widest = locus_.evidence.hair[Fixed == X ? 0 : 1];
+                widest = std::max(widest, hair);
+                add(line, folds);
+                break;
+            }
+        // off the centre of the cells, where special values (alpha = 1/2) would sit
+        for (int k = 0; k < options_.lines; ++k) {
+            const double line = low + size * (k + 0.4713) / options_.lines;
+            add(line, lines.folds(line, locus_.evidence.failed_paths));
         }
-        locus_.evidence.seeds = seeds_.size();
+    }
+
+    void solve_points() {
+        if constexpr (PotentialModel<M>) {
+            auto& e = locus_.evidence;
+            for (const auto& at : solver_.cusps(e.cusps_solved)) add_seed({LocusKind::fold, Source::cusp, -1, 0, at});
+            for (const int which : {0, 1})
+                for (const auto& at : solver_.extremal_folds(which, e.extremal_solved))
+                    add_seed({LocusKind::fold, Source::extremal, which == 0 ? X : Y, 0, at});
+            if constexpr (Formulation<M>::reflection_symmetric) {
+                for (const int which : {0, 1})
+                    for (const auto& at : solver_.extremal_pitchforks(which, e.extremal_pitchforks_solved))
+                        add_seed({LocusKind::pitchfork, Source::extremal, which == 0 ? X : Y, 0, at});
+                for (const auto& at : solver_.degenerate_pitchforks(e.degenerate_pitchforks_solved))
+                    add_seed({LocusKind::fold, Source::degenerate_pitchfork, -1, 0, at});
+            }
+        }
+    }
+
+    /// Every point solved for is on a curve, and every special point of a curve was solved for.
+    void compare_points() {
+        if constexpr (PotentialModel<M>) {
+            const auto find = [&](Source source, LocusKind kind, int fixed, const LocusPoint<M>& at) {
+                bool known = false;
+                for (Seed& seed : seeds_)
+                    if (seed.source == source && seed.kind == kind && seed.fixed == fixed && same(seed.at, at))
+                        known = seed.traced = true;
+                locus_.evidence.unsolved_points += !known;
+            };
+            for (const auto& cusp : locus_.cusps) find(Source::cusp, LocusKind::fold, -1, cusp.at);
+            for (const auto& point : locus_.extremal) find(Source::extremal, point.kind, point.parameter, point.at);
+            for (const auto& at : locus_.degenerate_pitchforks)
+                find(Source::degenerate_pitchfork, LocusKind::fold, -1, at);
+        }
     }
 
     Parameters<M> parameters_at(double x, double y) const {
@@ -106,15 +182,15 @@ private:
         return p;
     }
 
-    /// Equilibria that are degenerate along with all their neighbours are no event: a row of J vanishes, as that of a
-    /// massless link does, measured against the same row in the middle of the window.
+    /// Where a parameter by which equations were divided is 0, one of them vanishes identically, as that of a massless link
+    /// does: all its solutions are degenerate, and none is an event.
     bool is_family(const LocusPoint<M>& at) const {
-        const PlaneWindow& w = locus_.window;
-        const auto here = jacobian<M, double>(at.q, parameters_at(at.x, at.y));
-        const auto there = jacobian<M, double>(
-            at.q, parameters_at(0.5 * (w.x_low + w.x_high), 0.5 * (w.y_low + w.y_high)));
         for (int i = 0; i < n; ++i)
-            if (!(here.row(i).norm() > 1e-9 * there.row(i).norm())) return true;
+            for (int k = 0; k < 2; ++k)
+                if (Solver::System::content[i][k] > 0 &&
+                    std::abs(k == 0 ? at.x : at.y) <=
+                        1e-9 * (k == 0 ? locus_.window.width() : locus_.window.height()))
+                    return true;
         return false;
     }
 
@@ -135,14 +211,6 @@ private:
         return false;
     }
 
-    bool is_symmetric(const Unknowns<M>& q) const {
-        if (symmetric_.empty()) return false;
-        for (int i = 0; i < n; ++i)
-            if (std::abs(std::sin(q[i])) > 1e-6) return false;
-        return true;
-    }
-
-    using Family = ModelFamily<M, X, Y>;
     using Folds = FoldCurve<Family>;
     using Pitchforks = PitchforkCurve<M, X, Y>;
     /// Of both kinds of curves: q, x and the border.
@@ -150,22 +218,22 @@ private:
 
     /// The unit null vector, with the sign of `before` where that is given.
     Eigen::VectorXd null_vector(const At& at, double y, const Eigen::VectorXd* before = nullptr) const {
-        const BorderedTangent<ModelProblem<M, X>> b(Family{locus_.parameters}(y), at);
+        const BorderedTangent<PlaneProblem<M, X, Y>> b(Family{locus_.parameters}(y), at);
         Eigen::VectorXd v = b.regular ? b.null.x.normalized().eval() : Eigen::VectorXd::Zero(n).eval();
         if (before && v.dot(*before) < 0) v = -v;
         return v;
     }
     LocusPoint<M> point_of(const At& at, double y) const {
-        using Problem = ModelProblem<M, X>;
+        using Problem = PlaneProblem<M, X, Y>;
         return {at.p, y, Problem::unknowns(at.q), Problem::unknowns(null_vector(at, y))};
     }
 
     void trace_from(const Seed& seed) {
         At at;
-        at.q = ModelProblem<M, X>::vector(seed.at.q);
+        at.q = PlaneProblem<M, X, Y>::vector(seed.at.q);
         at.p = seed.at.x;
-        ModelProblem<M, X>::vector(seed.at.v).cwiseAbs().maxCoeff(&at.border.column);
-        at.border.row = at.border.column;
+        PlaneProblem<M, X, Y>::vector(seed.at.v).cwiseAbs().maxCoeff(&at.border.column);
+        at.border.row = at.border.column;  // about: J is symmetric but for scales of its rows
         const Family family{locus_.parameters};
         at = with_best_border(family(seed.at.y), at);
         if (seed.kind == LocusKind::fold)
@@ -206,7 +274,13 @@ private:
             locus_.evidence.broken_curves += end == CurveEnd::step || end == CurveEnd::length;
         for (const auto& point : whole) curve.points.push_back(point_of(point.q, point.p));
         if (curve.points.size() < 2) return;
+        // events are sought between points: not at the first one
+        if (seed.source == Source::extremal) locus_.extremal.push_back({seed.kind, seed.fixed, seed.at});
+        if constexpr (std::is_same_v<Curve, Folds>)
+            if (seed.source == Source::cusp || seed.source == Source::degenerate_pitchfork) note_cusp(*start);
+        note_extremal_points(stepper, whole, seed.kind);
         claim_seeds(stepper, whole, seed.kind);
+        claim_near(stepper, whole, seed.kind);
         locus_.curves.push_back(std::move(curve));
     }
 
@@ -248,7 +322,7 @@ private:
 
     /// The reduced third derivative along the null vector on the side of `before`.
     double third_at(const BranchPoint<Folds>& at, const Eigen::VectorXd& before) const {
-        using Problem = ModelProblem<M, X>;
+        using Problem = PlaneProblem<M, X, Y>;
         return reduced_coefficients<M>(Problem::unknowns(at.q.q), Problem::unknowns(null_vector(at.q, at.p, &before)),
                                        parameters_at(at.q.p, at.p))
             .third;
@@ -332,19 +406,88 @@ private:
     /// A zero of the third derivative; true if it is a symmetric point, where the curve turns into its mirror image.
     bool note_cusp(const BranchPoint<Folds>& cusp) {
         const LocusPoint<M> at = point_of(cusp.q, cusp.p);
-        if (is_symmetric(at.q)) {
-            locus_.degenerate_pitchforks.push_back(at);
+        if (on_symmetric_branch<M>(at.q)) {
+            bool known = false;
+            for (const auto& other : locus_.degenerate_pitchforks) known = known || same(other, at);
+            if (!known) locus_.degenerate_pitchforks.push_back(at);
             return true;
         }
         for (const Cusp<M>& other : locus_.cusps)
             if (same(other.at, at)) return false;
         const Parameters<M> p = parameters_at(at.x, at.y);
         const auto coefficients = reduced_coefficients<M>(at.q, at.v, p);
-        const Eigen::Matrix<double, n, 1> v = ModelProblem<M, X>::vector(at.v);
+        const Eigen::Matrix<double, n, 1> v = PlaneProblem<M, X, Y>::vector(at.v);
         const double residual = std::max({cusp.residual, (jacobian<M, double>(at.q, p) * v).cwiseAbs().maxCoeff(),
                                           std::abs(coefficients.third)});
         locus_.cusps.push_back({at, residual, coefficients.fourth});
         return false;
+    }
+
+    /// The points at which one of x, y turns back and the other does not.
+    template <class Curve>
+    void note_extremal_points(PathStepper<Curve>& stepper, const std::vector<BranchPoint<Curve>>& curve, LocusKind kind) {
+        const EventFunction<Curve> slopes[] = {
+            {"dx/ds", [](const BranchPoint<Curve>& at) { return at.tangent.q(0); }},
+            {"dy/ds", [](const BranchPoint<Curve>& at) { return at.tangent.p; }}};
+        const auto is_cusp = [&](const BranchPoint<Curve>& at) {
+            for (const auto& cusp : locus_.cusps)
+                if (at.q.p == cusp.at.x && at.p == cusp.at.y) return true;
+            return false;
+        };
+        for (std::size_t i = 0; i + 1 < curve.size(); ++i) {
+            const auto &a = curve[i], &b = curve[i + 1];
+            const bool turns[] = {a.tangent.q(0) * b.tangent.q(0) < 0, a.tangent.p * b.tangent.p < 0};
+            if (turns[0] == turns[1] || is_cusp(a) || is_cusp(b)) continue;
+            const int parameter = turns[0] ? X : Y;
+            const auto point = zero_between(stepper, slopes[turns[0] ? 0 : 1], a, b);
+            if (!point || !locus_.window.contains(point->q.p, point->p)) continue;
+            const LocusPoint<M> at = point_of(point->q, point->p);
+            bool known = false;
+            for (const auto& other : locus_.extremal)
+                known = known || (other.kind == kind && other.parameter == parameter && same(other.at, at));
+            if (!known) locus_.extremal.push_back({kind, parameter, at});
+        }
+    }
+
+    /// Marks the points of a kind that a traced curve passes.
+    template <class Curve>
+    void claim_near(PathStepper<Curve>& stepper, const std::vector<BranchPoint<Curve>>& curve, LocusKind kind) {
+        const auto position = [&](const BranchPoint<Curve>& at) {
+            Eigen::VectorXd y(n + 2);
+            y << at.q.p / locus_.window.width(), at.p / locus_.window.height(), at.q.q;
+            return y;
+        };
+        for (Seed& seed : seeds_) {
+            if (seed.traced || seed.kind != kind) continue;
+            for (const int mirror : {1, -1}) {
+                if (seed.traced || (mirror < 0 && symmetric_.empty())) break;
+                for (std::size_t i = 0; i + 1 < curve.size() && !seed.traced; ++i) {
+                    const Eigen::VectorXd a = position(curve[i]), chord = position(curve[i + 1]) - a;
+                    Eigen::VectorXd to(n + 2);
+                    to(0) = seed.at.x / locus_.window.width() - a(0);
+                    to(1) = seed.at.y / locus_.window.height() - a(1);
+                    for (int k = 0; k < n; ++k) {
+                        to(k + 2) = (k < n_angles<M> ? mirror : 1) * seed.at.q[k] - a(k + 2);
+                        if (k < n_angles<M>) to(k + 2) = std::remainder(to(k + 2), 2 * std::numbers::pi);
+                    }
+                    const double length2 = chord.squaredNorm(), part = to.dot(chord) / length2;
+                    if (!(part > -0.1 && part < 1.1) || (to - part * chord).squaredNorm() > 0.1 * length2 + 1e-10)
+                        continue;
+                    Direction step = stepper.difference(curve[i], curve[i + 1].q, curve[i + 1].p);
+                    // the plane through the point, normal to the chord
+                    const double along = stepper.length(step);
+                    Direction target = step;
+                    target.q(0) = to(0) * locus_.window.width();
+                    target.p = to(1) * locus_.window.height();
+                    if constexpr (std::is_same_v<Curve, Folds>) target.q.tail(n) = to.tail(n);
+                    const double reach = stepper.dot(target, step) / (along * along);
+                    const Direction normal = step;
+                    PathStepper<Curve>::scale(step, reach);
+                    const auto point = stepper.onto(curve[i].q, curve[i].p, step, normal, curve[i].tangent);
+                    if (point) seed.traced = same(seed.at, point_of(point->q, point->p));
+                }
+            }
+        }
     }
 
     /// Marks the seeds that a traced curve passes, and counts its crossings of lines that are no seed.
@@ -352,10 +495,8 @@ private:
     void claim_seeds(PathStepper<Curve>& stepper, const std::vector<BranchPoint<Curve>>& curve, LocusKind kind) {
         const PlaneWindow& w = locus_.window;
         for (const int axis : {0, 1}) {
-            const double low = axis == 0 ? w.x_low : w.y_low, size = axis == 0 ? w.width() : w.height();
             const auto value = [&](std::size_t i) { return axis == 0 ? curve[i].q.p : curve[i].p; };
-            for (int l = 0; l < options_.lines; ++l) {
-                const double line = low + size * (l + 0.4713) / options_.lines;
+            for (const double line : lines_[axis]) {
                 for (std::size_t i = 0; i + 1 < curve.size(); ++i) {
                     const double before = value(i) - line, after = value(i + 1) - line;
                     if (!(before * after < 0) && before != 0) continue;
@@ -367,8 +508,8 @@ private:
                     const LocusPoint<M> at = point_of(point->q, point->p);
                     bool known = false;
                     for (Seed& seed : seeds_)
-                        if (seed.kind == kind && seed.fixed == (axis == 0 ? X : Y) && seed.line == line &&
-                            same(seed.at, at))
+                        if (seed.source == Source::line && seed.kind == kind &&
+                            seed.fixed == (axis == 0 ? X : Y) && seed.line == line && same(seed.at, at))
                             known = seed.traced = true;
                     locus_.evidence.unseeded_crossings += !known;
                 }
@@ -378,7 +519,9 @@ private:
 
     LocusOptions options_;
     EnumerateOptions enumerate_options_;
+    PlaneSolver<M, X, Y> solver_;
     std::vector<Unknowns<M>> symmetric_;
+    std::array<std::vector<double>, 2> lines_;  ///< values of x, and of y
     std::vector<Seed> seeds_;
     Locus<M> locus_;
 };

@@ -7,7 +7,7 @@
 #include <Eigen/Core>
 
 #include <equilibria/continuation/bordered_tangent.hpp>
-#include <equilibria/locus/model_problem.hpp>
+#include <equilibria/locus/plane_family.hpp>
 
 namespace equilibria {
 
@@ -17,8 +17,8 @@ namespace equilibria {
 template <Model M, int X, int Y>
 class PitchforkCurve {
 public:
-    using Family = ModelFamily<M, X, Y>;
-    using Problem = ModelProblem<M, X>;
+    using Family = PlaneFamily<M, X, Y>;
+    using Problem = PlaneProblem<M, X, Y>;
     using Configuration = CriticalConfiguration<equilibria::Configuration<Problem>>;
     static constexpr bool symmetric = false;
 
@@ -52,14 +52,10 @@ private:
     /// d sigma = -psi^T dK r.
     template <int Parameter>
     double derivative(const Configuration& at, double y) const {
-        const BorderedTangent<Problem> b(family_(y), at);
+        const Problem problem = family_(y);
+        const BorderedTangent<Problem> b(problem, at);
         if (!b.regular) return std::numeric_limits<double>::quiet_NaN();
-        Parameters<M> p = family_.parameters;
-        p[X] = at.p;
-        p[Y] = y;
-        const auto q = ModelProblem<M, X>::unknowns(at.q);
-        const Eigen::Matrix<double, n_unknowns<M>, 1> left = b.left.x, null = b.null.x;
-        return -left.dot(jacobian_parameter_derivative<M, double>(q, p, Parameter) * null);
+        return -b.left.x.dot(problem.template tangent_by_parameter<Parameter>(at.q, at.p, b.null.x));
     }
 
     Family family_;

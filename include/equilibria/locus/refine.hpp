@@ -1,12 +1,12 @@
 /// \file
-/// Folds, pitchforks and cusps to as many digits as the scalar has, by Newton's method on the augmented systems
+/// Folds, pitchforks, cusps and extremal points of fold curves to as many digits as the scalar has, by Newton's method on the augmented systems
 ///
 ///     fold, y = (q, v, p_x):     pitchfork, y = (v, p_x):     cusp, y = (q, v, p_x, p_y):
 ///     [ F(q, p)          ]       [ J(q, p) v        ]         [ F(q, p)          ]
 ///     [ J(q, p) v        ] = 0   [ (v . v - 1) / 2  ] = 0     [ J(q, p) v        ] = 0
 ///     [ (v . v - 1) / 2  ]                                    [ (v . v - 1) / 2  ]
 ///                                                             [ V'''[v, v, v]    ]
-///
+/// and with v . dF/dp_y = 0 for the last row, where p_x is extremal on the fold curve,
 /// whose Jacobians are exact (automatic differentiation) and regular at generic points of each kind. The scalar is
 /// double or a multiprecision float (core/multiprecision.hpp); give parameters to all its digits, 3/10 as S(3) / 10.
 /// Where it fails: at points of a higher kind (a fold system at a cusp of the line of p_x, a cusp system at a
@@ -64,7 +64,7 @@ bool solve_dense(Array<Array<S, N>, N> a, Array<S, N>& b) {
     return true;
 }
 
-enum class Degeneracy { fold, pitchfork, cusp };
+enum class Degeneracy { fold, pitchfork, cusp, extremal };
 
 /// The augmented system of a kind. Unknowns y: q (but for a pitchfork, whose q is fixed), v, the active parameters.
 template <Model M, Degeneracy Kind, int... Active>
@@ -104,6 +104,12 @@ struct AugmentedSystem {
         for (const S& x : at.v) square = square + x * x;
         r[k++] = 0.5 * square;
         if constexpr (Kind == Degeneracy::cusp) r[k++] = third_derivative<M, S>(at.q, at.v, at.p);
+        if constexpr (Kind == Degeneracy::extremal) {
+            constexpr int parameters[] = {Active...};
+            const auto f_p = parameter_derivative<M, S>(at.q, at.p, parameters[1]);
+            r[k] = S(0.0);
+            for (int i = 0; i < n; ++i) r[k] = r[k] + at.v[i] * f_p[i];
+        }
         return r;
     }
 
@@ -202,6 +208,15 @@ RefinedPoint<M, S> refine_cusp(const Unknowns<M>& q, const Parameters<M, S>& p) 
     static_assert(X >= 0 && X < n_parameters<M> && Y >= 0 && Y < n_parameters<M> && X != Y,
                   "equilibria: a cusp needs two different parameters");
     using System = detail::AugmentedSystem<M, detail::Degeneracy::cusp, X, Y>;
+    return System::refined(System::begin(detail::widened<M, S>(q), p));
+}
+
+/// The point of the fold curve near q and p at which the parameter number X is extremal, in the plane of X and Y.
+template <PotentialModel M, int X, int Y, class S = double>
+RefinedPoint<M, S> refine_extremal(const Unknowns<M>& q, const Parameters<M, S>& p) {
+    static_assert(X >= 0 && X < n_parameters<M> && Y >= 0 && Y < n_parameters<M> && X != Y,
+                  "equilibria: an extremal point needs two different parameters");
+    using System = detail::AugmentedSystem<M, detail::Degeneracy::extremal, X, Y>;
     return System::refined(System::begin(detail::widened<M, S>(q), p));
 }
 

@@ -59,7 +59,7 @@ void count_regions(Locus<M>& locus, int checks, const EnumerateOptions& options)
     locus.regions.resize(static_cast<std::size_t>(plane.regions()));
     place_points(locus, plane);
     // slivers below the resolution of the curves' points are where two curves touch, not regions
-    const double negligible = 1e-9 * locus.window.width() * locus.window.height();
+    const double negligible = 1e-13 * locus.window.width() * locus.window.height();
     const auto is_region = [&](const LocusRegion& region) { return region.area > negligible; };
     for (LocusRegion& region : locus.regions) {
         if (!is_region(region)) continue;

@@ -1,0 +1,103 @@
+/// \file
+/// The symmetric branches of a model, theta in {0, pi}^n where it has the symmetry theta -> -theta, and the pitchforks on
+/// them: det J restricted to a branch is a polynomial of known degree in a parameter; interpolated at Chebyshev points, its
+/// roots are eigenvalues of the colleague matrix.
+/// Source: Good, The colleague matrix, 1961; Trefethen, Approximation Theory and Approximation Practice, chapter 18.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <numbers>
+#include <vector>
+
+#include <Eigen/Core>
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+
+#include <equilibria/algebra/formulation.hpp>
+#include <equilibria/core/symmetric_eigen.hpp>
+#include <equilibria/model/derivatives.hpp>
+
+namespace equilibria {
+
+/// The symmetric branches of a model; none where it lacks the symmetry.
+template <Model M>
+std::vector<Unknowns<M>> symmetric_branches() {
+    std::vector<Unknowns<M>> branches;
+    if constexpr (Formulation<M>::reflection_symmetric)
+        for (unsigned bits = 0; bits < 1u << n_angles<M>; ++bits) {
+            Unknowns<M> q;
+            for (int i = 0; i < n_angles<M>; ++i) q[i] = bits >> i & 1 ? std::numbers::pi : 0;
+            branches.push_back(q);
+        }
+    return branches;
+}
+
+/// Whether q lies on a symmetric branch, to within `tolerance` in the sines.
+template <Model M>
+bool on_symmetric_branch(const Unknowns<M>& q, double tolerance = 1e-6) {
+    if (!Formulation<M>::reflection_symmetric) return false;
+    for (int i = 0; i < n_angles<M>; ++i)
+        if (!(std::abs(std::sin(q[i])) <= tolerance)) return false;
+    return true;
+}
+
+/// The real roots in [low, high] of a polynomial of degree at most `degree`, from its values. None where the values are
+/// rounding of zero throughout.
+template <class F>
+std::vector<double> polynomial_roots(F&& f, int degree, double low, double high) {
+    const int m = degree + 1;
+    const auto to_interval = [&](double t) { return 0.5 * (low + high) + 0.5 * (high - low) * t; };
+    Eigen::VectorXd values(m), c = Eigen::VectorXd::Zero(m);
+    for (int k = 0; k < m; ++k) values(k) = f(to_interval(std::cos(std::numbers::pi * (k + 0.5) / m)));
+    for (int j = 0; j < m; ++j) {
+        for (int k = 0; k < m; ++k) c(j) += values(k) * std::cos(std::numbers::pi * j * (k + 0.5) / m);
+        c(j) *= (j == 0 ? 1.0 : 2.0) / m;
+    }
+    int d = degree;
+    while (d > 0 && std::abs(c(d)) <= 1e-13 * c.cwiseAbs().maxCoeff()) --d;
+    std::vector<double> roots;
+    if (d == 0) return roots;
+    Eigen::MatrixXd colleague = Eigen::MatrixXd::Zero(d, d);
+    for (int k = 0; k < d; ++k) {
+        if (k > 0) colleague(k, k - 1) = k == d - 1 && d == 1 ? 1 : 0.5;
+        if (k + 1 < d) colleague(k, k + 1) = k == 0 ? 1 : 0.5;
+    }
+    for (int k = 0; k < d; ++k) colleague(d - 1, k) -= (d == 1 ? 1.0 : 0.5) * c(k) / c(d);
+    const Eigen::EigenSolver<Eigen::MatrixXd> solver(colleague, false);
+    for (int k = 0; k < d; ++k) {
+        const std::complex<double> t = solver.eigenvalues()(k);
+        // a double root may come out as a pair with an imaginary part of sqrt(epsilon)
+        if (std::abs(t.imag()) < 1e-7 && std::abs(t.real()) <= 1 + 1e-12)
+            roots.push_back(to_interval(std::clamp(t.real(), -1.0, 1.0)));
+    }
+    std::sort(roots.begin(), roots.end());
+    return roots;
+}
+
+/// The unit vector that J maps to the shortest one.
+template <Model M>
+Unknowns<M> null_vector(const UnknownMatrix<M>& j) {
+    UnknownMatrix<M> square = j.transpose() * j, vectors = UnknownMatrix<M>::Identity();
+    detail::diagonalize(square, &vectors);
+    Eigen::Index smallest = 0;
+    square.diagonal().minCoeff(&smallest);
+    Unknowns<M> v;
+    for (int i = 0; i < n_unknowns<M>; ++i) v[i] = vectors(i, smallest);
+    return v;
+}
+
+/// Where J is singular on a symmetric branch, with the parameter number `active` in [low, high], the others those of p.
+/// degree: of the equations in that parameter.
+template <Model M>
+std::vector<double> singular_points_of_branch(const Unknowns<M>& branch, Parameters<M> p, int active, int degree,
+                                              double low, double high) {
+    const auto determinant = [&](double value) {
+        p[active] = value;
+        return jacobian<M, double>(branch, p).determinant();
+    };
+    return polynomial_roots(determinant, n_unknowns<M> * degree, low, high);
+}
+
+}  // namespace equilibria

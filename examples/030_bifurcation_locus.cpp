@@ -24,6 +24,15 @@ std::string_view name(equilibria::LocusKind kind) {
     return kind == equilibria::LocusKind::fold ? "fold" : "pitchfork";
 }
 
+Json polygons(const equilibria::LocusRegion& region) {
+    Json y = Json::array();
+    for (const auto& polygon : region.polygons) {
+        y.push_back(Json::array());
+        for (const auto& p : polygon) y.back().push_back({p.x, p.y});
+    }
+    return y;
+}
+
 std::string json(const Locus& locus, double ratio) {
     Json out{{"ratio", ratio},
              {"alpha", {locus.window.x_low, locus.window.x_high}},
@@ -50,7 +59,13 @@ std::string json(const Locus& locus, double ratio) {
                                   {"by_index", r.by_index},
                                   {"point", {r.point.x, r.point.y}},
                                   {"area", r.area},
-                                  {"confirmed", r.confirmed && r.clean}});
+                                  {"confirmed", r.confirmed && r.clean},
+                                  {"polygons", polygons(r)}});
+    out["borders"] = Json::array();
+    for (const auto& b : locus.borders)
+        out["borders"].push_back({{"regions", {b.below, b.above}},
+                                  {"curve", b.curve},
+                                  {"kind", name(locus.curves[b.curve].kind)}});
     const auto& e = locus.evidence;
     out["extremal"] = Json::array();
     for (const auto& p : locus.extremal)

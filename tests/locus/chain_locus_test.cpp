@@ -103,6 +103,25 @@ TEST_CASE("Seven regions with the tables of Figure 3.3, those of 16 equilibria t
     CHECK(area == Approx(5).epsilon(1e-4));
 }
 
+TEST_CASE("Across a fold curve a pair and its mirror image appear, across a pitchfork curve a pair less a change of index") {
+    CHECK(figure().evidence.wrong_borders == 0);
+    REQUIRE(figure().borders.size() >= 8);
+    for (const auto& border : figure().borders) {
+        const auto &a = figure().regions[static_cast<std::size_t>(border.below)],
+                   &b = figure().regions[static_cast<std::size_t>(border.above)];
+        const std::int64_t each = figure().curves[border.curve].kind == LocusKind::fold ? 2 : 1;
+        const std::int64_t born = b.count > a.count ? each : -each;
+        int changed = 0;
+        for (std::size_t k = 0; k < 3; ++k) {
+            const std::int64_t d = b.by_index[k] - a.by_index[k];
+            CHECK((d == 0 || d == born));
+            changed += d != 0;
+        }
+        CHECK(changed == 2);
+        CHECK(a.by_index[1] != b.by_index[1]);  // neighbouring indices
+    }
+}
+
 TEST_CASE("Another window and another seed give the same cusp") {
     LocusOptions options;
     options.seed = 12345;

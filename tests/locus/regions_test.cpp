@@ -70,6 +70,37 @@ TEST_CASE("Cells cover the window: their areas add up to its own") {
     CHECK(total == Approx(1).epsilon(1e-9));
 }
 
+TEST_CASE("Polygons of the cells have the cells' areas, and borders name regions and curves") {
+    const PlaneDecomposition plane({0, 1, 0, 1}, {circle(0.4, 0.5, 0.2), circle(0.7, 0.5, 0.2)});
+    double total = 0;
+    for (const auto& cell : plane.cells()) {
+        const auto polygon = plane.polygon(cell);
+        double twice = 0;
+        for (std::size_t k = 0; k < polygon.size(); ++k) {
+            const auto &a = polygon[k], &b = polygon[(k + 1) % polygon.size()];
+            twice += a.x * b.y - b.x * a.y;
+        }
+        CHECK(twice > 0);
+        total += 0.5 * twice;
+    }
+    CHECK(total == Approx(1).epsilon(1e-9));
+    // outside, the two moons and the lens: each curve parts two pairs of regions
+    const int outside = plane.region_of(0.05, 0.05), lens = plane.region_of(0.55, 0.5), left = plane.region_of(0.3, 0.5),
+              right = plane.region_of(0.8, 0.5);
+    const auto parts = [&](int a, int b, std::size_t curve) {
+        for (const auto& border : plane.borders())
+            if (border.curve == curve && ((border.below == a && border.above == b) || (border.below == b && border.above == a)))
+                return true;
+        return false;
+    };
+    CHECK(parts(outside, left, 0));
+    CHECK(parts(outside, right, 1));
+    CHECK(parts(right, lens, 0));
+    CHECK(parts(left, lens, 1));
+    CHECK_FALSE(parts(outside, lens, 0));
+    CHECK_FALSE(parts(left, right, 0));
+}
+
 TEST_CASE("An empty, reversed or infinite window is refused with its values") {
     CHECK_THROWS_WITH((PlaneWindow{1, 0, 0, 1}.validate()), Catch::Matchers::Contains("window x = 1:0"));
     CHECK_THROWS_WITH((PlaneWindow{0, 1, 2, 2}.validate()), Catch::Matchers::Contains("window y = 2:2"));

@@ -72,7 +72,8 @@ constexpr CircleAngle<T> angle_along(const S& c, const S& s, const S& slope) {
 }  // namespace detail
 
 /// Active: the numbers of one or two parameters of M that become unknowns. Parameters p: the model's own (the active
-/// ones are not read), then the n x n entries of B, row by row, then, with two, the weights of the last equation.
+/// ones are not read), then the scales of the active ones, for unknowns of the size of 1; then the n x n entries of B, row by
+/// row; then, with two, the weights of the last equation.
 template <Model M, int... Active>
 struct CriticalSystem {
     static constexpr int n = n_unknowns<M>, actives = sizeof...(Active);
@@ -88,7 +89,8 @@ struct CriticalSystem {
     static constexpr int reciprocal = first_active + actives;  ///< the coordinate y
     static constexpr int n_coordinates = reciprocal + off_symmetric_branches;
 
-    static constexpr int first_basis = equilibria::n_parameters<M>;
+    static constexpr int scale = equilibria::n_parameters<M>;
+    static constexpr int first_basis = scale + actives;
     static constexpr int slice = first_basis + n * n;  ///< s_1, s_2, s_0
     static constexpr int extremal = slice + 3;         ///< two weights
     static constexpr int cusp = extremal + 2;
@@ -126,7 +128,8 @@ private:
         for (int i = 0; i < n_angles; ++i) theta[i] = Angle(&pool, i);
         for (int j = 0; j < x.size(); ++j) x[j] = Scalar(&pool, coordinate<C>(j));
         for (int k = 0; k < q.size(); ++k) q[k] = Scalar(p[k]);
-        for (int k = 0; k < actives; ++k) q[active[k]] = Scalar(&pool, coordinate<C>(first_active + k));
+        for (int k = 0; k < actives; ++k)
+            q[active[k]] = Scalar(&pool, coordinate<C>(first_active + k) * Polynomial<C>(p[scale + k]));
         std::vector<Polynomial<C>> f;
         if constexpr (PotentialModel<M>) {
             const Polynomial<C> v = Scalar(detail::call_potential(M{}, theta, x, q)).polynomial();
@@ -139,7 +142,10 @@ private:
     }
     /// At generic parameters.
     static constexpr std::vector<Polynomial<double>> raw_equations_pruned() {
-        auto f = raw_equations<double>(detail::generic_parameters<M>());
+        const auto generic = detail::generic_parameters<M>();
+        Array<double, first_basis> p;
+        for (int k = 0; k < p.size(); ++k) p[k] = k < scale ? generic[k] : 1;
+        auto f = raw_equations<double>(p);
         for (auto& equation : f) equation = equation.pruned();
         return f;
     }
@@ -158,7 +164,7 @@ private:
     }
 
 public:
-    /// x_k is the power[k]-th power of the parameter active[k].
+    /// x_k is the power[k]-th power of the parameter active[k] over its scale.
     static constexpr Array<int, actives> power = [] {
         Array<int, actives> y{};
         for (const auto& equation : raw_equations_pruned())
@@ -188,23 +194,33 @@ public:
         return y;
     }();
 
-    /// The system's parameters for those of M: random B and r, weights 0.
-    static Array<double, n_parameters> parameters(const Parameters<M>& p, Generator& generator) {
+    /// The system's parameters for those of M: random B and r, weights 0. scales: of the active parameters, positive.
+    static Array<double, n_parameters> parameters(const Parameters<M>& p, const Array<double, actives>& scales,
+                                                  Generator& generator) {
         Array<double, n_parameters> y;
         for (int k = 0; k < p.size(); ++k) y[k] = p[k];
+        for (int k = 0; k < actives; ++k) y[scale + k] = scales[k];
         for (int k = 0; k < n * n; ++k) y[first_basis + k] = uniform(generator, -1, 1);
         if constexpr (off_symmetric_branches)
             for (int i = 0; i < n_angles; ++i) y[first_sine + i] = uniform(generator, -1, 1);
         return y;
     }
 
-    /// The active parameter number k, from its unknown.
+    /// The active parameter number k from its unknown, and back.
     template <class S>
-    static constexpr S parameter(int k, const S& x) {
+    static constexpr S parameter(int k, const S& x, const auto& size) {
         using std::sqrt;
-        return power[k] == 2 ? S(sqrt(x)) : x;
+        return power[k] == 2 ? S(size * sqrt(x)) : S(size * x);
     }
-    static constexpr double unknown(int k, double parameter) { return power[k] == 2 ? parameter * parameter : parameter; }
+    static constexpr double unknown(int k, double parameter, double size) {
+        const double x = parameter / size;
+        return power[k] == 2 ? x * x : x;
+    }
+    /// The derivative of the parameter by its unknown.
+    template <class S>
+    static constexpr S slope(int k, const S& parameter, const auto& size) {
+        return power[k] == 2 ? S(0.5 * size * size / parameter) : S(size);
+    }
 
     constexpr auto equations(const auto& theta, const auto& x, const auto& p) const {
         using S = scalar_of<decltype(theta)>;
@@ -216,7 +232,7 @@ public:
         }
         Parameters<M, S> q;
         for (int k = 0; k < q.size(); ++k) q[k] = S(p[k]);
-        for (int k = 0; k < actives; ++k) q[active[k]] = parameter<S>(k, x[first_active + k]);
+        for (int k = 0; k < actives; ++k) q[active[k]] = parameter<S>(k, x[first_active + k], p[scale + k]);
 
         // along v, twice where the last equation wants V'''
         using T = std::conditional_t<derivatives, Dual<D, 1>, D>;
@@ -256,10 +272,7 @@ public:
                     for (int j = 0; j < at.size(); ++j) at[j] = D(S(x[j]));
                     Parameters<M, D> moving;
                     for (int m = 0; m < q.size(); ++m) moving[m] = D(q[m]);
-                    // of the parameter by its unknown
-                    S slope(1.0);
-                    if (power[k] == 2) slope = 0.5 / q[active[k]];
-                    moving[active[k]].derivative[0] = slope;
+                    moving[active[k]].derivative[0] = slope<S>(k, q[active[k]], p[scale + k]);
                     const Unknowns<M, D> g = detail::equations_at<M, D>(still, at, moving);
                     for (int i = 0; i < n; ++i) last = last + p[extremal + k] * v[i] * g[i].derivative[0];
                 }

@@ -168,6 +168,7 @@ public:
         : p_(p), options_(options) {
         found_.low = low;
         found_.high = high;
+        scale_[0] = std::max(std::abs(low), std::abs(high));
     }
 
     LineEvents<M> run() {
@@ -222,7 +223,7 @@ private:
             EnumerateOptions options = options_;
             options.seed = options_.seed + 0x9e3779b97f4a7c15 * found_.attempts++;
             Generator generator(options.seed);
-            const auto set = solve_multihomogeneous<System>(System::parameters(p_, generator), options);
+            const auto set = solve_multihomogeneous<System>(System::parameters(p_, scale_, generator), options);
             found_.paths = set.paths;
             found_.complex_solutions = set.roots.size();
             found_.regular_solutions = found_.pitchfork_paths = found_.other_singular = found_.unexplained = 0;
@@ -251,8 +252,9 @@ private:
         }
         const bool real = imaginary < near && std::abs(x.imag()) < near * (1 + std::abs(x)) &&
                           (System::power[0] == 1 || x.real() > -near);
-        double value = real ? System::template parameter<double>(0, System::power[0] == 1 ? x.real() : std::max(0.0, x.real())) : 0;
-        const double around = 1e-3 * (1 + std::abs(value));
+        const double value =
+            real ? System::parameter(0, System::power[0] == 1 ? x.real() : std::max(0.0, x.real()), scale_[0]) : 0;
+        const double around = 1e-3 * scale_[0];
         if (!real || value < found_.low - around || value > found_.high + around) {
             if (singular) found_.other_singular += paths;
             return;
@@ -341,6 +343,7 @@ private:
 
     Parameters<M> p_;
     EnumerateOptions options_;
+    Array<double, 1> scale_;
     LineEvents<M> found_;
 };
 

@@ -2,11 +2,11 @@
 /// The bifurcation locus of a model in a window of the plane of two of its parameters: fold and pitchfork curves, cusps,
 /// and the regions between the curves with their equilibria counted by index.
 ///
-/// Completeness. Every line of a grid is solved for all its folds and pitchforks (line_events.hpp), and every one of
-/// these events is a seed that some curve must pass: a component of the locus is missed only if no line meets it, that
-/// is, if it is smaller than the spacing of the lines in both directions. The curves are checked in turn: where they
-/// cross a line the line must have an event. And the counts of equilibria, enumerated at the points of another grid,
-/// must be those of their regions: a missed component that contains such a point is reported.
+/// Completeness. A curve that meets the window crosses its border, whose lines are solved for all their folds and
+/// pitchforks, or is closed within; then it has a cusp, a degenerate pitchfork, or points at which a parameter is extremal, and
+/// all of these are solved for (plane_solver.hpp). Every point solved for must lie on a curve, and every special point of a
+/// curve must have been solved for. Lines inside the window are a further check, as are the numbers of equilibria, enumerated
+/// at the points of a grid, which must be those of their regions. Models without a potential have the lines alone.
 #pragma once
 
 #include <equilibria/locus/locus_result.hpp>

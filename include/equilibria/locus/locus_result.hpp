@@ -55,6 +55,8 @@ struct LocusRegion {
     double area = 0;
     bool clean = false;      ///< the enumeration at the point had nothing against it (RootSet::clean)
     bool confirmed = true;   ///< no other enumeration inside the region differed
+    /// Polygons, counterclockwise, which overlap nowhere and whose union is the region.
+    std::vector<std::vector<PlanePoint>> polygons;
 };
 
 template <Model M>
@@ -65,6 +67,7 @@ struct Locus {
     std::vector<Cusp<M>> cusps;
     std::vector<LocusPoint<M>> degenerate_pitchforks;  ///< where a pitchfork turns from super- to subcritical
     std::vector<LocusRegion> regions;
+    std::vector<RegionBorder> borders;  ///< regions and curves by their numbers here
 
     std::vector<ExtremalPoint<M>> extremal;
     /// The evidence of completeness.
@@ -83,6 +86,7 @@ struct Locus {
         std::uint64_t unsolved_points = 0;     ///< cusps and extremal points of curves that were not solved for
         std::uint64_t broken_curves = 0;       ///< curves that the step control gave up
         std::uint64_t wrong_counts = 0;        ///< checked points whose count is not their region's
+        std::uint64_t wrong_borders = 0;       ///< pieces of curves on both sides of which the tables by index do not fit
         double seconds = 0;
 
         std::uint64_t all_failed_paths() const {
@@ -91,7 +95,7 @@ struct Locus {
         }
         bool complete() const {
             return all_failed_paths() + untraced_seeds + unseeded_crossings + unsolved_points + broken_curves +
-                       wrong_counts ==
+                       wrong_counts + wrong_borders ==
                    0;
         }
     } evidence;
@@ -122,7 +126,8 @@ std::string Locus<M>::argument() const {
     out << "; " << e.seeds << " points in the window, " << e.untraced_seeds << " of them on no curve; "
         << e.unseeded_crossings << " crossings of " << e.lines << " lines and " << e.unsolved_points
         << " special points of curves were not solved for; " << e.wrong_counts << " of " << e.checked_points
-        << " enumerations differ from their region";
+        << " enumerations differ from their region, and " << e.wrong_borders
+        << " borders of regions have tables that no fold or pitchfork explains";
     if (!e.complete()) out << "; NOT COMPLETE";
     return out.str();
 }

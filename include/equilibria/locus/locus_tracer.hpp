@@ -46,7 +46,9 @@ public:
     static constexpr int n = n_unknowns<M>;
 
     LocusTracer(const Parameters<M>& p, const PlaneWindow& window, const LocusOptions& options)
-        : options_(options), enumerate_options_{.seed = options.seed}, solver_(p, enumerate_options_),
+        : options_(options), enumerate_options_{.seed = options.seed}, solver_(p, enumerate_options_,
+                  {std::max(std::abs(window.x_low), std::abs(window.x_high)),
+                   std::max(std::abs(window.y_low), std::abs(window.y_high))}),
           symmetric_(symmetric_branches<M>()) {
         locus_.window = window;
         locus_.parameters = p;

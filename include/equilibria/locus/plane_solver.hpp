@@ -44,7 +44,9 @@ public:
     using Points = std::vector<LocusPoint<M>>;
     static constexpr int n = n_unknowns<M>;
 
-    PlaneSolver(const Parameters<M>& p, const EnumerateOptions& options) : p_(p), options_(options) {}
+    /// scales: values of X and Y that count as large, positive: the size of the window.
+    PlaneSolver(const Parameters<M>& p, const EnumerateOptions& options, const Array<double, 2>& scales = {1, 1})
+        : p_(p), options_(options), scales_(scales) {}
 
     /// The folds on lines on which the parameter number `fixed` (0 for X, 1 for Y) has the given value. One line is solved
     /// from its start system, at the value `generic`; the others follow by parameter homotopy, on as many paths as there
@@ -53,9 +55,9 @@ public:
     public:
         Lines(const PlaneSolver& solver, int fixed, double generic) : solver_(&solver), fixed_(fixed) {
             solver.attempt(counts_, [&](std::uint64_t seed, Generator& generator) -> const auto& {
-                auto p = System::parameters(solver.p_, generator);
+                auto p = System::parameters(solver.p_, solver.scales_, generator);
                 p[System::slice + fixed] = 1;
-                p[System::slice + 2] = -System::unknown(fixed, generic);
+                p[System::slice + 2] = -System::unknown(fixed, generic, solver.scales_[fixed]);
                 return set_ = solve_multihomogeneous<System>(p, solver.with_seed(seed));
             });
             for (const auto& root : set_.roots)
@@ -67,7 +69,7 @@ public:
         /// start system.
         Points folds(double value, std::uint64_t& failed, bool thorough = true) const {
             auto p = set_.parameters;
-            p[System::slice + 2] = -System::unknown(fixed_, value);
+            p[System::slice + 2] = -System::unknown(fixed_, value, solver_->scales_[fixed_]);
             // gamma is a choice: where one leaves paths undecided, another may not
             ComplexRoots<System> set;
             for (std::uint64_t k = 0; k < 4 && (k == 0 || set.paths.failed > 0); ++k)
@@ -79,7 +81,7 @@ public:
                         auto at = *near;
                         (fixed_ == 0 ? at.x : at.y) = value;
                         const auto q = solver_->parameters_at(at.x, at.y);
-                        keep(points, at, fixed_ == 0 ? refine_fold<M, Y>(at.q, q) : refine_fold<M, X>(at.q, q));
+                        solver_->keep(points, at, fixed_ == 0 ? refine_fold<M, Y>(at.q, q) : refine_fold<M, X>(at.q, q));
                     }
             };
             take(set.roots);
@@ -88,9 +90,9 @@ public:
             } else if (set.paths.failed > 0) {
                 SolutionCounts counts;
                 solver_->attempt(counts, [&](std::uint64_t seed, Generator& generator) {
-                    auto own = System::parameters(solver_->p_, generator);
+                    auto own = System::parameters(solver_->p_, solver_->scales_, generator);
                     own[System::slice + fixed_] = 1;
-                    own[System::slice + 2] = -System::unknown(fixed_, value);
+                    own[System::slice + 2] = -System::unknown(fixed_, value, solver_->scales_[fixed_]);
                     auto solved = solve_multihomogeneous<System>(own, solver_->with_seed(seed));
                     take(solved.roots);
                     return solved;
@@ -175,15 +177,15 @@ private:
             const std::complex<double> x = root.q[System::n_angles + System::first_active + k];
             if (!(std::abs(x.imag()) < near * (1 + std::abs(x)))) return std::nullopt;
             if (System::power[k] == 2 && !(x.real() > -near)) return std::nullopt;
-            const double value = System::power[k] == 2 ? std::sqrt(std::max(0.0, x.real())) : x.real();
+            const double value =
+                System::parameter(k, System::power[k] == 2 ? std::max(0.0, x.real()) : x.real(), scales_[k]);
             (k == 0 ? at.x : at.y) = value;
         }
         return at;
     }
 
-    static bool same(const LocusPoint<M>& a, const LocusPoint<M>& b, double tolerance) {
-        if (!(std::abs(a.x - b.x) <= tolerance * (1 + std::abs(a.x)) && std::abs(a.y - b.y) <= tolerance * (1 + std::abs(a.y))))
-            return false;
+    bool same(const LocusPoint<M>& a, const LocusPoint<M>& b, double tolerance) const {
+        if (!(std::abs(a.x - b.x) <= tolerance * scales_[0] && std::abs(a.y - b.y) <= tolerance * scales_[1])) return false;
         for (int i = 0; i < n; ++i) {
             const double d = a.q[i] - b.q[i];
             if (!(std::abs(i < n_angles<M> ? std::remainder(d, 2 * std::numbers::pi) : d) <= tolerance)) return false;
@@ -191,7 +193,7 @@ private:
         return true;
     }
     /// Keeps the refined point if Newton's method stayed near, and it is new.
-    static void keep(Points& points, const LocusPoint<M>& near, const RefinedPoint<M, double>& refined) {
+    void keep(Points& points, const LocusPoint<M>& near, const RefinedPoint<M, double>& refined) const {
         const LocusPoint<M> at{refined.p[X], refined.p[Y], refined.q, refined.v};
         if (!refined.converged || !same(at, near, 1e-3)) return;
         for (const auto& other : points)
@@ -202,7 +204,7 @@ private:
     Points solve(SolutionCounts& counts, int weight, const auto& refine) const {
         Points points;
         attempt(counts, [&](std::uint64_t seed, Generator& generator) {
-            auto p = System::parameters(p_, generator);
+            auto p = System::parameters(p_, scales_, generator);
             p[weight] = 1;
             auto set = solve_multihomogeneous<System>(p, with_seed(seed));
             for (const auto& root : set.roots)
@@ -218,7 +220,7 @@ private:
             using Branch = SymmetricSystem<M, X, Y>;
             for (const Unknowns<M>& branch : symmetric_branches<M>())
                 attempt(counts, [&](std::uint64_t seed, Generator& generator) {
-                    auto p = Branch::parameters(p_, branch, generator);
+                    auto p = Branch::parameters(p_, scales_, branch, generator);
                     p[Branch::extremal + weight] = 1;
                     auto set = solve_multihomogeneous<Branch>(p, with_seed(seed));
                     for (const auto& root : set.roots) {
@@ -226,7 +228,8 @@ private:
                         if (std::abs(x.imag()) > 1e-6 * (1 + std::abs(x)) || std::abs(y.imag()) > 1e-6 * (1 + std::abs(y)))
                             continue;
                         if ((System::power[0] == 2 && x.real() < 0) || (System::power[1] == 2 && y.real() < 0)) continue;
-                        LocusPoint<M> at{System::parameter(0, x.real()), System::parameter(1, y.real()), branch, {}};
+                        LocusPoint<M> at{System::parameter(0, x.real(), scales_[0]),
+                                         System::parameter(1, y.real(), scales_[1]), branch, {}};
                         at.v = null_vector<M>(jacobian<M, double>(branch, parameters_at(at.x, at.y)));
                         bool known = false;
                         for (const auto& other : points) known = known || same(other, at, 1e-8);
@@ -240,6 +243,7 @@ private:
 
     Parameters<M> p_;
     EnumerateOptions options_;
+    Array<double, 2> scales_;
 };
 
 }  // namespace equilibria

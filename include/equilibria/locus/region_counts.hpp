@@ -29,7 +29,9 @@ void place_points(Locus<M>& locus, const PlaneDecomposition& plane) {
         if (clearance > best[region]) best[region] = clearance, locus.regions[region].point = {x, y};
     };
     for (const auto& cell : plane.cells()) {
-        locus.regions[static_cast<std::size_t>(cell.region)].area += (cell.x_high - cell.x_low) * cell.height;
+        LocusRegion& region = locus.regions[static_cast<std::size_t>(cell.region)];
+        region.area += (cell.x_high - cell.x_low) * cell.height;
+        region.polygons.push_back(plane.polygon(cell));
         consider(cell.center.x, cell.center.y, cell.region);
     }
     constexpr int grid = 32;
@@ -38,6 +40,13 @@ void place_points(Locus<M>& locus, const PlaneDecomposition& plane) {
             const double x = w.x_low + w.width() * (i + 0.5) / grid, y = w.y_low + w.height() * (j + 0.5) / grid;
             consider(x, y, plane.region_of(x, y));
         }
+}
+
+/// Whether two tables by index differ, and by pairs of neighbouring indices alone, as on both sides of a fold or pitchfork.
+inline bool differ_by_pairs(const std::vector<std::int64_t>& a, const std::vector<std::int64_t>& b) {
+    std::int64_t alternating = 0;
+    for (std::size_t k = 0; k < a.size(); ++k) alternating += (k % 2 == 0 ? 1 : -1) * (a[k] - b[k]);
+    return a != b && alternating == 0;
 }
 
 /// Decomposes the window, enumerates each region at its point, and compares with enumerations elsewhere in it: in its
@@ -86,6 +95,20 @@ void count_regions(Locus<M>& locus, int checks, const EnumerateOptions& options)
     for (int i = 0; i < checks; ++i)
         for (int j = 0; j < checks; ++j)
             check(w.x_low + w.width() * (i + 0.5) / checks, w.y_low + w.height() * (j + 0.5) / checks);
+    // without the slivers, numbered anew
+    std::vector<int> number(locus.regions.size(), -1);
+    int kept = 0;
+    for (std::size_t k = 0; k < locus.regions.size(); ++k)
+        if (is_region(locus.regions[k])) number[k] = kept++;
+    for (const RegionBorder& border : plane.borders()) {
+        const int below = number[static_cast<std::size_t>(border.below)],
+                  above = number[static_cast<std::size_t>(border.above)];
+        if (below < 0 || above < 0) continue;
+        locus.borders.push_back({below, above, border.curve});
+        const auto &a = locus.regions[static_cast<std::size_t>(border.below)].by_index,
+                   &b = locus.regions[static_cast<std::size_t>(border.above)].by_index;
+        locus.evidence.wrong_borders += !differ_by_pairs(a, b);
+    }
     std::erase_if(locus.regions, [&](const LocusRegion& region) { return !is_region(region); });
 }
 

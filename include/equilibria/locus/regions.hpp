@@ -35,6 +35,13 @@ struct PlaneWindow {
     }
 };
 
+/// Two regions with a common piece of a curve between them.
+struct RegionBorder {
+    int below, above;   ///< regions; `below` has the smaller y
+    std::size_t curve;  ///< the number of the curve
+    friend constexpr bool operator==(const RegionBorder&, const RegionBorder&) = default;
+};
+
 class PlaneDecomposition {
 public:
     /// A cell: bounded left and right by x_low and x_high, below and above by pieces, or the window.
@@ -43,11 +50,15 @@ public:
         PlanePoint center;
         double height;  ///< at the centre
         int region;
+        int lower, upper;  ///< pieces
     };
 
     PlaneDecomposition(const PlaneWindow& window, const std::vector<std::vector<PlanePoint>>& curves)
         : window_(window) {
-        for (const auto& curve : curves) split(curve);
+        for (std::size_t k = 0; k < curves.size(); ++k) {
+            split(curves[k]);
+            curve_of_.resize(pieces_.size(), k);
+        }
         find_abscissae();
         build_cells();
     }
@@ -65,6 +76,25 @@ public:
             }
         }
         return -1;
+    }
+    /// Which regions lie on both sides of which curves.
+    const std::vector<RegionBorder>& borders() const { return borders_; }
+
+    /// A cell as a polygon, counterclockwise, with the curves' points on its upper and lower edges.
+    std::vector<PlanePoint> polygon(const Cell& cell) const {
+        std::vector<PlanePoint> y;
+        const auto edge = [&](int piece, bool forward) {
+            std::vector<PlanePoint> points{{cell.x_low, clamped(height_at(piece, cell.x_low))}};
+            if (piece >= 0)
+                for (const PlanePoint& p : pieces_[static_cast<std::size_t>(piece)])
+                    if (p.x > cell.x_low && p.x < cell.x_high) points.push_back({p.x, clamped(p.y)});
+            points.push_back({cell.x_high, clamped(height_at(piece, cell.x_high))});
+            if (!forward) std::reverse(points.begin(), points.end());
+            y.insert(y.end(), points.begin(), points.end());
+        };
+        edge(cell.lower, true);
+        edge(cell.upper, false);
+        return y;
     }
     /// The distance from a point to the boundary of its cell, in units of the window.
     double clearance(const Cell& cell) const {
@@ -107,6 +137,7 @@ private:
         flush();
     }
 
+    double clamped(double y) const { return std::clamp(y, window_.y_low, window_.y_high); }
     double height_at(int piece, double x) const {
         if (piece == -1) return window_.y_low;
         if (piece == -2) return window_.y_high;
@@ -173,7 +204,8 @@ private:
                 if (!(high - low > thin)) continue;
                 const int cell = static_cast<int>(cells_.size());
                 slab.cells.push_back({order[i], order[i + 1], cell});
-                cells_.push_back({slab.low, slab.high, {middle, 0.5 * (low + high)}, high - low, cell});
+                cells_.push_back(
+                    {slab.low, slab.high, {middle, 0.5 * (low + high)}, high - low, cell, order[i], order[i + 1]});
                 parent.push_back(cell);
             }
             if (!slabs_.empty())
@@ -193,10 +225,23 @@ private:
             if (n < 0) n = regions_++;
             cell.region = n;
         }
+        for (const Slab& slab : slabs_)
+            for (std::size_t i = 1; i < slab.cells.size(); ++i) {
+                const Bounds &below = slab.cells[i - 1], &above = slab.cells[i];
+                if (below.upper != above.lower || below.upper < 0) continue;
+                const RegionBorder border{cells_[static_cast<std::size_t>(below.cell)].region,
+                                          cells_[static_cast<std::size_t>(above.cell)].region,
+                                          curve_of_[static_cast<std::size_t>(below.upper)]};
+                if (border.below != border.above &&
+                    std::find(borders_.begin(), borders_.end(), border) == borders_.end())
+                    borders_.push_back(border);
+            }
     }
 
     PlaneWindow window_;
     std::vector<Piece> pieces_;
+    std::vector<std::size_t> curve_of_;  ///< of each piece
+    std::vector<RegionBorder> borders_;
     std::vector<double> abscissae_;
     std::vector<Slab> slabs_;
     std::vector<Cell> cells_;

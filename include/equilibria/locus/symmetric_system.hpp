@@ -16,7 +16,7 @@
 
 namespace equilibria {
 
-/// Parameters p: the model's own (the active ones are not read), the n x n entries of B, the cosines of the branch (1 or
+/// Parameters p: the model's own (the active ones are not read), their scales, the n x n entries of B, the cosines of the branch (1 or
 /// -1), and the weights of the last equation.
 template <PotentialModel M, int X, int Y>
 struct SymmetricSystem {
@@ -25,7 +25,8 @@ struct SymmetricSystem {
     static constexpr int n_angles = 0;
     static constexpr int first_active = n - 1;
     static constexpr int n_coordinates = n + 1;
-    static constexpr int first_basis = equilibria::n_parameters<M>;
+    static constexpr int scale = Plane::scale;
+    static constexpr int first_basis = Plane::first_basis;
     static constexpr int cosine = first_basis + n * n;
     static constexpr int extremal = cosine + n;
     static constexpr int fourth = extremal + 2;
@@ -38,10 +39,11 @@ struct SymmetricSystem {
         return y;
     }();
 
-    static Array<double, n_parameters> parameters(const Parameters<M>& p, const Unknowns<M>& branch,
-                                                  Generator& generator) {
+    static Array<double, n_parameters> parameters(const Parameters<M>& p, const Array<double, 2>& scales,
+                                                  const Unknowns<M>& branch, Generator& generator) {
         Array<double, n_parameters> y;
         for (int k = 0; k < p.size(); ++k) y[k] = p[k];
+        for (int k = 0; k < 2; ++k) y[scale + k] = scales[k];
         for (int k = 0; k < n * n; ++k) y[first_basis + k] = uniform(generator, -1, 1);
         for (int i = 0; i < n; ++i) y[cosine + i] = std::cos(branch[i]) < 0 ? -1 : 1;
         return y;
@@ -56,7 +58,7 @@ struct SymmetricSystem {
         }
         Parameters<M, S> q;
         for (int k = 0; k < q.size(); ++k) q[k] = S(p[k]);
-        for (int k = 0; k < 2; ++k) q[Plane::active[k]] = Plane::template parameter<S>(k, x[first_active + k]);
+        for (int k = 0; k < 2; ++k) q[Plane::active[k]] = Plane::template parameter<S>(k, x[first_active + k], p[scale + k]);
 
         using D = Dual<S, 1>;
         using T = Dual<Dual<D, 1>, 1>;
@@ -83,9 +85,8 @@ struct SymmetricSystem {
                 angle[i] = {A(inner.c), A(inner.s)};
             }
             for (int m = 0; m < q.size(); ++m) lifted[m] = detail::constant_along<A, S>(q[m]);
-            S slope(1.0);
-            if (Plane::power[k] == 2) slope = 0.5 / q[Plane::active[k]];
-            lifted[Plane::active[k]].derivative[0] = D(slope);
+            lifted[Plane::active[k]].derivative[0] =
+                D(Plane::template slope<S>(k, q[Plane::active[k]], p[scale + k]));
             const Unknowns<M, A> g = detail::equations_at<M, A>(angle, detail::CoordinatesOf<M, A>{}, lifted);
             for (int i = 0; i < n; ++i) last = last + p[extremal + k] * v[i] * g[i].derivative[0].derivative[0];
         }

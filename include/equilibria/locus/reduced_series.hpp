@@ -1,0 +1,161 @@
+/// \file
+/// The reduced potential of an equilibrium along one direction, as a power series: the splitting lemma, or the method
+/// of Lyapunov and Schmidt for a gradient, order by order.
+///
+/// With a unit vector l the curve q(xi) = q + xi l + z(xi), l . z = 0, along which F is a multiple of l,
+///
+///     F(q(xi), p) = g(xi) l,        g(xi) = d phi / d xi,        phi(xi) = V(q(xi), p),
+///
+/// carries all equilibria near q if the bordered matrix is regular, one a zero of g. Its coefficients follow from
+///
+///     [ J    -l ] [ z_k ]   [ -(F of the terms below k, coefficient k) ]
+///     [ l^T   0 ] [ g_k ] = [  0                                       ]
+///
+/// whose matrix is factored once. At a degenerate equilibrium with l its null vector g_1 = 0, and the first coefficient
+/// that is not 0 names the singularity: g_2 fold (A2), g_3 cusp (A3), g_4 swallowtail (A4), g_5 butterfly (A5). Which l
+/// is taken does not matter for that, if the border is regular: another l is another coordinate on the same curve of
+/// reduced equilibria. The scalar S may be a dual: then the coefficients come with their derivatives.
+/// Where it fails: a second null vector makes the bordered matrix singular, and `regular` false.
+/// Sources: Golubitsky and Schaeffer, Singularities and Groups in Bifurcation Theory I, chapter VII; Poston and
+/// Stewart, Catastrophe Theory and its Applications, 4.5.
+#pragma once
+
+#include <cmath>
+#include <utility>
+
+#include <equilibria/core/array.hpp>
+#include <equilibria/core/dual.hpp>
+#include <equilibria/core/taylor.hpp>
+#include <equilibria/model/derivatives.hpp>
+
+namespace equilibria {
+
+/// The reduced potential's derivatives, to order Order + 1.
+template <PotentialModel M, int Order, class S = double>
+struct ReducedSeries {
+    static_assert(Order >= 1, "equilibria: a reduced series has at least the order 1");
+
+    /// g_k: g(xi) = sum g_k xi^k. g_0 = l . F(q, p); the part of F across l is taken off, as by a constant force.
+    Array<S, Order + 1> gradient;
+    Array<Unknowns<M, S>, Order + 1> curve;  ///< of q(xi); curve[1] is the null vector, with l . v = 1, where g_1 = 0
+    Unknowns<M, S> force;                    ///< F(q, p)
+    bool regular = false;                    ///< the bordered matrix; else the coefficients from 1 on mean nothing
+
+    /// phi^(k) at xi = 0, for k = 1..Order + 1.
+    S derivative(int k) const {
+        double factorial = 1;
+        for (int j = 2; j < k; ++j) factorial *= j;
+        return factorial * gradient[k - 1];
+    }
+};
+
+namespace detail {
+
+/// The size of a scalar's value, for the choice of a pivot.
+template <class S>
+auto magnitude(const S& a) {
+    using std::abs;
+    return abs(a);
+}
+template <class T, int N>
+auto magnitude(const Dual<T, N>& a) {
+    return magnitude(a.value);
+}
+template <class T, int Order>
+auto magnitude(const Taylor<T, Order>& a) {
+    return magnitude(a.coefficient[0]);
+}
+
+/// LU with row exchanges of a matrix over any scalar, series and duals included.
+template <class S, int N>
+class DenseFactorization {
+public:
+    using Matrix = Array<Array<S, N>, N>;
+
+    explicit DenseFactorization(const Matrix& a) : a_(a) {
+        using std::swap;
+        for (int k = 0; k < N; ++k) {
+            int best = k;
+            for (int i = k + 1; i < N; ++i)
+                if (magnitude(a_[i][k]) > magnitude(a_[best][k])) best = i;
+            exchange_[k] = best;
+            if (!(magnitude(a_[best][k]) > decltype(magnitude(a_[best][k]))(0))) return;
+            if (best != k) swap(a_[k], a_[best]);
+            for (int i = k + 1; i < N; ++i) {
+                const S f = a_[i][k] / a_[k][k];
+                a_[i][k] = f;
+                for (int j = k + 1; j < N; ++j) a_[i][j] = a_[i][j] - f * a_[k][j];
+            }
+        }
+        regular_ = true;
+    }
+
+    /// Whether no pivot vanished.
+    bool regular() const { return regular_; }
+
+    Array<S, N> solve(Array<S, N> b) const {
+        using std::swap;
+        for (int k = 0; k < N; ++k)
+            if (exchange_[k] != k) swap(b[k], b[exchange_[k]]);
+        for (int k = 0; k < N; ++k)
+            for (int j = 0; j < k; ++j) b[k] = b[k] - a_[k][j] * b[j];
+        for (int k = N - 1; k >= 0; --k) {
+            for (int j = k + 1; j < N; ++j) b[k] = b[k] - a_[k][j] * b[j];
+            b[k] = b[k] / a_[k][k];
+        }
+        return b;
+    }
+
+private:
+    Matrix a_;
+    Array<int, N> exchange_{};
+    bool regular_ = false;
+};
+
+}  // namespace detail
+
+/// The reduced potential at q along the unit vector l. q need not be an equilibrium, nor degenerate.
+template <PotentialModel M, int Order, class S = double>
+ReducedSeries<M, Order, S> reduced_series(const Unknowns<M, S>& q, const Unknowns<M, S>& l, const Parameters<M, S>& p) {
+    constexpr int n = n_unknowns<M>;
+    using Series = Taylor<S, Order>;
+    Unknowns<M, Series> along;
+    Parameters<M, Series> constant;
+    for (int i = 0; i < n; ++i) along[i] = Series(q[i]);
+    for (int k = 0; k < p.size(); ++k) constant[k] = Series(p[k]);
+
+    // J by columns: one instance of the model's function serves all
+    Array<Array<S, n + 1>, n + 1> bordered;
+    for (int j = 0; j < n; ++j) {
+        auto column = along;
+        column[j] = Series::variable(q[j]);
+        const auto f = equations<M, Series>(column, constant);
+        for (int i = 0; i < n; ++i) bordered[i][j] = f[i].coefficient[1];
+        bordered[j][n] = -l[j];
+        bordered[n][j] = l[j];
+    }
+    const detail::DenseFactorization<S, n + 1> factors(bordered);
+
+    ReducedSeries<M, Order, S> y;
+    y.regular = factors.regular();
+    for (int i = 0; i < n; ++i) along[i] = Series::variable(q[i], l[i]);
+    for (int k = 1; k <= Order; ++k) {
+        const auto f = equations<M, Series>(along, constant);
+        if (k == 1)
+            for (int i = 0; i < n; ++i) {
+                y.force[i] = f[i].coefficient[0];
+                y.gradient[0] = y.gradient[0] + l[i] * f[i].coefficient[0];
+            }
+        if (!y.regular) break;
+        Array<S, n + 1> b;
+        for (int i = 0; i < n; ++i) b[i] = -f[i].coefficient[k];
+        b = factors.solve(b);
+        for (int i = 0; i < n; ++i) along[i].coefficient[k] = along[i].coefficient[k] + b[i];
+        y.gradient[k] = b[n];
+    }
+    for (int k = 0; k <= Order; ++k)
+        for (int i = 0; i < n; ++i) y.curve[k][i] = along[i].coefficient[k];
+    return y;
+}
+
+}  // namespace equilibria

@@ -1,0 +1,112 @@
+// The curve of cusps of the rotating chain, found from planes that are solved for all their cusps.
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include <equilibria/locus/cusp_locus.hpp>
+#include <equilibria/mechanisms/rotating_chain.hpp>
+
+#include "support/catch.hpp"
+
+using namespace equilibria;
+
+namespace {
+
+using Chain = mechanisms::TwoLinkChain;
+
+CuspLocus<Chain> find(const CuspBox& box, const CuspLocusOptions& options = {}) {
+    return find_cusp_locus<Chain, Chain::alpha, Chain::omega, Chain::ratio>({0.5, 1.5, 1}, box, options);
+}
+
+void check_beak_to_beak(const CuspCurve<Chain>& curve) {
+    REQUIRE(curve.transitions.size() == 1);
+    const auto& t = curve.transitions[0];
+    CHECK(std::string(to_string(t.at.kind)) == "beak-to-beak");
+    CHECK(std::abs(t.x - 1. / 16) < 1e-12);
+    CHECK(std::abs(std::pow(t.y, 4) - 243. / 125) < 1e-12);
+    CHECK(std::abs(t.z - 16. / 9) < 1e-12);
+    CHECK(t.at.residual < 1e-14);
+}
+
+/// What is said agrees with itself.
+void check_complete(const CuspLocus<Chain>& locus) {
+    CHECK(locus.complete());
+    CHECK(locus.argument().find("NOT COMPLETE") == std::string::npos);
+    std::uint64_t cusps = 0;
+    for (const auto& plane : locus.planes) {
+        CHECK(plane.counts.paths.failed == 0);
+        CHECK(plane.counts.solutions >= 42);
+        cusps += plane.cusps.size();
+        for (const auto& cusp : plane.cusps) {
+            const Parameters<Chain> p{cusp.x, plane.z, cusp.y};
+            const auto at = refine_singularity<Chain, Chain::alpha, Chain::omega>(cusp.q, p, cusp.v);
+            CHECK(at.kind == SingularityKind::cusp);
+            CHECK(at.residual < 1e-13);
+        }
+    }
+    CHECK(locus.evidence.cusps == cusps);
+    CHECK(locus.evidence.crossings == cusps);
+}
+
+}  // namespace
+
+TEST_CASE("two cusps at ratio 1.5, none at 2.2: one curve, which turns back in a beak-to-beak") {
+    const auto locus = find({0, 1, 0, 20, 1.5, 2.2}, {.planes = 3});
+    check_complete(locus);
+    REQUIRE(locus.planes.size() == 3);
+    const auto &first = locus.planes[0], &last = locus.planes[2];
+    CHECK(first.z == 1.5);
+    CHECK(last.z == 2.2);
+    CHECK(locus.evidence.beyond[0] == 0);
+    CHECK(locus.evidence.beyond[1] == 0);
+    CHECK(last.cusps.empty());
+    REQUIRE(first.cusps.size() == 2);
+    double alpha[] = {first.cusps[0].x, first.cusps[1].x};
+    std::sort(alpha, alpha + 2);
+    CHECK(std::abs(alpha[0] - 0.00343715692193062) < 1e-12);
+    CHECK(std::abs(alpha[1] - 0.329896176411403) < 1e-12);
+
+    REQUIRE(locus.curves.size() == 1);
+    const auto& curve = locus.curves[0];
+    for (const auto end : curve.ends) CHECK(end == CuspCurveEnd::box);
+    CHECK(curve.points.front().z == 1.5);
+    CHECK(curve.points.back().z == 1.5);
+    check_beak_to_beak(curve);
+}
+
+TEST_CASE("at ratio 1, where the chain is degenerate, the plane is given up for one next to it") {
+    const auto locus = find({0, 1, 0, 20, 1, 3}, {.planes = 2});
+    check_complete(locus);
+    REQUIRE(locus.planes.size() == 2);
+    const auto &first = locus.planes[0], &last = locus.planes[1];
+    CHECK(first.z > 1);
+    CHECK(first.z <= 1.25);
+    CHECK(locus.evidence.beyond[0] == Approx((first.z - 1) / 2));
+    REQUIRE(!first.given_up.empty());
+    CHECK(first.given_up[0].z == 1);
+    CHECK(first.given_up[0].solutions < 22);
+    CHECK(first.cusps.size() == 2);
+    CHECK(first.degenerate > 0);  // at alpha = 0 the second link has no mass
+    CHECK(last.z == 3);
+    CHECK(last.cusps.empty());
+    CHECK(locus.argument().find("the plane at 1 was given up") != std::string::npos);
+
+    REQUIRE(locus.curves.size() == 1);
+    const auto& curve = locus.curves[0];
+    const bool reversed = curve.ends[0] == CuspCurveEnd::box;
+    CHECK(curve.ends[reversed ? 0 : 1] == CuspCurveEnd::box);
+    CHECK(curve.ends[reversed ? 1 : 0] == CuspCurveEnd::degenerate);
+    CHECK((reversed ? curve.points.front() : curve.points.back()).y == 20);
+    check_beak_to_beak(curve);
+}
+
+TEST_CASE("bad boxes, parameters and options are refused") {
+    CHECK_THROWS_AS(find({0, 1, 0, 20, 2, 2}), InvalidArgument);
+    CHECK_THROWS_AS(find({1, 0, 0, 20, 1, 3}), InvalidArgument);
+    CHECK_THROWS_AS(find({0, 1, 0, INFINITY, 1, 3}), InvalidArgument);
+    CHECK_THROWS_AS(find({0, 1, NAN, 20, 1, 3}), InvalidArgument);
+    CHECK_THROWS_AS(find({0, 1, 0, 20, 1, 3}, {.planes = 1}), InvalidArgument);
+    CHECK_THROWS_AS(
+        (find_cusp_locus<Chain, Chain::alpha, Chain::omega, Chain::ratio>({0.5, NAN, 1}, {0, 1, 0, 20, 1, 3})),
+        InvalidArgument);
+}

@@ -210,9 +210,9 @@ private:
         if (10 * r > 0.05 || track(closing_, back, time(r), time(10 * r), steps) != Progress::arrived) return false;
         const Array<double, n> now = valuations(here, r), before = valuations(back, 10 * r);
         for (int u = 0; u < n; ++u) {
-            const double size2 = unknown_size2(here, u), nu = now[u];
+            const double size2 = static_cast<double>(unknown_size2(here, u)), nu = now[u];
             if (!(size2 > 100 && nu > 0.05 && std::abs(nu - before[u]) < 0.1 * nu)) continue;
-            const double growth = 0.5 * std::log10(size2 / unknown_size2(back, u));
+            const double growth = 0.5 * std::log10(size2 / static_cast<double>(unknown_size2(back, u)));
             if (std::abs(growth - nu) < 0.1 * nu) return true;
         }
         return false;

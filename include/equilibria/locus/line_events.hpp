@@ -17,36 +17,14 @@
 #include <string>
 #include <vector>
 
-#include <Eigen/Core>
-
-#include <equilibria/continuation/critical_point.hpp>
 #include <equilibria/enumerate/enumerate.hpp>
 #include <equilibria/enumerate/multihomogeneous.hpp>
 #include <equilibria/locus/critical_system.hpp>
-#include <equilibria/locus/model_problem.hpp>
-#include <equilibria/locus/reduced_coefficients.hpp>
+#include <equilibria/locus/line_event.hpp>
 #include <equilibria/locus/refine.hpp>
 #include <equilibria/locus/symmetric_branches.hpp>
 
 namespace equilibria {
-
-/// A degenerate equilibrium on a line.
-template <Model M>
-struct LineEvent {
-    CriticalKind kind = CriticalKind::fold;
-    double value = 0;       ///< of the active parameter
-    Unknowns<M> q;          ///< angles in (-pi, pi]
-    Unknowns<M> v;          ///< the unit null vector
-    double residual = 0;    ///< the largest |entry| of F and J v
-    double correction = 0;  ///< of the last step of Newton's method: about the error; NaN of kinds other than fold, pitchfork
-    ReducedCoefficients reduced;
-    double slope = 0;  ///< v . dF/dp of folds, v . (dJ/dp) v else
-    int index = 0;     ///< negative eigenvalues beside the one that vanishes
-    /// By how much the numbers of equilibria of index 0, 1, .. n change as the parameter grows; of folds, pitchforks and
-    /// trans-critical points of models with a potential. Else empty.
-    std::vector<std::int64_t> change;
-    std::size_t interval = 0;  ///< the first one above the event
-};
 
 /// Parameter values between neighbouring events.
 template <Model M>
@@ -70,6 +48,7 @@ struct LineEvents {
     std::uint64_t pitchfork_paths = 0;      ///< singular paths that end at pitchforks of symmetric branches
     std::uint64_t other_singular = 0;       ///< singular paths that end elsewhere, on no real event of the segment
     std::uint64_t unexplained = 0;          ///< real singular solutions in the segment that Newton's method did not confirm
+    std::uint64_t compared = 0;             ///< values of events at which the tables were compared
     std::uint64_t wrong_tables = 0;         ///< values at which the tables do not differ by what the events say
     std::uint64_t unclean = 0;              ///< intervals whose enumeration is not clean
     double solve_seconds = 0, seconds = 0;
@@ -83,7 +62,9 @@ struct LineEvents {
             << " at pitchforks of symmetric branches, found there by themselves), " << paths.at_infinity
             << " at infinity, " << paths.failed << " failed; the tables of the " << intervals.size()
             << " intervals, each enumerated, ";
-        if (wrong_tables == 0)
+        if (compared == 0)
+            out << "are compared with no event: the model has no potential";
+        else if (wrong_tables == 0)
             out << "differ exactly by the events between them";
         else
             out << "DO NOT DIFFER by the events at " << wrong_tables << " values";
@@ -115,48 +96,6 @@ Unknowns<M> principal(Unknowns<M> q) {
     return q;
 }
 
-/// Fills in what follows from kind, value, q and v.
-template <Model M>
-void describe(LineEvent<M>& event, Parameters<M> p, int active) {
-    constexpr int n = n_unknowns<M>;
-    p[active] = event.value;
-    const UnknownMatrix<M> j = jacobian<M, double>(event.q, p);
-    Eigen::Matrix<double, n, 1> v;
-    for (int i = 0; i < n; ++i) v(i) = event.v[i];
-    event.residual = (j * v).cwiseAbs().maxCoeff();
-    for (const double f : equations<M, double>(event.q, p)) event.residual = std::max(event.residual, std::abs(f));
-    event.reduced = reduced_coefficients<M>(event.q, event.v, p);
-    if (event.kind == CriticalKind::fold) {
-        const auto f_p = parameter_derivative<M, double>(event.q, p, active);
-        for (int i = 0; i < n; ++i) event.slope += v(i) * f_p[i];
-    } else {
-        event.slope = v.dot(jacobian_parameter_derivative<M, double>(event.q, p, active) * v);
-    }
-    if constexpr (PotentialModel<M>) {
-        auto values = symmetric_eigenvalues(j).eval();
-        Eigen::Index zero = 0;
-        values.cwiseAbs().minCoeff(&zero);
-        for (Eigen::Index k = 0; k < values.size(); ++k) event.index += k != zero && values(k) < 0;
-        const auto k = static_cast<std::size_t>(event.index);
-        event.change.assign(n + 1, 0);
-        if (event.kind == CriticalKind::fold) {
-            // slope dp + third x^2 / 2 = 0
-            const int born = event.slope * event.reduced.third < 0 ? 1 : -1;
-            event.change[k] += born;
-            event.change[k + 1] += born;
-        } else if (event.kind == CriticalKind::pitchfork) {
-            // x (slope dp + fourth x^2 / 6) = 0: the pair lives where slope dp has the other sign than fourth
-            const int born = event.slope * event.reduced.fourth < 0 ? 1 : -1;
-            const bool falls = event.slope < 0;  // the branch's eigenvalue
-            event.change[falls ? k + 1 : k] += 1;
-            event.change[falls ? k : k + 1] -= 1;
-            event.change[event.reduced.fourth > 0 ? k : k + 1] += 2 * born;
-        } else if (event.kind != CriticalKind::transcritical) {
-            event.change.clear();
-        }
-    }
-}
-
 template <Model M, int Active>
 class LineEventFinder {
 public:
@@ -168,17 +107,24 @@ public:
         : p_(p), options_(options) {
         found_.low = low;
         found_.high = high;
-        scale_[0] = std::max(std::abs(low), std::abs(high));
     }
 
     LineEvents<M> run() {
         const auto begin = std::chrono::steady_clock::now();
         add_pitchforks();
-        add_solutions();
-        found_.solve_seconds = seconds_since(begin);
-        std::sort(found_.events.begin(), found_.events.end(),
-                  [](const auto& a, const auto& b) { return a.value < b.value; });
-        count();
+        // the events' size is that of the segment, or, of a wide one, its root or 1
+        const double wide = std::max(std::abs(found_.low), std::abs(found_.high));
+        std::vector<double> scales{wide};
+        if (wide > 30) scales = {wide, std::sqrt(wide), 1};
+        for (std::size_t k = 0; k < scales.size() && (k == 0 || !found_.complete()); ++k) {
+            scale_[0] = scales[k];
+            const auto solving = std::chrono::steady_clock::now();
+            add_solutions(k + 1 < scales.size() ? 2 : 8);
+            found_.solve_seconds += seconds_since(solving);
+            std::sort(found_.events.begin(), found_.events.end(),
+                      [](const auto& a, const auto& b) { return a.value < b.value; });
+            count();
+        }
         found_.seconds = seconds_since(begin);
         return std::move(found_);
     }
@@ -194,32 +140,35 @@ private:
     }
 
     void add_pitchforks() {
-        for (const Unknowns<M>& branch : symmetric_branches<M>()) {
-            const auto values = singular_points_of_branch<M>(branch, p_, Active, System::degree[0], found_.low, found_.high);
-            for (std::size_t k = 0; k < values.size(); ++k) {
-                LineEvent<M> event;
-                event.q = branch;
-                event.value = values[k];
-                event.v = null_vector<M>(jacobian<M, double>(branch, at(event.value)));
-                const bool twice = (k > 0 && values[k] - values[k - 1] < 1e-6) ||
-                                   (k + 1 < values.size() && values[k + 1] - values[k] < 1e-6);
-                event.kind = twice ? CriticalKind::multiple : CriticalKind::pitchfork;
-                if (!twice) {
-                    const auto refined = refine_pitchfork<M, Active>(branch, at(event.value));
-                    if (refined.converged && std::abs(refined.p[Active] - event.value) < 1e-4) {
-                        event.value = refined.p[Active];
-                        event.v = refined.v;
-                        event.correction = refined.correction;
-                    }
+        if constexpr (Formulation<M>::reflection_symmetric)
+            for (const Unknowns<M>& branch : symmetric_branches<M>()) add_pitchforks(branch);
+    }
+    void add_pitchforks(const Unknowns<M>& branch) requires(n_coordinates<M> == 0) {
+        const auto values =
+            singular_points_of_branch<M>(branch, p_, Active, System::degree[0], found_.low, found_.high);
+        for (std::size_t k = 0; k < values.size(); ++k) {
+            LineEvent<M> event;
+            event.q = branch;
+            event.value = values[k];
+            event.v = null_vector<M>(jacobian<M, double>(branch, at(event.value)));
+            const double near = 1e-6 * (1 + std::abs(event.value));
+            const bool twice = (k > 0 && values[k] - values[k - 1] < near) ||
+                               (k + 1 < values.size() && values[k + 1] - values[k] < near);
+            event.kind = twice ? CriticalKind::multiple : CriticalKind::pitchfork;
+            if (!twice) {
+                const auto refined = refine_pitchfork<M, Active>(branch, at(event.value));
+                if (refined.converged && std::abs(refined.p[Active] - event.value) < 100 * near) {
+                    event.value = refined.p[Active];
+                    event.v = refined.v;
+                    event.correction = refined.correction;
                 }
-                add(event);
             }
+            add(event);
         }
     }
 
-    void add_solutions() {
-        constexpr std::uint64_t most_attempts = 8;
-        while (found_.attempts < most_attempts && (found_.attempts == 0 || found_.paths.failed > 0)) {
+    void add_solutions(int most_attempts) {
+        for (int attempt = 0; attempt < most_attempts && (attempt == 0 || found_.paths.failed > 0); ++attempt) {
             EnumerateOptions options = options_;
             options.seed = options_.seed + 0x9e3779b97f4a7c15 * found_.attempts++;
             Generator generator(options.seed);
@@ -254,19 +203,27 @@ private:
                           (System::power[0] == 1 || x.real() > -near);
         const double value =
             real ? System::parameter(0, System::power[0] == 1 ? x.real() : std::max(0.0, x.real()), scale_[0]) : 0;
-        const double around = 1e-3 * scale_[0];
-        if (!real || value < found_.low - around || value > found_.high + around) {
+        if (!real) {
             if (singular) found_.other_singular += paths;
             return;
         }
+        if (System::power[0] == 2 && value > 0 && found_.low < 0) take_at(q, -value, singular);
+        take_at(q, value, singular);
+    }
+
+    /// A real solution next to q and value.
+    void take_at(const Unknowns<M>& q, double value, bool singular) {
+        const double around = 1e-3 * scale_[0];
+        if (value < found_.low - around || value > found_.high + around) return;
         LineEvent<M> event;
         const auto refined = refine_fold<M, Active>(q, at(value));
-        if (refined.converged && std::abs(refined.p[Active] - value) < around &&
-            same_unknowns<M>(refined.q, q, 1e-3)) {
+        if (refined.converged && std::abs(refined.p[Active] - value) < around && same_unknowns<M>(refined.q, q, 1e-3)) {
             event.value = refined.p[Active];
             event.q = principal<M>(refined.q);
             event.v = refined.v;
             event.correction = refined.correction;
+            // the fold's system converges at bifurcations too, linearly, and from an endpoint's digits that is enough
+            if (singular) event.kind = kind_of<M, Active>(event, p_);
         } else {
             const Problem problem(p_);
             const auto point = CriticalPointSolver<Problem>(problem).solve(Problem::vector(q), value);
@@ -304,6 +261,8 @@ private:
 
     /// Enumerates between the events and compares.
     void count() {
+        found_.intervals.clear();
+        found_.unclean = found_.compared = found_.wrong_tables = 0;
         const auto add_interval = [&](double low, double high) {
             LineInterval<M> interval{low, high, 0.5 * (low + high), 0, {}, false};
             const auto set = enumerate<M>(at(interval.at), options_);
@@ -320,12 +279,15 @@ private:
             while (last < found_.events.size() &&
                    found_.events[last].value - value <= same_value * (1 + std::abs(value)))
                 ++last;
-            add_interval(from, value);
+            // nor has one at its begin anything below it
+            if (first > 0 || value - from > same_value * (1 + std::abs(value))) add_interval(from, value);
             from = found_.events[last - 1].value;
             for (std::size_t k = first; k < last; ++k) found_.events[k].interval = found_.intervals.size();
             first = last;
         }
-        add_interval(from, found_.high);
+        // an event at the end of the segment has nothing above it
+        if (found_.high - from > same_value * (1 + std::abs(found_.high)) || found_.intervals.empty())
+            add_interval(from, found_.high);
         compare();
     }
     void compare() {
@@ -337,6 +299,7 @@ private:
                 known = known && !event.change.empty();
                 for (std::size_t i = 0; i < event.change.size(); ++i) expected[i] += event.change[i];
             }
+            found_.compared += known;
             found_.wrong_tables += known && expected != found_.intervals[k].by_index;
         }
     }

@@ -97,7 +97,19 @@ std::vector<double> singular_points_of_branch(const Unknowns<M>& branch, Paramet
         p[active] = value;
         return jacobian<M, double>(branch, p).determinant();
     };
-    return polynomial_roots(determinant, n_unknowns<M> * degree, low, high);
+    // pieces that shrink towards 0: the roots of a wide segment differ by orders of magnitude
+    std::vector<double> ends{low, high}, roots;
+    for (double end = std::max(std::abs(low), std::abs(high)) / 4; end > 1; end /= 4)
+        for (const double edge : {-end, end})
+            if (edge > low && edge < high) ends.push_back(edge);
+    std::sort(ends.begin(), ends.end());
+    for (std::size_t k = 0; k + 1 < ends.size(); ++k)
+        for (const double root : polynomial_roots(determinant, n_unknowns<M> * degree, ends[k], ends[k + 1]))
+            // at an edge both pieces have it
+            if (k == 0 || roots.empty() || root > ends[k] + 1e-9 * std::abs(ends[k]) ||
+                std::abs(roots.back() - root) > 1e-9 * std::abs(root))
+                roots.push_back(root);
+    return roots;
 }
 
 }  // namespace equilibria

@@ -8,12 +8,12 @@
 /// with a random basis B, so that no null vector is at infinity in w. The weights in the last equation, parameters of
 /// the system, choose what is solved for: the folds of a line of the plane (slice); the points at which the locus has a
 /// tangent normal to x_1 (extremal_2 = 1: there v . dF/dx_2 = 0), folds of the fold curve over the axis of x_1; or its
-/// cusps. A parameter that enters by its square (or another power) alone is replaced by that power, which halves degrees and
-/// solutions, and equations are divided by powers of active parameters that all their terms have: solutions at 0 of such a
-/// parameter, where that equation would vanish identically, are left out.
+/// cusps. A parameter that enters by even powers alone is replaced by its square, which halves degrees and solutions, and
+/// equations are divided by powers of active parameters that all their terms have: solutions at 0 of such a parameter,
+/// where that equation would vanish identically, are left out.
 ///
-/// Pitchforks on symmetric branches are singular solutions; they are found on those branches (line_events.hpp,
-/// symmetric_points.hpp). Source: Govaerts, Numerical Methods for Bifurcations of Dynamical Equilibria, chapter 4.
+/// Pitchforks on symmetric branches are singular solutions; they are found on those branches (symmetric_branches.hpp,
+/// symmetric_system.hpp). Source: Govaerts, Numerical Methods for Bifurcations of Dynamical Equilibria, chapter 4.
 #pragma once
 
 #include <algorithm>
@@ -72,8 +72,8 @@ constexpr CircleAngle<T> angle_along(const S& c, const S& s, const S& slope) {
 }  // namespace detail
 
 /// Active: the numbers of one or two parameters of M that become unknowns. Parameters p: the model's own (the active
-/// ones are not read), then the scales of the active ones, for unknowns of the size of 1; then the n x n entries of B, row by
-/// row; then, with two, the weights of the last equation.
+/// ones are not read), then the scales of the active ones, for unknowns of the size of 1; then the n x n entries of B,
+/// row by row; then, with two, the weights of the last equation.
 template <Model M, int... Active>
 struct CriticalSystem {
     static constexpr int n = n_unknowns<M>, actives = sizeof...(Active);
@@ -83,8 +83,8 @@ struct CriticalSystem {
     static constexpr int n_angles = equilibria::n_angles<M>;
     static constexpr int first_null = equilibria::n_coordinates<M>;  ///< the coordinate w_1
     static constexpr int first_active = first_null + n - 1;          ///< the coordinate x_1
-    /// With two active parameters symmetric branches hold curves of solutions, the pitchforks. They are sent to infinity by
-    /// one more unknown and equation, y sum_i r_i sin theta_i = 1.
+    /// With two active parameters symmetric branches hold curves of solutions, the pitchforks. They are sent to
+    /// infinity by one more unknown and equation, y sum_i r_i sin theta_i = 1.
     static constexpr bool off_symmetric_branches = actives == 2 && Formulation<M>::reflection_symmetric;
     static constexpr int reciprocal = first_active + actives;  ///< the coordinate y
     static constexpr int n_coordinates = reciprocal + off_symmetric_branches;
@@ -164,13 +164,13 @@ private:
     }
 
 public:
-    /// x_k is the power[k]-th power of the parameter active[k] over its scale.
+    /// x_k is the power[k]-th power (1 or 2) of the parameter active[k] over its scale.
     static constexpr Array<int, actives> power = [] {
         Array<int, actives> y{};
         for (const auto& equation : raw_equations_pruned())
             for (const auto& term : equation.terms())
                 for (int k = 0; k < actives; ++k) y[k] = std::gcd(y[k], term.monomial.code(n_angles + first_active + k));
-        for (int& g : y) g = g == 2 ? 2 : 1;  // higher roots are not taken
+        for (int& g : y) g = g > 0 && g % 2 == 0 ? 2 : 1;
         return y;
     }();
     /// The highest power of the parameter active[k] in F.

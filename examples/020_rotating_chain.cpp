@@ -22,25 +22,18 @@
 #include <utility>
 
 #include "support/command_line.hpp"
+#include "support/links.hpp"
 #include "support/numbers.hpp"
 #include "support/output_file.hpp"
 #include "support/progress_bar.hpp"
 
 namespace {
 
-ChainResult enumerate(int links, const Chain& chain, const Options& options) {
-    using Function = ChainResult (*)(const Chain&, const Options&);
-    static constexpr auto functions = []<int... K>(std::integer_sequence<int, K...>) {
-        return std::array<Function, most_links>{enumerate_chain<K + 1>...};
-    }
-    (std::make_integer_sequence<int, most_links>{});
-    return functions[static_cast<std::size_t>(links - 1)](chain, options);
-}
+using support::joined;
 
-std::string joined(const auto& values) {
-    std::ostringstream out;
-    for (const char* separator = ""; const auto& value : values) out << std::exchange(separator, " ") << value;
-    return out.str();
+ChainResult enumerate(int links, const Chain& chain, const Options& options) {
+    return support::for_links<most_links, ChainResult>(
+        links, [&](auto n) { return enumerate_chain<n>(chain, options); });
 }
 
 std::string json(const Chain& chain, const Options& options, const ChainResult& r) {

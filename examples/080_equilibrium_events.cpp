@@ -16,6 +16,7 @@
 #include <utility>
 
 #include "support/command_line.hpp"
+#include "support/links.hpp"
 #include "support/numbers.hpp"
 #include "support/output_file.hpp"
 #include "support/progress_bar.hpp"
@@ -24,19 +25,11 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-ChainEvents find(int links, const Chain& chain, const Options& options) {
-    using Function = ChainEvents (*)(const Chain&, const Options&);
-    static constexpr auto functions = []<int... K>(std::integer_sequence<int, K...>) {
-        return std::array<Function, most_links>{chain_events<K + 1>...};
-    }
-    (std::make_integer_sequence<int, most_links>{});
-    return functions[static_cast<std::size_t>(links - 1)](chain, options);
-}
+using support::joined;
 
-std::string joined(const auto& values) {
-    std::ostringstream out;
-    for (const char* separator = ""; const auto& value : values) out << std::exchange(separator, " ") << value;
-    return out.str();
+ChainEvents find(int links, const Chain& chain, const Options& options) {
+    return support::for_links<most_links, ChainEvents>(
+        links, [&](auto n) { return chain_events<n>(chain, options); });
 }
 
 std::size_t proved(const ChainEvents& r) {

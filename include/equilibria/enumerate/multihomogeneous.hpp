@@ -6,6 +6,7 @@
 /// their users know what a real root means.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include <equilibria/enumerate/enumerate.hpp>
@@ -24,6 +25,11 @@ struct ComplexRoots {
 };
 
 namespace detail {
+
+/// Start systems are a choice: where one leaves paths undecided, another may not. The first attempt has the seed itself.
+inline std::uint64_t seed_of_attempt(std::uint64_t seed, std::uint64_t attempt) {
+    return seed + 0x9e3779b97f4a7c15 * attempt;
+}
 
 /// Follows the solutions `start` (unknowns of M) of the system with the coefficients `from` to the roots at `to`.
 template <Model M>

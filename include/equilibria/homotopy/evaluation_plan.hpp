@@ -9,6 +9,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstdint>
 #include <vector>
 
 #include <equilibria/algebra/formulation.hpp>
@@ -123,6 +124,30 @@ struct EvaluationPlan {
         Array<Group, n_groups> y;
         const auto found = find_groups();
         for (int k = 0; k < n_groups; ++k) y[k] = found[static_cast<std::size_t>(k)];
+        return y;
+    }();
+
+    // What loops over groups and operands look up at run time.
+
+    /// The factor of each group's own unknown; -1 for 1.
+    static constexpr Array<int, n_groups> own_factors = [] {
+        Array<int, n_groups> y{};
+        for (int g = 0; g < y.size(); ++g) y[g] = factor(groups[g].equation, groups[g].own_code);
+        return y;
+    }();
+    /// The unknown of each factor.
+    static constexpr Array<int, factors> unknowns_of_factors = [] {
+        Array<int, factors> y{};
+        for (int f = 0; f < y.size(); ++f) y[f] = unknown_of(f);
+        return y;
+    }();
+    /// Bit u: the operand depends on unknown u.
+    static constexpr Array<std::uint32_t, factors + n_nodes> dependence = [] {
+        static_assert(n <= 32);
+        Array<std::uint32_t, factors + n_nodes> y{};
+        for (int f = 0; f < factors; ++f) y[f] = std::uint32_t{1} << unknown_of(f);
+        for (int m = 0; m < n_nodes; ++m)
+            y[factors + m] = y[nodes[m].left] | y[nodes[m].right];
         return y;
     }();
 };

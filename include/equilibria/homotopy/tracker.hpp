@@ -18,7 +18,7 @@
 
 #include <equilibria/core/error.hpp>
 #include <equilibria/core/linear_solve.hpp>
-#include <equilibria/homotopy/homotopy.hpp>
+#include <equilibria/homotopy/evaluation.hpp>
 #include <equilibria/homotopy/path.hpp>
 
 namespace equilibria {

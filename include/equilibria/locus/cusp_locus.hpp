@@ -152,15 +152,8 @@ private:
         const CuspBox& box = locus_.box;
         if (!(std::abs(a.x - b.x) <= tolerance * (box.x_high - box.x_low))) return false;
         if (!(std::abs(a.y - b.y) <= tolerance * (box.y_high - box.y_low))) return false;
-        const auto near = [&](double sign) {
-            for (int i = 0; i < n; ++i) {
-                const double d = a.q[i] - sign * b.q[i];
-                if (!(std::abs(i < n_angles<M> ? std::remainder(d, 2 * std::numbers::pi) : d) <= tolerance))
-                    return false;
-            }
-            return true;
-        };
-        return near(1) || (Formulation<M>::reflection_symmetric && near(-1));
+        return same_unknowns<M>(a.q, b.q, tolerance) ||
+               (Formulation<M>::reflection_symmetric && same_unknowns<M>(a.q, b.q, tolerance, -1));
     }
 
     void trace_from(const CuspPlane<M>& plane, const LocusPoint<M>& cusp, std::vector<std::vector<bool>>& traced) {

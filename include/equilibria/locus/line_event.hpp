@@ -9,7 +9,6 @@
 #include <vector>
 
 #include <Eigen/Core>
-#include <Eigen/LU>
 
 #include <equilibria/continuation/critical_point.hpp>
 #include <equilibria/core/symmetric_eigen.hpp>
@@ -29,7 +28,9 @@ struct LineEvent {
     double residual = 0;    ///< the largest |entry| of F and J v
     double correction = 0;  ///< of the last step of Newton's method: about the error; NaN of kinds other than fold, pitchfork
     ReducedCoefficients reduced;
-    double slope = 0;  ///< v . dF/dp of folds, v . (dJ/dp) v else
+    /// Of folds u . dF/dp, u the unit left null vector (v where there is a potential); else the derivative by p of the
+    /// eigenvalue that vanishes, along the branch.
+    double slope = 0;
     int index = 0;     ///< negative eigenvalues beside the one that vanishes
     /// By how much the numbers of equilibria of index 0, 1, .. n change as the parameter grows; of folds, pitchforks and
     /// trans-critical points of models with a potential. Else empty.
@@ -38,6 +39,26 @@ struct LineEvent {
 };
 
 namespace detail {
+
+/// dF/dp of the parameter number `active`.
+template <Model M>
+Eigen::Matrix<double, n_unknowns<M>, 1> load(const Unknowns<M>& q, const Parameters<M>& p, int active) {
+    const auto f_p = parameter_derivative<M, double>(q, p, active);
+    Eigen::Matrix<double, n_unknowns<M>, 1> y;
+    for (int i = 0; i < n_unknowns<M>; ++i) y(i) = f_p[i];
+    return y;
+}
+
+/// By what a branch moves with the parameter, across the null vector v: J w = -dF/dp.
+template <Model M>
+Unknowns<M> motion(const UnknownMatrix<M>& j, const Eigen::Matrix<double, n_unknowns<M>, 1>& left,
+                   const Eigen::Matrix<double, n_unknowns<M>, 1>& v,
+                   const Eigen::Matrix<double, n_unknowns<M>, 1>& f_p) {
+    const Eigen::Matrix<double, n_unknowns<M>, 1> w = bordered_solve<n_unknowns<M>>(j, left, v, -f_p, 0);
+    Unknowns<M> y;
+    for (int i = 0; i < n_unknowns<M>; ++i) y[i] = w(i);
+    return y;
+}
 
 /// Fills in what follows from kind, value, q and v.
 template <Model M>
@@ -50,21 +71,13 @@ void describe(LineEvent<M>& event, Parameters<M> p, int active) {
     event.residual = (j * v).cwiseAbs().maxCoeff();
     for (const double f : equations<M, double>(event.q, p)) event.residual = std::max(event.residual, std::abs(f));
     event.reduced = reduced_coefficients<M>(event.q, event.v, p);
+    const Eigen::Matrix<double, n, 1> left = left_null_vector<M>(j, v), f_p = load<M>(event.q, p, active);
     if (event.kind == CriticalKind::fold) {
-        const auto f_p = parameter_derivative<M, double>(event.q, p, active);
-        for (int i = 0; i < n; ++i) event.slope += v(i) * f_p[i];
+        event.slope = left.dot(f_p);
     } else {
-        // of the eigenvalue along the branch, which moves by w: J w = -dF/dp
-        Eigen::Matrix<double, n + 1, n + 1> bordered;
-        bordered << j, v, v.transpose(), 0.0;
-        Eigen::Matrix<double, n + 1, 1> load = Eigen::Matrix<double, n + 1, 1>::Zero();
-        const auto f_p = parameter_derivative<M, double>(event.q, p, active);
-        for (int i = 0; i < n; ++i) load(i) = -f_p[i];
-        const Eigen::Matrix<double, n + 1, 1> solved = bordered.partialPivLu().solve(load);
-        Unknowns<M> w;
-        for (int i = 0; i < n; ++i) w[i] = solved(i);
-        event.slope = v.dot((jacobian_parameter_derivative<M, double>(event.q, p, active) +
-                             jacobian_derivative<M, double>(event.q, w, p)) * v);
+        const UnknownMatrix<M> change = jacobian_parameter_derivative<M, double>(event.q, p, active) +
+                                        jacobian_derivative<M, double>(event.q, motion<M>(j, left, v, f_p), p);
+        event.slope = left.dot(change * v) / left.dot(v);
     }
     if constexpr (PotentialModel<M>) {
         auto values = symmetric_eigenvalues(j).eval();
@@ -91,36 +104,21 @@ void describe(LineEvent<M>& event, Parameters<M> p, int active) {
     }
 }
 
-/// By the bifurcation equation a x^2 + 2 b x y + c y^2 = 0, y the change of the parameter in units of its size.
+/// The kind of an event, by the bifurcation equation a x^2 + 2 b x y + c y^2 = 0, y the change of the parameter in units of
+/// its size.
 template <Model M, int Active>
-CriticalKind kind_of(const LineEvent<M>& event, Parameters<M> p) {
+CriticalKind bifurcation_kind(const LineEvent<M>& event, Parameters<M> p) {
     constexpr int n = n_unknowns<M>;
     using Vector = Eigen::Matrix<double, n, 1>;
     using Problem = ModelProblem<M, Active>;
     const Problem problem(p);
     p[Active] = event.value;
     const UnknownMatrix<M> j = jacobian<M, double>(event.q, p);
-    Vector v, f_p;
-    const auto derivative = parameter_derivative<M, double>(event.q, p, Active);
-    for (int i = 0; i < n; ++i) v(i) = event.v[i], f_p(i) = derivative[i];
-    const auto bordered = [&](const UnknownMatrix<M>& matrix, const Vector& l, const Vector& right, double last) {
-        Eigen::Matrix<double, n + 1, n + 1> m;
-        m << matrix, l, v.transpose(), 0.0;
-        Eigen::Matrix<double, n + 1, 1> b;
-        b << right, last;
-        return Vector(m.partialPivLu().solve(b).template head<n>());
-    };
-    Vector left = v;
-    if constexpr (!PotentialModel<M>) {
-        Eigen::Matrix<double, n + 1, n + 1> m;
-        m << j.transpose(), v, v.transpose(), 0.0;
-        Eigen::Matrix<double, n + 1, 1> b = Eigen::Matrix<double, n + 1, 1>::Zero();
-        b(n) = 1;
-        left = m.partialPivLu().solve(b).template head<n>().normalized();
-    }
-    const Vector w = bordered(j, left, -f_p, 0);
-    Unknowns<M> moving;
-    for (int i = 0; i < n; ++i) moving[i] = w(i);
+    Vector v, w;
+    for (int i = 0; i < n; ++i) v(i) = event.v[i];
+    const Vector left = left_null_vector<M>(j, v), f_p = load<M>(event.q, p, Active);
+    const Unknowns<M> moving = motion<M>(j, left, v, f_p);
+    for (int i = 0; i < n; ++i) w(i) = moving[i];
     const UnknownMatrix<M> jv = jacobian_derivative<M, double>(event.q, event.v, p),
                            jw = jacobian_derivative<M, double>(event.q, moving, p),
                            jp = jacobian_parameter_derivative<M, double>(event.q, p, Active);

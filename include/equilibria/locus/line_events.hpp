@@ -21,6 +21,7 @@
 #include <equilibria/enumerate/multihomogeneous.hpp>
 #include <equilibria/locus/critical_system.hpp>
 #include <equilibria/locus/line_event.hpp>
+#include <equilibria/locus/locus_point.hpp>
 #include <equilibria/locus/refine.hpp>
 #include <equilibria/locus/symmetric_branches.hpp>
 
@@ -62,8 +63,8 @@ struct LineEvents {
             << " at pitchforks of symmetric branches, found there by themselves), " << paths.at_infinity
             << " at infinity, " << paths.failed << " failed; the tables of the " << intervals.size()
             << " intervals, each enumerated, ";
-        if (compared == 0)
-            out << "are compared with no event: the model has no potential";
+        if (!PotentialModel<M> && !events.empty())
+            out << "are not compared with the events, since the model has no potential";
         else if (wrong_tables == 0)
             out << "differ exactly by the events between them";
         else
@@ -77,16 +78,7 @@ struct LineEvents {
 
 namespace detail {
 
-/// The same equilibrium, angles modulo 2 pi.
-template <Model M>
-bool same_unknowns(const Unknowns<M>& a, const Unknowns<M>& b, double tolerance) {
-    for (int i = 0; i < n_unknowns<M>; ++i) {
-        const double d = a[i] - b[i];
-        if (!(std::abs(i < n_angles<M> ? std::remainder(d, 2 * std::numbers::pi) : d) <= tolerance)) return false;
-    }
-    return true;
-}
-
+/// With angles in (-pi, pi].
 template <Model M>
 Unknowns<M> principal(Unknowns<M> q) {
     for (int i = 0; i < n_angles<M>; ++i) {
@@ -170,7 +162,7 @@ private:
     void add_solutions(int most_attempts) {
         for (int attempt = 0; attempt < most_attempts && (attempt == 0 || found_.paths.failed > 0); ++attempt) {
             EnumerateOptions options = options_;
-            options.seed = options_.seed + 0x9e3779b97f4a7c15 * found_.attempts++;
+            options.seed = seed_of_attempt(options_.seed, found_.attempts++);
             Generator generator(options.seed);
             const auto set = solve_multihomogeneous<System>(System::parameters(p_, scale_, generator), options);
             found_.paths = set.paths;
@@ -223,7 +215,7 @@ private:
             event.v = refined.v;
             event.correction = refined.correction;
             // the fold's system converges at bifurcations too, linearly, and from an endpoint's digits that is enough
-            if (singular) event.kind = kind_of<M, Active>(event, p_);
+            if (singular) event.kind = bifurcation_kind<M, Active>(event, p_);
         } else {
             const Problem problem(p_);
             const auto point = CriticalPointSolver<Problem>(problem).solve(Problem::vector(q), value);

@@ -2,6 +2,9 @@
 /// A point of a bifurcation locus.
 #pragma once
 
+#include <cmath>
+#include <numbers>
+
 #include <equilibria/model/derivatives.hpp>
 
 namespace equilibria {
@@ -16,5 +19,19 @@ struct LocusPoint {
     Unknowns<M> q;        ///< the degenerate equilibrium
     Unknowns<M> v;        ///< its unit null vector
 };
+
+namespace detail {
+
+/// Whether a is b, or its mirror image theta -> -theta (mirror = -1), to within the tolerance; angles modulo 2 pi.
+template <Model M>
+bool same_unknowns(const Unknowns<M>& a, const Unknowns<M>& b, double tolerance, int mirror = 1) {
+    for (int i = 0; i < n_unknowns<M>; ++i) {
+        const double d = a[i] - (i < n_angles<M> ? mirror : 1) * b[i];
+        if (!(std::abs(i < n_angles<M> ? std::remainder(d, 2 * std::numbers::pi) : d) <= tolerance)) return false;
+    }
+    return true;
+}
+
+}  // namespace detail
 
 }  // namespace equilibria

@@ -68,14 +68,14 @@ struct Locus {
     std::vector<LocusPoint<M>> degenerate_pitchforks;  ///< where a pitchfork turns from super- to subcritical
     std::vector<LocusRegion> regions;
     std::vector<RegionBorder> borders;  ///< regions and curves by their numbers here
-
     std::vector<ExtremalPoint<M>> extremal;
+
     /// The evidence of completeness.
     struct Evidence {
         std::uint64_t lines = 0, seeds = 0, checked_points = 0;
-        /// By how much the borders of x and of y were moved in, in parts of the window: the model may degenerate on them. A
-        /// piece of a curve that lies in a corner of that size, and has no special point, is not seen.
-        std::array<double, 2> hair{};
+        /// By how much the borders of x and of y were moved in, in parts of the window: the model may degenerate on them.
+        /// A piece of a curve that lies in a corner of that size, and has no special point, is not seen.
+        std::array<double, 2> inset{};
         SolutionCounts lines_solved;                 ///< folds of a generic line in each direction
         SolutionCounts cusps_solved, extremal_solved;
         SolutionCounts extremal_pitchforks_solved, degenerate_pitchforks_solved;
@@ -86,7 +86,7 @@ struct Locus {
         std::uint64_t unsolved_points = 0;     ///< cusps and extremal points of curves that were not solved for
         std::uint64_t broken_curves = 0;       ///< curves that the step control gave up
         std::uint64_t wrong_counts = 0;        ///< checked points whose count is not their region's
-        std::uint64_t wrong_borders = 0;       ///< pieces of curves on both sides of which the tables by index do not fit
+        std::uint64_t wrong_borders = 0;       ///< borders of regions whose tables by index do not fit
         double seconds = 0;
 
         std::uint64_t all_failed_paths() const {
@@ -115,7 +115,7 @@ std::string Locus<M>::argument() const {
     };
     const Evidence& e = evidence;
     out << "a curve that enters the window crosses its border";
-    out << " (moved in by " << e.hair[0] << " and " << e.hair[1] << " of it)";
+    out << " (moved in by " << e.inset[0] << " and " << e.inset[1] << " of it)";
     out << ", a line of which all folds and pitchforks are solved for; one "
            "that does not has a cusp or points with vertical and horizontal tangents, all of which are solved for";
     solved("folds of a line", e.lines_solved);

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <chrono>
 #include <cmath>
 #include <cstdint>
@@ -15,8 +14,8 @@
 #include <equilibria/continuation/event_function.hpp>
 #include <equilibria/enumerate/enumerate.hpp>
 #include <equilibria/locus/locus_result.hpp>
+#include <equilibria/locus/locus_seeds.hpp>
 #include <equilibria/locus/pitchfork_curve.hpp>
-#include <equilibria/locus/plane_solver.hpp>
 #include <equilibria/locus/reduced_coefficients.hpp>
 #include <equilibria/locus/region_counts.hpp>
 
@@ -46,171 +45,33 @@ public:
     static constexpr int n = n_unknowns<M>;
 
     LocusTracer(const Parameters<M>& p, const PlaneWindow& window, const LocusOptions& options)
-        : options_(options), enumerate_options_{.seed = options.seed}, solver_(p, enumerate_options_,
-                  {std::max(std::abs(window.x_low), std::abs(window.x_high)),
-                   std::max(std::abs(window.y_low), std::abs(window.y_high))}),
-          symmetric_(symmetric_branches<M>()) {
+        : options_(options), seeds_(p, window, options.lines, options.seed) {
         locus_.window = window;
         locus_.parameters = p;
     }
 
     Locus<M> run() {
         const auto begin = std::chrono::steady_clock::now();
-        solve_lines<X, Y>();
-        solve_lines<Y, X>();
-        solve_points();
-        for (Seed& seed : seeds_)
+        seeds_.solve(locus_.evidence);
+        for (Seed& seed : seeds_.all())
             if (!seed.traced) trace_from(seed);
-        compare_points();
-        for (const Seed& seed : seeds_) locus_.evidence.untraced_seeds += !seed.traced;
-        count_regions<M, X, Y>(locus_, options_.checks, enumerate_options_);
+        seeds_.compare(locus_);
+        for (const Seed& seed : seeds_.all()) locus_.evidence.untraced_seeds += !seed.traced;
+        count_regions<M, X, Y>(locus_, options_.checks, {.seed = options_.seed});
         locus_.evidence.seconds = seconds_since(begin);
         return std::move(locus_);
     }
 
 private:
-    enum class Source { line, cusp, extremal, degenerate_pitchfork };
-
-    /// A point that some curve must pass. On a line the parameter number `fixed` has the value `line`.
-    struct Seed {
-        LocusKind kind;
-        Source source;
-        int fixed;
-        double line;
-        LocusPoint<M> at;
-        bool traced = false;
-    };
-
-    using Solver = PlaneSolver<M, X, Y>;
+    using Seed = LocusSeed<M>;
+    using Source = LocusSource;
     using Family = PlaneFamily<M, X, Y>;
-
-    void add_seed(const Seed& seed) {
-        if (!locus_.window.contains(seed.at.x, seed.at.y) || is_family(seed.at)) return;
-        for (const Seed& other : seeds_)  // the mirror image
-            if (other.source == seed.source && other.fixed == seed.fixed && other.line == seed.line &&
-                other.kind == seed.kind && same(other.at, seed.at))
-                return;
-        seeds_.push_back(seed);
-        ++locus_.evidence.seeds;
-    }
-
-    template <int Active, int Fixed>
-    void solve_lines() {
-        const PlaneWindow& w = locus_.window;
-        const double low = Fixed == X ? w.x_low : w.y_low, size = Fixed == X ? w.width() : w.height();
-        const double active_low = Active == X ? w.x_low : w.y_low, active_high = Active == X ? w.x_high : w.y_high;
-        const int degree = Solver::System::degree[Active == X ? 0 : 1];
-        Generator generator(options_.seed);
-        const typename Solver::Lines lines(solver_, Fixed == X ? 0 : 1, low + size * uniform(generator));
-        locus_.evidence.lines_solved.add(lines.counts());
-        const auto add = [&](double line, const std::vector<LocusPoint<M>>& folds) {
-            for (const auto& at : folds) add_seed({LocusKind::fold, Source::line, Fixed, line, at});
-            Parameters<M> p = locus_.parameters;
-            p[Fixed] = line;
-            for (const Unknowns<M>& branch : symmetric_) {
-                const auto determinant = [&](double value) {
-                    p[Active] = value;
-                    return Family{p}(p[Y]).tangent(PlaneProblem<M, X, Y>::vector(branch), p[X]).determinant();
-                };
-                for (const double value : polynomial_roots(determinant, n * degree, active_low, active_high)) {
-                    p[Active] = value;
-                    LocusPoint<M> at{value, line, branch, equilibria::null_vector<M>(jacobian<M, double>(branch, p))};
-                    if (Fixed == X) std::swap(at.x, at.y);
-                    add_seed({LocusKind::pitchfork, Source::line, Fixed, line, at});
-                }
-            }
-            lines_[Fixed == X ? 0 : 1].push_back(line);
-            ++locus_.evidence.lines;
-        };
-        // the borders, moved in: the model may degenerate on them, and near to them may leave paths undecided
-        for (const bool upper : {false, true})
-            for (const double hair : {1e-6, 1e-4, 1e-2}) {
-                const double line = low + size * (upper ? 1 - hair : hair);
-                std::uint64_t failed = 0;
-                const bool last = hair == 1e-2;
-                const auto folds = lines.folds(line, failed, last);
-                if (failed > 0 && !last) continue;
-                locus_.evidence.failed_paths += failed;
-                double& widest = locus_.evidence.hair[Fixed == X ? 0 : 1];
-                widest = std::max(widest, hair);
-                add(line, folds);
-                break;
-            }
-        // off the centre of the cells, where special values (alpha = 1/2) would sit
-        for (int k = 0; k < options_.lines; ++k) {
-            const double line = low + size * (k + 0.4713) / options_.lines;
-            add(line, lines.folds(line, locus_.evidence.failed_paths));
-        }
-    }
-
-    void solve_points() {
-        if constexpr (PotentialModel<M>) {
-            auto& e = locus_.evidence;
-            for (const auto& at : solver_.cusps(e.cusps_solved)) add_seed({LocusKind::fold, Source::cusp, -1, 0, at});
-            for (const int which : {0, 1})
-                for (const auto& at : solver_.extremal_folds(which, e.extremal_solved))
-                    add_seed({LocusKind::fold, Source::extremal, which == 0 ? X : Y, 0, at});
-            if constexpr (Formulation<M>::reflection_symmetric) {
-                for (const int which : {0, 1})
-                    for (const auto& at : solver_.extremal_pitchforks(which, e.extremal_pitchforks_solved))
-                        add_seed({LocusKind::pitchfork, Source::extremal, which == 0 ? X : Y, 0, at});
-                for (const auto& at : solver_.degenerate_pitchforks(e.degenerate_pitchforks_solved))
-                    add_seed({LocusKind::fold, Source::degenerate_pitchfork, -1, 0, at});
-            }
-        }
-    }
-
-    /// Every point solved for is on a curve, and every special point of a curve was solved for.
-    void compare_points() {
-        if constexpr (PotentialModel<M>) {
-            const auto find = [&](Source source, LocusKind kind, int fixed, const LocusPoint<M>& at) {
-                bool known = false;
-                for (Seed& seed : seeds_)
-                    if (seed.source == source && seed.kind == kind && seed.fixed == fixed && same(seed.at, at))
-                        known = seed.traced = true;
-                locus_.evidence.unsolved_points += !known;
-            };
-            for (const auto& cusp : locus_.cusps) find(Source::cusp, LocusKind::fold, -1, cusp.at);
-            for (const auto& point : locus_.extremal) find(Source::extremal, point.kind, point.parameter, point.at);
-            for (const auto& at : locus_.degenerate_pitchforks)
-                find(Source::degenerate_pitchfork, LocusKind::fold, -1, at);
-        }
-    }
 
     Parameters<M> parameters_at(double x, double y) const {
         Parameters<M> p = locus_.parameters;
         p[X] = x;
         p[Y] = y;
         return p;
-    }
-
-    /// Where a parameter by which equations were divided is 0, one of them vanishes identically, as that of a massless link
-    /// does: all its solutions are degenerate, and none is an event.
-    bool is_family(const LocusPoint<M>& at) const {
-        for (int i = 0; i < n; ++i)
-            for (int k = 0; k < 2; ++k)
-                if (Solver::System::content[i][k] > 0 &&
-                    std::abs(k == 0 ? at.x : at.y) <=
-                        1e-9 * (k == 0 ? locus_.window.width() : locus_.window.height()))
-                    return true;
-        return false;
-    }
-
-    /// The same event, or its mirror image; angles modulo 2 pi, null vectors up to sign.
-    bool same(const LocusPoint<M>& a, const LocusPoint<M>& b, double tolerance = 1e-5) const {
-        if (std::abs(a.x - b.x) > tolerance * locus_.window.width()) return false;
-        if (std::abs(a.y - b.y) > tolerance * locus_.window.height()) return false;
-        for (const int mirror : {1, -1}) {
-            if (mirror < 0 && symmetric_.empty()) break;
-            double q = 0, dot = 0;
-            for (int i = 0; i < n; ++i) {
-                const double d = a.q[i] - (i < n_angles<M> ? mirror : 1) * b.q[i];
-                q = std::max(q, i < n_angles<M> ? std::abs(std::remainder(d, 2 * std::numbers::pi)) : std::abs(d));
-                dot += a.v[i] * b.v[i];
-            }
-            if (q < 100 * tolerance && std::abs(std::abs(dot) - 1) < 100 * tolerance) return true;
-        }
-        return false;
     }
 
     using Folds = FoldCurve<Family>;
@@ -410,12 +271,12 @@ private:
         const LocusPoint<M> at = point_of(cusp.q, cusp.p);
         if (on_symmetric_branch<M>(at.q)) {
             bool known = false;
-            for (const auto& other : locus_.degenerate_pitchforks) known = known || same(other, at);
+            for (const auto& other : locus_.degenerate_pitchforks) known = known || seeds_.same(other, at);
             if (!known) locus_.degenerate_pitchforks.push_back(at);
             return true;
         }
         for (const Cusp<M>& other : locus_.cusps)
-            if (same(other.at, at)) return false;
+            if (seeds_.same(other.at, at)) return false;
         const Parameters<M> p = parameters_at(at.x, at.y);
         const auto coefficients = reduced_coefficients<M>(at.q, at.v, p);
         const Eigen::Matrix<double, n, 1> v = PlaneProblem<M, X, Y>::vector(at.v);
@@ -446,7 +307,7 @@ private:
             const LocusPoint<M> at = point_of(point->q, point->p);
             bool known = false;
             for (const auto& other : locus_.extremal)
-                known = known || (other.kind == kind && other.parameter == parameter && same(other.at, at));
+                known = known || (other.kind == kind && other.parameter == parameter && seeds_.same(other.at, at));
             if (!known) locus_.extremal.push_back({kind, parameter, at});
         }
     }
@@ -459,10 +320,10 @@ private:
             y << at.q.p / locus_.window.width(), at.p / locus_.window.height(), at.q.q;
             return y;
         };
-        for (Seed& seed : seeds_) {
+        for (Seed& seed : seeds_.all()) {
             if (seed.traced || seed.kind != kind) continue;
             for (const int mirror : {1, -1}) {
-                if (seed.traced || (mirror < 0 && symmetric_.empty())) break;
+                if (seed.traced || (mirror < 0 && !Formulation<M>::reflection_symmetric)) break;
                 for (std::size_t i = 0; i + 1 < curve.size() && !seed.traced; ++i) {
                     const Eigen::VectorXd a = position(curve[i]), chord = position(curve[i + 1]) - a;
                     Eigen::VectorXd to(n + 2);
@@ -486,7 +347,7 @@ private:
                     const Direction normal = step;
                     PathStepper<Curve>::scale(step, reach);
                     const auto point = stepper.onto(curve[i].q, curve[i].p, step, normal, curve[i].tangent);
-                    if (point) seed.traced = same(seed.at, point_of(point->q, point->p));
+                    if (point) seed.traced = seeds_.same(seed.at, point_of(point->q, point->p));
                 }
             }
         }
@@ -498,7 +359,7 @@ private:
         const PlaneWindow& w = locus_.window;
         for (const int axis : {0, 1}) {
             const auto value = [&](std::size_t i) { return axis == 0 ? curve[i].q.p : curve[i].p; };
-            for (const double line : lines_[axis]) {
+            for (const double line : seeds_.lines(axis)) {
                 for (std::size_t i = 0; i + 1 < curve.size(); ++i) {
                     const double before = value(i) - line, after = value(i + 1) - line;
                     if (!(before * after < 0) && before != 0) continue;
@@ -509,9 +370,9 @@ private:
                     if (!point || !w.contains(point->q.p, point->p)) continue;
                     const LocusPoint<M> at = point_of(point->q, point->p);
                     bool known = false;
-                    for (Seed& seed : seeds_)
+                    for (Seed& seed : seeds_.all())
                         if (seed.source == Source::line && seed.kind == kind &&
-                            seed.fixed == (axis == 0 ? X : Y) && seed.line == line && same(seed.at, at))
+                            seed.fixed == (axis == 0 ? X : Y) && seed.line == line && seeds_.same(seed.at, at))
                             known = seed.traced = true;
                     locus_.evidence.unseeded_crossings += !known;
                 }
@@ -520,11 +381,7 @@ private:
     }
 
     LocusOptions options_;
-    EnumerateOptions enumerate_options_;
-    PlaneSolver<M, X, Y> solver_;
-    std::vector<Unknowns<M>> symmetric_;
-    std::array<std::vector<double>, 2> lines_;  ///< values of x, and of y
-    std::vector<Seed> seeds_;
+    LocusSeeds<M, X, Y> seeds_;
     Locus<M> locus_;
 };
 

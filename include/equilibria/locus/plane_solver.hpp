@@ -48,25 +48,22 @@ public:
     PlaneSolver(const Parameters<M>& p, const EnumerateOptions& options, const Array<double, 2>& scales = {1, 1})
         : p_(p), options_(options), scales_(scales) {}
 
-    /// The folds on lines on which the parameter number `fixed` (0 for X, 1 for Y) has the given value. One line is solved
-    /// from its start system, at the value `generic`; the others follow by parameter homotopy, on as many paths as there
-    /// are folds.
+    /// The folds on lines on which the parameter number `fixed` (0 for X, 1 for Y) has the given value. One line is
+    /// solved from its start system, at the value `generic`; the others follow by parameter homotopy, on as many paths as
+    /// there are folds.
     class Lines {
     public:
         Lines(const PlaneSolver& solver, int fixed, double generic) : solver_(&solver), fixed_(fixed) {
             solver.attempt(counts_, [&](std::uint64_t seed, Generator& generator) -> const auto& {
-                auto p = System::parameters(solver.p_, solver.scales_, generator);
-                p[System::slice + fixed] = 1;
-                p[System::slice + 2] = -System::unknown(fixed, generic, solver.scales_[fixed]);
-                return set_ = solve_multihomogeneous<System>(p, solver.with_seed(seed));
+                return set_ = solver.solve_line(fixed, generic, seed, generator);
             });
             for (const auto& root : set_.roots)
                 if (root.status == PathStatus::finite && root.paths == 1) roots_.push_back(root);
         }
         const SolutionCounts& counts() const { return counts_; }
 
-        /// `failed` is increased by the paths that failed. thorough: a line that leaves paths undecided is solved from its own
-        /// start system.
+        /// `failed` is increased by the paths that failed. thorough: a line that leaves paths undecided is solved from
+        /// its own start system.
         Points folds(double value, std::uint64_t& failed, bool thorough = true) const {
             auto p = set_.parameters;
             p[System::slice + 2] = -System::unknown(fixed_, value, solver_->scales_[fixed_]);
@@ -90,10 +87,7 @@ public:
             } else if (set.paths.failed > 0) {
                 SolutionCounts counts;
                 solver_->attempt(counts, [&](std::uint64_t seed, Generator& generator) {
-                    auto own = System::parameters(solver_->p_, solver_->scales_, generator);
-                    own[System::slice + fixed_] = 1;
-                    own[System::slice + 2] = -System::unknown(fixed_, value, solver_->scales_[fixed_]);
-                    auto solved = solve_multihomogeneous<System>(own, solver_->with_seed(seed));
+                    auto solved = solver_->solve_line(fixed_, value, seed, generator);
                     take(solved.roots);
                     return solved;
                 });
@@ -147,12 +141,20 @@ private:
         return p;
     }
 
+    /// The folds of one line, from their own start system.
+    ComplexRoots<System> solve_line(int fixed, double value, std::uint64_t seed, Generator& generator) const {
+        auto p = System::parameters(p_, scales_, generator);
+        p[System::slice + fixed] = 1;
+        p[System::slice + 2] = -System::unknown(fixed, value, scales_[fixed]);
+        return solve_multihomogeneous<System>(p, with_seed(seed));
+    }
+
     /// Start systems until one leaves no path undecided; solve(seed, generator) returns what it found.
     void attempt(SolutionCounts& counts, const auto& solve) const {
         PathCounts paths;
         std::uint64_t attempts = 0, regular = 0;
         while (attempts < most_attempts && (attempts == 0 || paths.failed > 0)) {
-            const std::uint64_t seed = options_.seed + 0x9e3779b97f4a7c15 * attempts++;
+            const std::uint64_t seed = detail::seed_of_attempt(options_.seed, attempts++);
             Generator generator(seed);
             const auto& set = solve(seed, generator);
             paths = set.paths;
@@ -173,24 +175,25 @@ private:
             if (!(std::abs(root.q[i].imag()) < near)) return std::nullopt;
             at.q[i] = root.q[i].real();
         }
-        for (int k = 0; k < 2; ++k) {
-            const std::complex<double> x = root.q[System::n_angles + System::first_active + k];
-            if (!(std::abs(x.imag()) < near * (1 + std::abs(x)))) return std::nullopt;
-            if (System::power[k] == 2 && !(x.real() > -near)) return std::nullopt;
-            const double value =
-                System::parameter(k, System::power[k] == 2 ? std::max(0.0, x.real()) : x.real(), scales_[k]);
-            (k == 0 ? at.x : at.y) = value;
-        }
+        if (!real_parameters(&root.q[System::n_angles + System::first_active], near, at)) return std::nullopt;
         return at;
+    }
+    /// The two parameters from their unknowns; false where they are not real to within `near`.
+    bool real_parameters(const std::complex<double>* unknowns, double near, LocusPoint<M>& at) const {
+        for (int k = 0; k < 2; ++k) {
+            const std::complex<double> x = unknowns[k];
+            if (!(std::abs(x.imag()) < near * (1 + std::abs(x)))) return false;
+            if (System::power[k] == 2 && !(x.real() > -near)) return false;
+            (k == 0 ? at.x : at.y) =
+                System::parameter(k, System::power[k] == 2 ? std::max(0.0, x.real()) : x.real(), scales_[k]);
+        }
+        return true;
     }
 
     bool same(const LocusPoint<M>& a, const LocusPoint<M>& b, double tolerance) const {
-        if (!(std::abs(a.x - b.x) <= tolerance * scales_[0] && std::abs(a.y - b.y) <= tolerance * scales_[1])) return false;
-        for (int i = 0; i < n; ++i) {
-            const double d = a.q[i] - b.q[i];
-            if (!(std::abs(i < n_angles<M> ? std::remainder(d, 2 * std::numbers::pi) : d) <= tolerance)) return false;
-        }
-        return true;
+        if (!(std::abs(a.x - b.x) <= tolerance * scales_[0])) return false;
+        if (!(std::abs(a.y - b.y) <= tolerance * scales_[1])) return false;
+        return detail::same_unknowns<M>(a.q, b.q, tolerance);
     }
     /// Keeps the refined point if Newton's method stayed near, and it is new.
     void keep(Points& points, const LocusPoint<M>& near, const RefinedPoint<M, double>& refined) const {
@@ -224,12 +227,8 @@ private:
                     p[Branch::extremal + weight] = 1;
                     auto set = solve_multihomogeneous<Branch>(p, with_seed(seed));
                     for (const auto& root : set.roots) {
-                        const auto x = root.q[Branch::first_active], y = root.q[Branch::first_active + 1];
-                        if (std::abs(x.imag()) > 1e-6 * (1 + std::abs(x)) || std::abs(y.imag()) > 1e-6 * (1 + std::abs(y)))
-                            continue;
-                        if ((System::power[0] == 2 && x.real() < 0) || (System::power[1] == 2 && y.real() < 0)) continue;
-                        LocusPoint<M> at{System::parameter(0, x.real(), scales_[0]),
-                                         System::parameter(1, y.real(), scales_[1]), branch, {}};
+                        LocusPoint<M> at{0, 0, branch, {}};
+                        if (!real_parameters(&root.q[Branch::first_active], 1e-6, at)) continue;
                         at.v = null_vector<M>(jacobian<M, double>(branch, parameters_at(at.x, at.y)));
                         bool known = false;
                         for (const auto& other : points) known = known || same(other, at, 1e-8);

@@ -18,36 +18,47 @@ struct ReducedCoefficients {
     double third = 0, fourth = 0;
 };
 
+namespace detail {
+
+/// The first n unknowns of [A, column; row^T, 0] [x; tau] = [right; last]: regular where A has a simple null space that row
+/// is not orthogonal to, and column not to the left one.
+template <int n>
+Eigen::Matrix<double, n, 1> bordered_solve(const Eigen::Matrix<double, n, n>& a,
+                                           const Eigen::Matrix<double, n, 1>& column,
+                                           const Eigen::Matrix<double, n, 1>& row,
+                                           const Eigen::Matrix<double, n, 1>& right, double last) {
+    Eigen::Matrix<double, n + 1, n + 1> m;
+    m << a, column, row.transpose(), 0.0;
+    Eigen::Matrix<double, n + 1, 1> b;
+    b << right, last;
+    return m.partialPivLu().solve(b).template head<n>();
+}
+
+/// The unit left null vector of J, v being its null vector.
+template <Model M>
+Eigen::Matrix<double, n_unknowns<M>, 1> left_null_vector(const UnknownMatrix<M>& j,
+                                                         const Eigen::Matrix<double, n_unknowns<M>, 1>& v) {
+    if constexpr (PotentialModel<M>) return v;
+    constexpr int n = n_unknowns<M>;
+    return bordered_solve<n>(j.transpose(), v, v, Eigen::Matrix<double, n, 1>::Zero(), 1).normalized();
+}
+
+}  // namespace detail
+
 template <Model M>
 ReducedCoefficients reduced_coefficients(const Unknowns<M>& q, const Unknowns<M>& v, const Parameters<M>& p) {
     constexpr int n = n_unknowns<M>;
     using Vector = Eigen::Matrix<double, n, 1>;
     const UnknownMatrix<M> j = jacobian<M, double>(q, p);
-    Vector null, left;
+    Vector null;
     for (int i = 0; i < n; ++i) null(i) = v[i];
-    // the bordered matrix [J, l; v^T, 0] is regular at a simple null space
-    const auto bordered_solve = [&](const UnknownMatrix<M>& matrix, const Vector& l, const Vector& r, const Vector& b,
-                                    double last) {
-        Eigen::Matrix<double, n + 1, n + 1> m;
-        m.template topLeftCorner<n, n>() = matrix;
-        m.template topRightCorner<n, 1>() = l;
-        m.template bottomLeftCorner<1, n>() = r.transpose();
-        m(n, n) = 0;
-        Eigen::Matrix<double, n + 1, 1> right;
-        right << b, last;
-        const Eigen::Matrix<double, n + 1, 1> y = m.partialPivLu().solve(right);
-        return Vector(y.template head<n>());
-    };
-    if constexpr (PotentialModel<M>)
-        left = null;
-    else
-        left = bordered_solve(j.transpose(), null, null, Vector::Zero(), 1).normalized();
+    const Vector left = detail::left_null_vector<M>(j, null);
     const auto second = directional_derivative<2, M, double>(q, v, p);
     const auto third = directional_derivative<3, M, double>(q, v, p);
     Vector f2, f3;
     for (int i = 0; i < n; ++i) f2(i) = second[i], f3(i) = third[i];
     const Vector projected = f2 - left.dot(f2) / left.squaredNorm() * left;
-    const Vector z = bordered_solve(j, left, null, projected, 0);  // J z = f2 in the range, z orthogonal to v
+    const Vector z = detail::bordered_solve<n>(j, left, null, projected, 0);  // J z = f2 in the range, z orthogonal to v
     const UnknownMatrix<M> jv = jacobian_derivative<M, double>(q, v, p);
     return {left.dot(f2), left.dot(f3) - 3 * left.dot(jv * z)};
 }

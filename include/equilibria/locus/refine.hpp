@@ -20,6 +20,7 @@
 #include <utility>
 
 #include <equilibria/core/array.hpp>
+#include <equilibria/core/dense_factorization.hpp>
 #include <equilibria/core/dual.hpp>
 #include <equilibria/core/singular_values.hpp>
 #include <equilibria/model/derivatives.hpp>
@@ -39,30 +40,6 @@ struct RefinedPoint {
 };
 
 namespace detail {
-
-/// Solves the dense system a x = b by elimination with row exchanges; b becomes x. False if a pivot vanishes.
-template <class S, int N>
-bool solve_dense(Array<Array<S, N>, N> a, Array<S, N>& b) {
-    using std::abs;
-    for (int k = 0; k < N; ++k) {
-        int best = k;
-        for (int i = k + 1; i < N; ++i)
-            if (abs(a[i][k]) > abs(a[best][k])) best = i;
-        if (!(abs(a[best][k]) > S(0))) return false;
-        std::swap(a[k], a[best]);
-        std::swap(b[k], b[best]);
-        for (int i = k + 1; i < N; ++i) {
-            const S f = a[i][k] / a[k][k];
-            for (int j = k; j < N; ++j) a[i][j] -= f * a[k][j];
-            b[i] -= f * b[k];
-        }
-    }
-    for (int k = N - 1; k >= 0; --k) {
-        for (int j = k + 1; j < N; ++j) b[k] -= a[k][j] * b[j];
-        b[k] /= a[k][k];
-    }
-    return true;
-}
 
 enum class Degeneracy { fold, pitchfork, cusp, extremal };
 
@@ -137,7 +114,9 @@ struct AugmentedSystem {
             Array<S, unknowns> step;
             for (int i = 0; i < unknowns; ++i) jacobian[i] = r[i].derivative, step[i] = r[i].value;
             ++at.steps;
-            if (!solve_dense<S, unknowns>(jacobian, step)) break;
+            const DenseFactorization<S, unknowns> factors(jacobian);
+            if (!factors.regular()) break;
+            step = factors.solve(step);
             Array<S, unknowns> next = y;
             for (int k = 0; k < unknowns; ++k) next[k] -= step[k];
             unpack(next, at);

@@ -11,6 +11,7 @@
 #include <cmath>
 
 #include <equilibria/core/array.hpp>
+#include <equilibria/core/dense_factorization.hpp>
 #include <equilibria/core/dual.hpp>
 #include <equilibria/locus/reduced_series.hpp>
 #include <equilibria/locus/singularity.hpp>

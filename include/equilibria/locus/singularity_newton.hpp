@@ -19,6 +19,7 @@
 #include <Eigen/Core>
 
 #include <equilibria/core/array.hpp>
+#include <equilibria/core/dense_factorization.hpp>
 #include <equilibria/core/error.hpp>
 #include <equilibria/core/singular_values.hpp>
 #include <equilibria/core/symmetric_eigen.hpp>

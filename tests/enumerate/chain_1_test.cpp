@@ -1,4 +1,7 @@
 #include "enumerate/chain_laws.hpp"
+#include "enumerate/instances.hpp"
+
+template TESTS_ENUMERATION_OF(tests::Chain<1>);
 
 TEST_CASE("1 link: the benchmark chain, for any number of threads") { tests::check_benchmark_chain<1>(4, {1, 2}); }
 TEST_CASE("1 link: 4^n distinct roots, for any seed") { tests::check_seeds<1>(20); }

@@ -1,4 +1,7 @@
 #include "enumerate/chain_laws.hpp"
+#include "enumerate/instances.hpp"
+
+template TESTS_ENUMERATION_OF(tests::Chain<4>);
 
 TEST_CASE("4 links: the benchmark chain, for any number of threads") { tests::check_benchmark_chain<4>(54, {1, 2, 3}); }
 TEST_CASE("4 links: 4^n distinct roots, for any seed") { tests::check_seeds<4>(20); }

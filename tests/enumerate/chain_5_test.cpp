@@ -1,4 +1,7 @@
 #include "enumerate/chain_laws.hpp"
+#include "enumerate/instances.hpp"
+
+template TESTS_ENUMERATION_OF(tests::Chain<5>);
 
 TEST_CASE("5 links: the benchmark chain, for any number of threads") {
     tests::check_benchmark_chain<5>(116, {1, 2, 3});

@@ -2,7 +2,7 @@
 
 #include <equilibria/enumerate/prove.hpp>
 
-#include "support/enumeration.hpp"
+#include "enumerate/instances.hpp"
 #include "support/models.hpp"
 
 using namespace tests;

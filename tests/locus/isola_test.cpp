@@ -17,7 +17,8 @@ struct FoldIsola {
     enum Parameter { x, y, x_0, y_0, radius, circle, lips, slope, n_parameters };
     constexpr auto potential(const auto& theta, const auto& p) const {
         const auto dx = p[x] - p[x_0], dy = p[y] - p[y_0];
-        const auto u = sin(theta[0]), inside = dy * dy - p[radius] * p[radius];
+        const auto inside = dy * dy - p[radius] * p[radius];
+        const auto u = sin(theta[0]);
         return p[circle] * (u * u * u / 3 + (dx * dx + inside) * u) +
                p[lips] * (u * u * u * u / 4 + 0.5 * inside * u * u + p[slope] * dx * u);
     }

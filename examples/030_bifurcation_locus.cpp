@@ -1,10 +1,14 @@
 // The bifurcation locus of the rotating chain of two links: Baillieul's Figure 3.2 and his tables 3.3.
 //
 //   bifurcation_locus --ratio 1.5 --alpha 0:1 --omega 0:5 --svg figure.svg --table tables
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
 #include <cstdio>
 #include <equilibria/io/gnuplot.hpp>
 #include <equilibria/locus/locus.hpp>
 #include <equilibria/mechanisms/rotating_chain.hpp>
+#include <iterator>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -107,7 +111,58 @@ void print(const Locus& locus) {
     std::printf("%.2f s\n", e.seconds);
 }
 
-/// The figure: curves, cusps, regions with their counts, and an inset around the first cusp.
+/// A window around a cusp that shows both branches of its fold curve, and no further than the nearest border is.
+equilibria::PlaneWindow around(const equilibria::Cusp<Chain>& cusp, const Locus& locus) {
+    const auto& w = locus.window;
+    const auto& c = cusp.at;
+    const double x_reach = std::min({0.011 * w.width(), c.x - w.x_low, w.x_high - c.x});
+    const double y_reach = std::min({0.055 * w.height(), c.y - w.y_low, w.y_high - c.y});
+    equilibria::PlaneWindow box{c.x, c.x, c.y, c.y};
+    for (const auto& curve : locus.curves) {
+        const auto at = std::find_if(curve.points.begin(), curve.points.end(),
+                                     [&](const auto& p) { return p.x == c.x && p.y == c.y; });
+        if (at == curve.points.end()) continue;
+        const auto add = [&](const auto& p) {
+            const bool near = std::abs(p.x - c.x) <= x_reach && std::abs(p.y - c.y) <= y_reach;
+            if (near)
+                box = {std::min(box.x_low, p.x), std::max(box.x_high, p.x), std::min(box.y_low, p.y),
+                       std::max(box.y_high, p.y)};
+            return !near;
+        };
+        std::find_if(at, curve.points.end(), add);
+        std::find_if(std::make_reverse_iterator(at), curve.points.rend(), add);
+    }
+    const double dx = 0.15 * box.width() + 1e-9 * w.width(), dy = 0.15 * box.height() + 1e-9 * w.height();
+    return {std::max(w.x_low, box.x_low - dx), std::min(w.x_high, box.x_high + dx), std::max(w.y_low, box.y_low - dy),
+            std::min(w.y_high, box.y_high + dy)};
+}
+
+/// For an axis from `low` to `high`: `set format` and `set tics` with two to four round numbers, as powers of ten where
+/// they are small.
+std::string tics(char axis, double low, double high) {
+    const double least = (high - low) / 3.5, power = std::pow(10, std::floor(std::log10(least)));
+    const double step = power * (least <= 2 * power ? 2 : least <= 5 * power ? 5 : 10);
+    const int digits = std::max(0, -static_cast<int>(std::floor(std::log10(step) + 1e-9)));
+    std::ostringstream out;
+    out << "set format " << axis << " '";
+    if (std::max(std::abs(low), std::abs(high)) < 1e-3)
+        out << "%.0t×10^{%T}'\nset " << axis << "tics " << step << "\nset " << axis << "tics add ('0' 0)\n";
+    else
+        out << "%." << digits << "f'\nset " << axis << "tics " << step << '\n';
+    return out.str();
+}
+
+/// Whether a curve passes the place of a number in the figure.
+bool crowded(const equilibria::PlanePoint& at, const Locus& locus) {
+    for (const auto& curve : locus.curves)
+        for (const auto& p : curve.points)
+            if (std::abs(p.x - at.x) < 0.022 * locus.window.width() &&
+                std::abs(p.y - at.y) < 0.02 * locus.window.height())
+                return true;
+    return false;
+}
+
+/// The figure: curves, cusps, regions with their counts, and insets around the first two cusps.
 std::string script(const Locus& locus, double ratio) {
     std::ostringstream folds, pitchforks, cusps, out;
     out.precision(10);
@@ -119,40 +174,58 @@ std::string script(const Locus& locus, double ratio) {
     }
     for (const auto& c : locus.cusps) cusps << c.at.x << ' ' << c.at.y << '\n';
     using equilibria::gnuplot_block;
-    for (const auto& [block, rows] : {std::pair{"folds", folds.str()}, std::pair{"pitchforks", pitchforks.str()},
-                                      std::pair{"cusps", cusps.str()}})
+    for (const auto& [block, rows] :
+         {std::pair{"folds", folds.str()}, std::pair{"pitchforks", pitchforks.str()}, std::pair{"cusps", cusps.str()}})
         out << gnuplot_block(block, rows.empty() ? "nan nan\n" : rows);
     const auto& w = locus.window;
-    const bool inset = !locus.cusps.empty();
+    const std::size_t insets = std::min<std::size_t>(2, locus.cusps.size());
     const char* curves =
         "$pitchforks with lines lw 1.8 lc rgb '#0072b2' title 'pitchforks', "
         "$folds with lines lw 2.2 lc rgb '#d55e00' title 'folds', "
         "$cusps with points pt 7 ps 0.9 lc rgb 'black' title 'cusps'\n";
-    out << "set multiplot title 'Bifurcation locus of the rotating two-link chain, {/:Italic l}_2 / {/:Italic l}_1 = " << ratio
-        << "'\nset tics out nomirror\nset border 31 lw 0.8\n"
+    out << "set multiplot title 'Bifurcation locus of the rotating two-link chain, {/:Italic l}_2 / {/:Italic l}_1 = "
+        << ratio << "'\nset tics out nomirror\nset border 31 lw 0.8\n"
         << "set key at screen 0.5,0.02 center bottom horizontal samplen 2.5\n"
         << "set xlabel '{/:Italic α} = {/:Italic m}_2 / ({/:Italic m}_1 + {/:Italic m}_2)'\n"
         << "set ylabel '{/:Italic ω}' rotate by 0\n"
-        << "set lmargin at screen 0.09\nset rmargin at screen " << (inset ? 0.66 : 0.96)
+        << "set lmargin at screen 0.09\nset rmargin at screen " << (insets > 0 ? 0.64 : 0.96)
         << "\nset bmargin at screen 0.16\nset tmargin at screen 0.92\n";
     for (const auto& r : locus.regions)
         if (r.area > 1e-3 * w.width() * w.height())
-            out << "set label '" << r.count << "' at " << r.point.x << ',' << r.point.y << " center font ',17'\n";
-    double box[4] = {};
-    if (inset) {
-        const auto& c = locus.cusps.front().at;
-        const double dx = 0.008 * w.width(), dy = 0.04 * w.height();
-        box[0] = c.x - 0.7 * dx, box[1] = c.x + 1.3 * dx, box[2] = c.y - 0.5 * dy, box[3] = c.y + 1.5 * dy;
-        out << "set object 1 rectangle from " << box[0] - dx << ',' << box[2] << " to " << box[1] + dx << ',' << box[3]
-            << " front fillstyle empty border lc rgb 'gray40' lw 0.8\n";
+            out << "set label '" << r.count << "' at " << r.point.x << ',' << r.point.y << " center font ',"
+                << (crowded(r.point, locus) ? 12 : 17) << "'\n";
+    for (std::size_t k = 0; k < insets; ++k) {  // a frame large enough to be seen, and the letter of the inset
+        const auto& c = locus.cusps[k].at;
+        const auto box = around(locus.cusps[k], locus);
+        const double x_low = std::max(w.x_low, std::min(box.x_low, c.x - 0.013 * w.width()));
+        const double x_high = std::min(w.x_high, std::max(box.x_high, c.x + 0.013 * w.width()));
+        const double y_low = std::max(w.y_low, std::min(box.y_low, c.y - 0.013 * w.height()));
+        const double y_high = std::min(w.y_high, std::max(box.y_high, c.y + 0.013 * w.height()));
+        out << "set object " << k + 1 << " rectangle from " << x_low << ',' << y_low << " to " << x_high << ','
+            << y_high << " front fillstyle empty border lc rgb 'gray40' lw 0.8\nset label '"
+            << "ab"[k] << "' at " << x_low << ',' << y_high << " left offset 0.2,0.8 font ',13' tc rgb 'gray30'\n";
     }
     out << "plot [" << w.x_low << ':' << w.x_high << "][" << w.y_low << ':' << w.y_high << "] " << curves;
-    if (inset) {
-        out << "unset object\nunset label\nunset xlabel\nunset ylabel\nunset key\n"
-            << "set lmargin at screen 0.74\nset rmargin at screen 0.97\nset bmargin at screen 0.36\nset tmargin at screen 0.72\n"
-            << "set tics font ',11'\nset format x '%.3f'\nset xtics " << 0.008 * w.width() << "\n"
-            << "set label 1 'around the cusp' at graph 0.5,1.06 center font ',12'\n";
-        out << "plot [" << box[0] << ':' << box[1] << "][" << box[2] << ':' << box[3] << "] " << curves;
+    out << "unset object\nunset label\nunset xlabel\nunset ylabel\nunset key\n"
+        << "set lmargin at screen 0.75\nset rmargin at screen 0.97\nset tics font ',11'\n";
+    for (std::size_t k = 0; k < insets; ++k) {
+        const auto& c = locus.cusps[k].at;
+        const auto box = around(locus.cusps[k], locus);
+        const double top = insets == 1 ? 0.72 : k == 0 ? 0.87 : 0.45, bottom = top - (insets == 1 ? 0.36 : 0.29);
+        std::ostringstream place;
+        place.precision(4);
+        if (c.x > 0 && c.x < 1e-3) {
+            const double power = std::floor(std::log10(c.x));
+            place << c.x / std::pow(10, power) << "·10^{" << power << '}';
+        } else {
+            place << c.x;
+        }
+        place.precision(6);
+        place << ", {/:Italic ω} = " << c.y;
+        out << "set tmargin at screen " << top << "\nset bmargin at screen " << bottom << "\nset label 1 '"
+            << "ab"[k] << ": {/:Italic α} = " << place.str() << "' at graph 0.5,1.07 center font ',12'\n"
+            << tics('x', box.x_low, box.x_high) << tics('y', box.y_low, box.y_high) << "plot [" << box.x_low << ':'
+            << box.x_high << "][" << box.y_low << ':' << box.y_high << "] " << curves;
     }
     out << "unset multiplot\n";
     return out.str();

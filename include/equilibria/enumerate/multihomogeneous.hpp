@@ -24,6 +24,10 @@ struct ComplexRoots {
     std::vector<FailedPath<System>> failures;
 };
 
+/// How paths that fail in double are tracked with more digits: careful_roots<M> (multiprecision.hpp), or not at all.
+template <Model M>
+using RootRescue = detail::Rescue<LinearProduct<M>, StartKind::parameter, double>;
+
 namespace detail {
 
 /// Start systems are a choice: where one leaves paths undecided, another may not. The first attempt has the seed itself.
@@ -34,7 +38,7 @@ inline std::uint64_t seed_of_attempt(std::uint64_t seed, std::uint64_t attempt) 
 /// Follows the solutions `start` (unknowns of M) of the system with the coefficients `from` to the roots at `to`.
 template <Model M>
 ComplexRoots<M> follow_roots(const auto& start, const auto& from, const Parameters<LinearProduct<M>>& to,
-                             const EnumerateOptions& options) {
+                             const EnumerateOptions& options, RootRescue<M> rescue) {
     using System = LinearProduct<M>;
     ComplexRoots<M> found;
     found.parameters = to;
@@ -42,7 +46,7 @@ ComplexRoots<M> follow_roots(const auto& start, const auto& from, const Paramete
     const auto target = coefficients<System, double>(to);
     PathSolver<System, StartKind::parameter, double> solver(
         Homotopy<System, StartKind::parameter, double>::parameter(from, target, unit_complex(generator)), to,
-        equation_scales<System, double>(target), options);
+        equation_scales<System, double>(target), options, rescue);
     auto ends = solver.memory(start.size());
     solver.run(
         ends, [&](std::uint64_t path) { return start_point<System>(start[path]); }, {}, false, found.paths);
@@ -56,16 +60,18 @@ ComplexRoots<M> follow_roots(const auto& start, const auto& from, const Paramete
 }  // namespace detail
 
 /// Every isolated solution of the model at the parameters p, by paths from a linear-product start system for the groups
-/// M::grouping: as many paths as the multihomogeneous number of Bezout of the terms that M has at p.
+/// M::grouping: as many paths as the multihomogeneous number of Bezout of the terms that M has at p. With a rescue paths that
+/// fail in double are tracked with more digits before they count as failed; paths.more_digits says how many were.
 ///
 /// Throws InvalidArgument for parameters that are not finite and for options out of range. Checkpoints are not kept.
 template <Model M>
-ComplexRoots<M> solve_multihomogeneous(const Parameters<M>& p, const EnumerateOptions& options = {}) {
+ComplexRoots<M> solve_multihomogeneous(const Parameters<M>& p, const EnumerateOptions& options = {},
+                                       RootRescue<M> rescue = nullptr) {
     require_finite(p, "parameters");
     options.validate();
     Generator generator(options.seed);
     const LinearProductStart<M> start(p, generator);
-    return detail::follow_roots<M>(start.solutions, start.coefficients, start.target, options);
+    return detail::follow_roots<M>(start.solutions, start.coefficients, start.target, options, rescue);
 }
 
 /// The solutions at p from regular solutions at the parameters `from`, along a line in the space of coefficients: complete
@@ -73,11 +79,11 @@ ComplexRoots<M> solve_multihomogeneous(const Parameters<M>& p, const EnumerateOp
 template <Model M>
 ComplexRoots<M> solve_from(const std::vector<Root<LinearProduct<M>>>& roots,
                            const Parameters<LinearProduct<M>>& from, const Parameters<LinearProduct<M>>& p,
-                           const EnumerateOptions& options = {}) {
+                           const EnumerateOptions& options = {}, RootRescue<M> rescue = nullptr) {
     std::vector<Array<std::complex<double>, n_unknowns<M>>> start;
     start.reserve(roots.size());
     for (const auto& root : roots) start.push_back(root.q);
-    return detail::follow_roots<M>(start, coefficients<LinearProduct<M>, double>(from), p, options);
+    return detail::follow_roots<M>(start, coefficients<LinearProduct<M>, double>(from), p, options, rescue);
 }
 
 }  // namespace equilibria

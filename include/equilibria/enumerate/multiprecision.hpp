@@ -7,7 +7,7 @@
 #pragma once
 
 #include <equilibria/core/multiprecision.hpp>
-#include <equilibria/enumerate/enumerate.hpp>
+#include <equilibria/enumerate/multihomogeneous.hpp>
 
 namespace equilibria {
 
@@ -28,6 +28,10 @@ void rescue_path(const Homotopy<M, Kind, C>& homotopy, const Polisher<M, Kind, C
 }
 
 }  // namespace detail
+
+/// For solve_multihomogeneous, solve_from and trace_locus.
+template <Model M>
+inline constexpr RootRescue<M> careful_roots = &detail::rescue_path<LinearProduct<M>, StartKind::parameter, double>;
 
 /// `enumerate`, but paths that fail in double, tightened steps included, are tracked with more digits before they count
 /// as failed; paths.more_digits says how many were. A path costs up to a second then.

@@ -44,11 +44,13 @@ public:
     using Evidence = typename Locus<M>::Evidence;
 
     /// inner_lines: in each direction, beside the borders.
-    LocusSeeds(const Parameters<M>& p, const PlaneWindow& window, int inner_lines, std::uint64_t seed)
+    LocusSeeds(const Parameters<M>& p, const PlaneWindow& window, int inner_lines, std::uint64_t seed,
+               RootRescue<CriticalSystem<M, X, Y>> rescue)
         : parameters_(p), window_(window), inner_lines_(inner_lines), seed_(seed),
           solver_(p, {.seed = seed},
                   {std::max(std::abs(window.x_low), std::abs(window.x_high)),
-                   std::max(std::abs(window.y_low), std::abs(window.y_high))}) {}
+                   std::max(std::abs(window.y_low), std::abs(window.y_high))},
+                  rescue) {}
 
     void solve(Evidence& evidence) {
         solve_lines<X, Y>(evidence);
@@ -132,9 +134,12 @@ private:
             lines_[Fixed == X ? 0 : 1].push_back(line);
             ++evidence.lines;
         };
-        // the borders, moved in: the model may degenerate on them, and near to them may leave paths undecided
+        // the borders, moved in: the model may degenerate on them, and near to them may leave paths undecided, most of all
+        // near 0 of a parameter that enters by its square
+        const bool squared = Solver::System::power[Fixed == X ? 0 : 1] == 2;
         for (const bool upper : {false, true})
             for (const double inset : {1e-6, 1e-4, 1e-2}) {
+                if (squared && !upper && low == 0 && inset < 1e-2) continue;
                 const double line = low + size * (upper ? 1 - inset : inset);
                 std::uint64_t failed = 0;
                 const bool last = inset == 1e-2;

@@ -44,8 +44,9 @@ class LocusTracer {
 public:
     static constexpr int n = n_unknowns<M>;
 
-    LocusTracer(const Parameters<M>& p, const PlaneWindow& window, const LocusOptions& options)
-        : options_(options), seeds_(p, window, options.lines, options.seed) {
+    LocusTracer(const Parameters<M>& p, const PlaneWindow& window, const LocusOptions& options,
+                RootRescue<CriticalSystem<M, X, Y>> rescue)
+        : options_(options), seeds_(p, window, options.lines, options.seed, rescue) {
         locus_.window = window;
         locus_.parameters = p;
     }

@@ -44,9 +44,11 @@ public:
     using Points = std::vector<LocusPoint<M>>;
     static constexpr int n = n_unknowns<M>;
 
-    /// scales: values of X and Y that count as large, positive: the size of the window.
-    PlaneSolver(const Parameters<M>& p, const EnumerateOptions& options, const Array<double, 2>& scales = {1, 1})
-        : p_(p), options_(options), scales_(scales) {}
+    /// scales: values of X and Y that count as large, positive: the size of the window. rescue: for paths to cusps
+    /// and extremal points that fail.
+    PlaneSolver(const Parameters<M>& p, const EnumerateOptions& options, const Array<double, 2>& scales = {1, 1},
+                RootRescue<System> rescue = nullptr)
+        : p_(p), options_(options), scales_(scales), rescue_(rescue) {}
 
     /// The folds on lines on which the parameter number `fixed` (0 for X, 1 for Y) has the given value. One line is
     /// solved from its start system, at the value `generic`; the others follow by parameter homotopy, on as many paths as
@@ -209,7 +211,7 @@ private:
         attempt(counts, [&](std::uint64_t seed, Generator& generator) {
             auto p = System::parameters(p_, scales_, generator);
             p[weight] = 1;
-            auto set = solve_multihomogeneous<System>(p, with_seed(seed));
+            auto set = solve_multihomogeneous<System>(p, with_seed(seed), rescue_);
             for (const auto& root : set.roots)
                 if (const auto at = real_point(root)) keep(points, *at, refine(at->q, parameters_at(at->x, at->y)));
             return set;
@@ -243,6 +245,7 @@ private:
     Parameters<M> p_;
     EnumerateOptions options_;
     Array<double, 2> scales_;
+    RootRescue<System> rescue_;
 };
 
 }  // namespace equilibria

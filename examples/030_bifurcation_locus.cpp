@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <equilibria/io/gnuplot.hpp>
 #include <equilibria/locus/locus.hpp>
+#include <equilibria/locus/prove_locus.hpp>
 #include <equilibria/mechanisms/rotating_chain.hpp>
 #include <iterator>
 #include <map>
@@ -24,9 +25,7 @@ using Chain = equilibria::mechanisms::TwoLinkChain;
 using Locus = equilibria::Locus<Chain>;
 using Json = nlohmann::ordered_json;
 
-std::string_view name(equilibria::LocusKind kind) {
-    return kind == equilibria::LocusKind::fold ? "fold" : "pitchfork";
-}
+std::string_view name(equilibria::LocusKind kind) { return kind == equilibria::LocusKind::fold ? "fold" : "pitchfork"; }
 
 Json polygons(const equilibria::LocusRegion& region) {
     Json y = Json::array();
@@ -37,7 +36,9 @@ Json polygons(const equilibria::LocusRegion& region) {
     return y;
 }
 
-std::string json(const Locus& locus, double ratio) {
+Json json(const equilibria::ProvedShare& share) { return {{"proved", share.proved}, {"of", share.of}}; }
+
+std::string json(const Locus& locus, const std::optional<equilibria::LocusProof>& proof, double ratio) {
     Json out{{"ratio", ratio},
              {"alpha", {locus.window.x_low, locus.window.x_high}},
              {"omega", {locus.window.y_low, locus.window.y_high}},
@@ -67,14 +68,16 @@ std::string json(const Locus& locus, double ratio) {
                                   {"polygons", polygons(r)}});
     out["borders"] = Json::array();
     for (const auto& b : locus.borders)
-        out["borders"].push_back({{"regions", {b.below, b.above}},
-                                  {"curve", b.curve},
-                                  {"kind", name(locus.curves[b.curve].kind)}});
+        out["borders"].push_back(
+            {{"regions", {b.below, b.above}}, {"curve", b.curve}, {"kind", name(locus.curves[b.curve].kind)}});
     const auto& e = locus.evidence;
     out["extremal"] = Json::array();
     for (const auto& p : locus.extremal)
-        out["extremal"].push_back(
-            {{"kind", name(p.kind)}, {"of", p.parameter == Chain::alpha ? "alpha" : "omega"}, {"alpha", p.at.x}, {"omega", p.at.y}, {"angles", {p.at.q[0], p.at.q[1]}}});
+        out["extremal"].push_back({{"kind", name(p.kind)},
+                                   {"of", p.parameter == Chain::alpha ? "alpha" : "omega"},
+                                   {"alpha", p.at.x},
+                                   {"omega", p.at.y},
+                                   {"angles", {p.at.q[0], p.at.q[1]}}});
     out["argument"] = locus.argument();
     out["evidence"] = {{"lines", e.lines},
                        {"seeds", e.seeds},
@@ -87,10 +90,19 @@ std::string json(const Locus& locus, double ratio) {
                        {"wrong_counts", e.wrong_counts},
                        {"complete", e.complete()},
                        {"seconds", e.seconds}};
+    if (proof)
+        out["proof"] = {{"folds", json(proof->folds)},
+                        {"pitchforks", json(proof->pitchforks)},
+                        {"cusps", json(proof->cusps)},
+                        {"extremal", json(proof->extremal)},
+                        {"degenerate_pitchforks", json(proof->degenerate_pitchforks)},
+                        {"regions", json(proof->regions)},
+                        {"largest_radius", proof->largest_radius},
+                        {"seconds", proof->seconds}};
     return out.dump(1) + "\n";
 }
 
-void print(const Locus& locus) {
+void print(const Locus& locus, const std::optional<equilibria::LocusProof>& proof) {
     for (const auto& c : locus.cusps)
         std::printf("cusp       alpha %.14f  omega %.14f  residual %.1e\n", c.at.x, c.at.y, c.residual);
     for (const auto& p : locus.degenerate_pitchforks)
@@ -106,8 +118,15 @@ void print(const Locus& locus) {
     const auto& e = locus.evidence;
     std::printf("%llu lines solved, %llu events on them, %llu counts checked: %s\n",
                 static_cast<unsigned long long>(e.lines), static_cast<unsigned long long>(e.seeds),
-                static_cast<unsigned long long>(e.checked_points), e.complete() ? "all explained" : "NOT ALL EXPLAINED");
+                static_cast<unsigned long long>(e.checked_points),
+                e.complete() ? "all explained" : "NOT ALL EXPLAINED");
     std::printf("argument: %s\n", locus.argument().c_str());
+    if (proof) {
+        std::ostringstream shares;
+        shares << *proof;
+        std::printf("proved: %s; within %.1e of the window, in %.2f s\n", shares.str().c_str(), proof->largest_radius,
+                    proof->seconds);
+    }
     std::printf("%.2f s\n", e.seconds);
 }
 
@@ -247,10 +266,11 @@ Tables tables(const Locus& locus, double ratio) {
         }
     std::ostringstream markdown, csv;
     csv << "table,count,index_0,index_1,index_2\n";
-    markdown << "# The rotating chain of two links, l2/l1 = " << ratio
-             << ": equilibria by index\n\nAs in Baillieul's Figure 3.3; each column is a number of equilibria that occurs "
-                "in the window alpha "
-             << w.x_low << " to " << w.x_high << ", omega " << w.y_low << " to " << w.y_high << ".\n";
+    markdown
+        << "# The rotating chain of two links, l2/l1 = " << ratio
+        << ": equilibria by index\n\nAs in Baillieul's Figure 3.3; each column is a number of equilibria that occurs "
+           "in the window alpha "
+        << w.x_low << " to " << w.x_high << ", omega " << w.y_low << " to " << w.y_high << ".\n";
     for (int t = 0; t < 2; ++t) {
         if (found[t].empty()) continue;
         const char letter = t == 0 ? 'a' : 'b';
@@ -266,7 +286,8 @@ Tables tables(const Locus& locus, double ratio) {
         for (const auto& [count, by_index] : found[t]) markdown << ' ' << count << " |";
         markdown << '\n';
         for (const auto& [count, by_index] : found[t])
-            csv << "3.3(" << letter << ")," << count << ',' << by_index[0] << ',' << by_index[1] << ',' << by_index[2] << '\n';
+            csv << "3.3(" << letter << ")," << count << ',' << by_index[0] << ',' << by_index[1] << ',' << by_index[2]
+                << '\n';
     }
     return {markdown.str(), csv.str()};
 }
@@ -277,7 +298,8 @@ int main(int argc, char** argv) {
     std::string ratio_text = "1.5", alpha_text = "0:1", omega_text = "0:5", lines_text = "12", seed_text = "1";
     std::string json_name, svg_name, png_name, table_name;
     CLI::App app{
-        "Folds, pitchforks and cusps of the rotating chain of two links in the plane of alpha = m2 / (m1 + m2) and omega, "
+        "Folds, pitchforks and cusps of the rotating chain of two links in the plane of alpha = m2 / (m1 + m2) and "
+        "omega, "
         "and the regions between them with their equilibria by index (Baillieul, Figures 3.2 and 3.3)."};
     app.add_option("--ratio", ratio_text, "l2 / l1, positive (default 1.5)");
     app.add_option("--alpha", alpha_text, "the window's range of alpha, within 0:1 (default 0:1)");
@@ -287,10 +309,14 @@ int main(int argc, char** argv) {
     app.add_option("--json", json_name, "write JSON to this file, or to stdout for -");
     app.add_option("--svg", svg_name, "draw the figure to this SVG file (needs gnuplot)");
     app.add_option("--png", png_name, "draw the figure to this PNG file (needs gnuplot)");
+    bool prove = false;
+    app.add_flag("--prove", prove,
+                 "prove the points of curves, the cusps and the regions' equilibria (interval Newton, Krawczyk)");
     app.add_option("--table", table_name, "write tables 3.3 to NAME.md and NAME.csv");
     support::parse(app, "bifurcation_locus", argc, argv);
 
-    const double ratio = support::number("--ratio", ratio_text, "must be a positive number", [](double r) { return r > 0; });
+    const double ratio =
+        support::number("--ratio", ratio_text, "must be a positive number", [](double r) { return r > 0; });
     const auto alpha = support::range("--alpha", alpha_text, "must be LOW:HIGH with 0 <= LOW < HIGH <= 1", 0, 1);
     const auto omega = support::range("--omega", omega_text, "must be LOW:HIGH, finite, with 0 <= LOW < HIGH", 0, 1e6);
     equilibria::LocusOptions options;
@@ -307,16 +333,21 @@ int main(int argc, char** argv) {
     try {
         const Locus locus = equilibria::trace_locus<Chain, Chain::alpha, Chain::omega>(
             {0.5, ratio, 1}, {alpha.low, alpha.high, omega.low, omega.high}, options);
+        std::optional<equilibria::LocusProof> proof;
+        if (prove) proof = equilibria::prove_locus<Chain, Chain::alpha, Chain::omega>(locus);
         if (svg_file)
-            svg_file->write(equilibria::gnuplot("svg size 1000,760 font 'Helvetica,14' background 'white'", script(locus, ratio)));
-        if (png_file) png_file->write(equilibria::gnuplot("pngcairo size 2000,1520 fontscale 1.8 linewidth 2 pointscale 2", script(locus, ratio)));
+            svg_file->write(
+                equilibria::gnuplot("svg size 1000,760 font 'Helvetica,14' background 'white'", script(locus, ratio)));
+        if (png_file)
+            png_file->write(equilibria::gnuplot("pngcairo size 2000,1520 fontscale 1.8 linewidth 2 pointscale 2",
+                                                script(locus, ratio)));
         if (markdown_file) {
             const Tables t = tables(locus, ratio);
             markdown_file->write(t.markdown);
             csv_file->write(t.csv);
         }
-        if (json_file) json_file->write(json(locus, ratio));
-        if (!json_file || !json_file->to_stdout()) print(locus);
+        if (json_file) json_file->write(json(locus, proof, ratio));
+        if (!json_file || !json_file->to_stdout()) print(locus, proof);
     } catch (const std::exception& error) {
         std::fprintf(stderr, "bifurcation_locus: %s\n", error.what());
         return 1;

@@ -102,7 +102,7 @@ private:
         at = with_best_border(family(seed.at.y), at);
         if (seed.kind == LocusKind::fold)
             trace(Folds(family, seed.at.y, locus_.window.width()), at, seed);
-        else
+        else if constexpr (Formulation<M>::reflection_symmetric)
             trace(Pitchforks(family, locus_.window.width()), at, seed);
     }
 

@@ -5,9 +5,9 @@
 ///
 /// On a branch theta in {0, pi}^n the equations are fulfilled. Unknowns: w (n - 1 numbers), then the active parameters x, as
 /// in critical_system.hpp. Equations:
-///     J v = 0,    v = B (1, w),    sum_k extremal_k v . dJ/dx_k v + fourth V''''[v, v, v, v] = 0.
-/// The third derivatives of V vanish there, so that V'''' is the reduced fourth derivative. At extremal_2 = 1 x_1 is
-/// extremal on the curve.
+///     J v = 0,    v = B (1, w),    slice + sum_k extremal_k v . dJ/dx_k v + fourth V''''[v, v, v, v] = 0,
+/// slice = s_0 + s_1 x_1 + s_2 x_2. The third derivatives of V vanish there, so that V'''' is the reduced fourth derivative.
+/// At extremal_2 = 1 x_1 is extremal on the curve; the slice alone gives the pitchforks of a line.
 #pragma once
 
 #include <vector>
@@ -30,7 +30,8 @@ struct SymmetricSystem {
     static constexpr int cosine = first_basis + n * n;
     static constexpr int extremal = cosine + n;
     static constexpr int fourth = extremal + 2;
-    static constexpr int n_parameters = fourth + 1;
+    static constexpr int slice = fourth + 1;  ///< s_1, s_2, s_0
+    static constexpr int n_parameters = slice + 3;
 
     /// {w}, {x_1}, {x_2}
     static constexpr Array<int, n_coordinates> grouping = [] {
@@ -68,7 +69,7 @@ struct SymmetricSystem {
         for (int k = 0; k < q.size(); ++k) constant[k] = detail::constant_along<T, S>(q[k]);
         const Unknowns<M, T> f = detail::equations_at<M, T>(moving, detail::CoordinatesOf<M, T>{}, constant);
         Array<S, n_coordinates> y;
-        S last(0.0);
+        S last = p[slice] * x[first_active] + p[slice + 1] * x[first_active + 1] + S(p[slice + 2]);
         for (int i = 0; i < n; ++i) {
             y[i] = f[i].value.value.derivative[0];
             for (int k = 0; k < 2; ++k)
@@ -123,7 +124,7 @@ struct SymmetricSystem {
                     std::vector<Polynomial> product(series.size());
                     Polynomial power(sign);
                     for (int m = 0; m <= order; ++m) {
-                        if (m > 0) power = power * v[static_cast<std::size_t>(i)] * Polynomial(static_cast<double>(multiple) / m);
+                        if (m > 0) power = power * v[static_cast<std::size_t>(i)] * Polynomial(C(multiple) / C(m));
                         if ((m % 2 == 1) != (code < 0)) continue;
                         const bool negative = m / 2 % 2 == 1;
                         for (int l = 0; l + m <= order; ++l) {
@@ -139,7 +140,8 @@ struct SymmetricSystem {
             return sum;
         };
         const auto f = Plane::template model_equations<C>(p);
-        Polynomial last;
+        Polynomial last(p[slice + 2]);
+        for (int k = 0; k < 2; ++k) last += Polynomial(p[slice + k]) * coordinate(first_active + k);
         for (int i = 0; i < n; ++i) {
             const auto& equation = f[static_cast<std::size_t>(i)];
             const Polynomial row = coefficient(equation, 1);

@@ -37,9 +37,12 @@ namespace equilibria {
 struct CuspLocusOptions {
     int planes = 9;          ///< that are solved, the two at the ends of the range included
     std::uint64_t seed = 1;  ///< of the start systems, and of where the planes between are
+    unsigned threads = 1;    ///< 0: all of the machine's; does not change the result
     CuspCurveOptions curve{};
 
+    EnumerateOptions enumeration() const { return {.seed = seed, .threads = threads}; }
     void validate() const {
+        enumeration().validate();
         require(planes >= 2 && planes <= 10000, "planes", planes, "must be 2 to 10000");
         curve.validate();
     }
@@ -122,7 +125,7 @@ private:
         plane.z = z;
         Parameters<M> p = locus_.parameters;
         p[Z] = z;
-        const auto points = PlaneSolver<M, X, Y>(p, EnumerateOptions{.seed = options_.seed}).cusps(plane.counts);
+        const auto points = PlaneSolver<M, X, Y>(p, options_.enumeration()).cusps(plane.counts);
         std::vector<LocusPoint<M>> taken;
         for (const auto& at : points) {
             if (std::ranges::any_of(taken, [&](const auto& other) { return same(other, at, 1e-7); })) continue;

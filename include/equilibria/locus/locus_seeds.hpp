@@ -44,10 +44,10 @@ public:
     using Evidence = typename Locus<M>::Evidence;
 
     /// inner_lines: in each direction, beside the borders.
-    LocusSeeds(const Parameters<M>& p, const PlaneWindow& window, int inner_lines, std::uint64_t seed,
+    LocusSeeds(const Parameters<M>& p, const PlaneWindow& window, int inner_lines, const EnumerateOptions& options,
                RootRescue<CriticalSystem<M, X, Y>> rescue)
-        : parameters_(p), window_(window), inner_lines_(inner_lines), seed_(seed),
-          solver_(p, {.seed = seed},
+        : parameters_(p), window_(window), inner_lines_(inner_lines), seed_(options.seed),
+          solver_(p, options,
                   {std::max(std::abs(window.x_low), std::abs(window.x_high)),
                    std::max(std::abs(window.y_low), std::abs(window.y_high))},
                   rescue) {}

@@ -25,11 +25,14 @@ struct LocusOptions {
     int lines = 12;            ///< lines in each direction that are solved beside the borders of the window, at least 2
     int checks = 20;           ///< points in each direction whose count is compared with their region's; 0: none
     std::uint64_t seed = 1;    ///< of every enumeration
+    unsigned threads = 1;      ///< 0: all of the machine's; does not change the result
     /// Of the curves, in angles and in parts of the window; parameter_weight is set by it.
     PathOptions path{.first_step = 1e-3, .largest_step = 0.006, .largest_angle = 0.15};
     int most_points = 20000;   ///< of one curve
 
+    EnumerateOptions enumeration() const { return {.seed = seed, .threads = threads}; }
     void validate() const {
+        enumeration().validate();
         require(lines >= 2 && lines <= 10000, "lines", lines, "must be 2 to 10000");
         require(checks >= 0 && checks <= 10000, "checks", checks, "must be 0 to 10000");
         require(most_points > 1, "most_points", most_points, "must be more than 1");
@@ -46,7 +49,7 @@ public:
 
     LocusTracer(const Parameters<M>& p, const PlaneWindow& window, const LocusOptions& options,
                 RootRescue<CriticalSystem<M, X, Y>> rescue)
-        : options_(options), seeds_(p, window, options.lines, options.seed, rescue) {
+        : options_(options), seeds_(p, window, options.lines, options.enumeration(), rescue) {
         locus_.window = window;
         locus_.parameters = p;
     }
@@ -58,7 +61,7 @@ public:
             if (!seed.traced) trace_from(seed);
         seeds_.compare(locus_);
         for (const Seed& seed : seeds_.all()) locus_.evidence.untraced_seeds += !seed.traced;
-        count_regions<M, X, Y>(locus_, options_.checks, {.seed = options_.seed});
+        count_regions<M, X, Y>(locus_, options_.checks, options_.enumeration());
         locus_.evidence.seconds = seconds_since(begin);
         return std::move(locus_);
     }

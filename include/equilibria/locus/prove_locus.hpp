@@ -217,9 +217,10 @@ private:
 
 }  // namespace detail
 
-/// Proves what can be proved of a locus of the plane of the parameters number X and Y, by the threads given (0: all).
+/// Proves what can be proved of a locus of the plane of the parameters number X and Y, by the threads given (0: all of the
+/// machine's).
 template <PotentialModel M, int X, int Y>
-LocusProof prove_locus(const Locus<M>& locus, unsigned threads = 0) {
+LocusProof prove_locus(const Locus<M>& locus, unsigned threads = 1) {
     const auto begin = std::chrono::steady_clock::now();
     LocusProof proof = detail::LocusProver<M, X, Y>(locus, threads).run();
     proof.seconds = detail::seconds_since(begin);

@@ -1,0 +1,77 @@
+// Where the mechanism's equilibria are born and die: on lines of the force, and in the plane of c2 and the force.
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include <equilibria/locus/line_events.hpp>
+#include <equilibria/locus/locus.hpp>
+#include <equilibria/mechanisms/holonomic_mechanism.hpp>
+
+#include "support/catch.hpp"
+
+using namespace equilibria;
+using M = mechanisms::HolonomicMechanism;
+
+namespace {
+
+/// The stiffnesses c2 at which the mechanism without a force has a singular Hessian at q1 = +-pi/2, q2 in {0, pi}: there it
+/// branches symmetrically, and the plane has a cusp. With s, t the signs of sin q1 and cos q2, a = m g and all over l:
+/// V11 = -2 a s + l (c1 s t + c2 s), V12 = l c1 s t, V22 = a t + l c1 s t.
+std::vector<double> symmetric_cusps() {
+    const auto p = M::paper_parameters(0);
+    const double a = p[M::mass] * p[M::gravity], l = p[M::length], c1 = l * p[M::stiffness_1];
+    std::vector<double> y;
+    for (const double s : {1.0, -1.0})
+        for (const double t : {1.0, -1.0}) {
+            const double mixed = c1 * s * t, second = a * t + mixed;
+            y.push_back((mixed * mixed / second + 2 * a * s - mixed) / (l * s));
+        }
+    std::sort(y.begin(), y.end());
+    return y;
+}
+
+}  // namespace
+
+TEST_CASE("The mechanism's locus in the plane of c2 and the force has ten cusps, mirror images of each other") {
+    const auto locus = trace_locus<M, M::stiffness_2, M::force>(M::paper_parameters(0), {0, 600, -300, 300});
+    CAPTURE(locus.argument());
+    CHECK(locus.evidence.complete());
+    REQUIRE(locus.cusps.size() == 10);
+    std::vector<double> symmetric;
+    for (const auto& cusp : locus.cusps) {
+        CHECK(cusp.residual < 1e-10);
+        CHECK(std::abs(cusp.fourth) > 1);
+        if (std::abs(cusp.at.y) < 1e-9) symmetric.push_back(cusp.at.x);
+        // x -> -x
+        CHECK(std::any_of(locus.cusps.begin(), locus.cusps.end(), [&](const auto& other) {
+            return std::abs(other.at.x - cusp.at.x) < 1e-9 && std::abs(other.at.y + cusp.at.y) < 1e-9;
+        }));
+    }
+    std::sort(symmetric.begin(), symmetric.end());
+    const auto expected = symmetric_cusps();
+    REQUIRE(symmetric.size() == expected.size());
+    for (std::size_t k = 0; k < expected.size(); ++k) CHECK(std::abs(symmetric[k] - expected[k]) < 1e-9);
+
+    CHECK(locus.regions.size() > 5);
+    for (const auto& region : locus.regions) {
+        CHECK(region.clean);
+        CHECK(region.confirmed);
+        CHECK(region.count % 2 == 0);
+        CHECK(region.by_index[0] - region.by_index[1] + region.by_index[2] == 0);
+    }
+}
+
+TEST_CASE("Every event of the mechanism as the force grows, folds one and all") {
+    auto p = M::paper_parameters(0);
+    p[M::stiffness_2] = 150;
+    const auto found = find_events<M, M::force>(p, -300, 300);
+    CAPTURE(found.argument());
+    CHECK(found.complete());
+    CHECK(found.events.size() >= 4);
+    CHECK(found.events.size() % 2 == 0);
+    for (std::size_t k = 0; k < found.events.size(); ++k) {
+        const auto &event = found.events[k], &mirror = found.events[found.events.size() - 1 - k];
+        CHECK(event.kind == CriticalKind::fold);
+        CHECK(std::abs(event.value + mirror.value) < 1e-9);
+    }
+}

@@ -59,7 +59,7 @@ void plane_mechanism(benchmark::State& state) {
 }
 void plane_three_links(benchmark::State& state) {
     constexpr int mass_3 = Three::mass + 2;
-    plane<Three, mass_3, Three::omega>(state, three_links, {0, 2, 0, 5},
+    plane<Three, mass_3, Three::omega>(state, three_links, {0.1, 2, 0.5, 5},
                                        careful_roots<CriticalSystem<Three, mass_3, Three::omega>>);
 }
 

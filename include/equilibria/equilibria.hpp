@@ -15,10 +15,13 @@
 #include <equilibria/enumerate/torque_trace.hpp>
 #include <equilibria/io/gnuplot.hpp>
 #include <equilibria/io/polynomial_formats.hpp>
+#include <equilibria/locus/cusp_locus.hpp>
 #include <equilibria/locus/diagram.hpp>
 #include <equilibria/locus/locus.hpp>
+#include <equilibria/locus/prove_locus.hpp>
 #include <equilibria/locus/prove_region.hpp>
 #include <equilibria/locus/refine.hpp>
+#include <equilibria/mechanisms/holonomic_mechanism.hpp>
 #include <equilibria/mechanisms/rotating_chain.hpp>
 #include <equilibria/model/derivatives.hpp>
 #include <equilibria/stability/inertia.hpp>

@@ -16,6 +16,7 @@
 #include <sstream>
 
 #include "support/command_line.hpp"
+#include "support/locus_figure.hpp"
 #include "support/numbers.hpp"
 #include "support/output_file.hpp"
 
@@ -171,31 +172,11 @@ std::string tics(char axis, double low, double high) {
     return out.str();
 }
 
-/// Whether a curve passes the place of a number in the figure.
-bool crowded(const equilibria::PlanePoint& at, const Locus& locus) {
-    for (const auto& curve : locus.curves)
-        for (const auto& p : curve.points)
-            if (std::abs(p.x - at.x) < 0.022 * locus.window.width() &&
-                std::abs(p.y - at.y) < 0.02 * locus.window.height())
-                return true;
-    return false;
-}
-
 /// The figure: curves, cusps, regions with their counts, and insets around the first two cusps.
 std::string script(const Locus& locus, double ratio) {
-    std::ostringstream folds, pitchforks, cusps, out;
+    std::ostringstream out;
     out.precision(10);
-    for (auto* s : {&folds, &pitchforks, &cusps}) s->precision(12);
-    for (const auto& curve : locus.curves) {
-        auto& rows = curve.kind == equilibria::LocusKind::fold ? folds : pitchforks;
-        for (const auto& p : curve.points) rows << p.x << ' ' << p.y << '\n';
-        rows << "\n\n";
-    }
-    for (const auto& c : locus.cusps) cusps << c.at.x << ' ' << c.at.y << '\n';
-    using equilibria::gnuplot_block;
-    for (const auto& [block, rows] :
-         {std::pair{"folds", folds.str()}, std::pair{"pitchforks", pitchforks.str()}, std::pair{"cusps", cusps.str()}})
-        out << gnuplot_block(block, rows.empty() ? "nan nan\n" : rows);
+    out << support::locus_blocks(locus);
     const auto& w = locus.window;
     const std::size_t insets = std::min<std::size_t>(2, locus.cusps.size());
     const char* curves =
@@ -212,7 +193,7 @@ std::string script(const Locus& locus, double ratio) {
     for (const auto& r : locus.regions)
         if (r.area > 1e-3 * w.width() * w.height())
             out << "set label '" << r.count << "' at " << r.point.x << ',' << r.point.y << " center font ',"
-                << (crowded(r.point, locus) ? 12 : 17) << "'\n";
+                << (support::crowded(r.point, locus, 0.022, 0.02) ? 12 : 17) << "'\n";
     for (std::size_t k = 0; k < insets; ++k) {  // a frame large enough to be seen, and the letter of the inset
         const auto& c = locus.cusps[k].at;
         const auto box = around(locus.cusps[k], locus);

@@ -30,6 +30,7 @@
 #include <nlohmann/json.hpp>
 
 #include "support/command_line.hpp"
+#include "support/locus_figure.hpp"
 #include "support/numbers.hpp"
 #include "support/output_file.hpp"
 #include "support/progress_bar.hpp"
@@ -474,35 +475,9 @@ struct Layout {
     }
 };
 
-/// The data blocks of one panel.
-std::string data(const Locus& locus, std::size_t panel) {
-    std::ostringstream folds, pitchforks, cusps;
-    for (auto* s : {&folds, &pitchforks, &cusps}) s->precision(12);
-    for (const auto& curve : locus.curves) {
-        auto& rows = curve.kind == LocusKind::fold ? folds : pitchforks;
-        for (const auto& p : curve.points) rows << p.x << ' ' << p.y << '\n';
-        rows << "\n\n";
-    }
-    for (const auto& c : locus.cusps) cusps << c.at.x << ' ' << c.at.y << '\n';
-    std::string out;
-    for (const auto& [name, rows] :
-         {std::pair{"folds", folds.str()}, std::pair{"pitchforks", pitchforks.str()}, std::pair{"cusps", cusps.str()}})
-        out += equilibria::gnuplot_block(name + std::to_string(panel), rows.empty() ? "nan nan\n" : rows);
-    return out;
-}
-
 std::string cusp_count(const Locus& locus) {
     const std::size_t n = locus.cusps.size();
     return n == 0 ? "no cusp" : n == 1 ? "1 cusp" : std::to_string(n) + " cusps";
-}
-
-/// Whether no curve passes the place of a number.
-bool clear_of_curves(const equilibria::PlanePoint& at, std::size_t digits, const Locus& locus) {
-    const double half_width = (0.01 + 0.012 * static_cast<double>(digits)) * locus.window.width();
-    for (const auto& curve : locus.curves)
-        for (const auto& p : curve.points)
-            if (std::abs(p.x - at.x) < half_width && std::abs(p.y - at.y) < 0.027 * locus.window.height()) return false;
-    return true;
 }
 
 struct Part {
@@ -527,7 +502,8 @@ std::string panel(const Plane& plane, std::size_t k, std::size_t count) {
         << (leftmost ? "set format y '%g'\nset ylabel '{/:Italic ω}' rotate by 0\n"
                      : "set format y ''\nunset ylabel\n");
     for (const auto& r : locus.regions)
-        if (r.area > 0.01 * w.width() * w.height() && clear_of_curves(r.point, std::to_string(r.count).size(), locus))
+        if (const auto digits = static_cast<double>(std::to_string(r.count).size());
+            r.area > 0.01 * w.width() * w.height() && !support::crowded(r.point, locus, 0.01 + 0.012 * digits, 0.027))
             out << "set label '" << r.count << "' at " << r.point.x << ',' << r.point.y
                 << " center font ',12' tc rgb 'gray30'\n";
     out << "plot [" << w.x_low << ':' << w.x_high << "][" << w.y_low << ':' << w.y_high << "] ";
@@ -542,7 +518,7 @@ std::string script(const std::vector<const Plane*>& planes) {
     const Layout layout(planes.size());
     std::ostringstream out;
     out.precision(10);
-    for (std::size_t k = 0; k < planes.size(); ++k) out << data(planes[k]->locus, k);
+    for (std::size_t k = 0; k < planes.size(); ++k) out << support::locus_blocks(planes[k]->locus, std::to_string(k));
     out << "set multiplot\nset tics out nomirror font ',11'\nset border 31 lw 0.8\nunset key\n"
         << "set label 1 'Bifurcation loci of the rotating two-link chain, {/:Italic r} = {/:Italic l}_2 / {/:Italic "
            "l}_1' "
@@ -625,9 +601,8 @@ int main(int argc, char** argv) {
     std::string alpha_text = "0:1", omega_text = "0:5", lines_text = "4", seed_text = "1";
     std::string svg_name, png_name, html_name, plotly_name, json_name;
     CLI::App app{
-        "The surface of folds of the rotating chain of two links over alpha = m2 / (m1 + m2), omega and ratio = l2 / "
-        "l1: "
-        "planes of constant ratio in one figure, and an interactive page."};
+        "The surface of folds of the rotating chain of two links over alpha = m2 / (m1 + m2), omega and ratio = "
+        "l2 / l1: planes of constant ratio in one figure, and an interactive page."};
     app.add_option("--planes", planes_text, "the ratios of the figure's planes (default 1.1,1.2,1.5,1.7,1.9,2.2)");
     app.add_option("--svg", svg_name, "draw the planes to this SVG file (needs gnuplot)");
     app.add_option("--png", png_name, "draw the planes to this PNG file (needs gnuplot)");

@@ -14,20 +14,13 @@
 
 #include "support/catch.hpp"
 #include "support/enumeration.hpp"
+#include "support/models.hpp"
 
 using namespace equilibria;
+using models::TorquePendulum;
 using tests::refusal;
 
 namespace {
-
-/// A pendulum under a torque: stiffness sin theta = torque, folds at torque = +-stiffness, theta = +-pi/2.
-struct TorquePendulum {
-    static constexpr int n_angles = 1;
-    enum Parameter { torque, stiffness, n_parameters };
-    constexpr auto equations(const auto& theta, const auto& p) const {
-        return std::array{p[stiffness] * sin(theta[0]) - p[torque]};
-    }
-};
 
 /// The two-link chain, its angles measured from other directions: its pitchforks break no symmetry theta -> -theta.
 struct TurnedChain {

@@ -7,21 +7,10 @@
 #include <equilibria/mechanisms/rotating_chain.hpp>
 
 #include "support/catch.hpp"
+#include "support/models.hpp"
 
 using namespace equilibria;
-
-namespace {
-
-/// A pendulum under a torque: sin theta = torque, folds at torque = +-1, theta = +-pi/2.
-struct TorquePendulum {
-    static constexpr int n_angles = 1;
-    enum Parameter { torque, stiffness, n_parameters };
-    constexpr auto equations(const auto& theta, const auto& p) const {
-        return std::array{p[stiffness] * sin(theta[0]) - p[torque]};
-    }
-};
-
-}  // namespace
+using models::TorquePendulum;
 
 TEST_CASE("Polynomial roots by Chebyshev interpolation, also where the degree is only a bound") {
     const auto roots = polynomial_roots([](double x) { return (x - 0.25) * (x - 1) * (x - 3.5) * (x - 7); }, 9, 0, 5);

@@ -16,6 +16,15 @@ struct Pendulum {
     constexpr auto equations(const auto& theta, const auto& p) const { return std::array{sin(theta[0]) - p[torque]}; }
 };
 
+/// The same with a stiffness: stiffness sin(theta) = torque, folds at torque = +-stiffness, theta = +-pi/2.
+struct TorquePendulum {
+    static constexpr int n_angles = 1;
+    enum Parameter { torque, stiffness, n_parameters };
+    constexpr auto equations(const auto& theta, const auto& p) const {
+        return std::array{p[stiffness] * sin(theta[0]) - p[torque]};
+    }
+};
+
 /// A coordinate: a bob at distance x on a spring of rest length 1. V = k/2 (x - 1)^2 - g x cos(theta).
 struct ElasticPendulum {
     static constexpr int n_angles = 1, n_coordinates = 1;

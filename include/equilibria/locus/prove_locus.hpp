@@ -141,61 +141,68 @@ private:
 
     /// The radius within which the parameters are proved, in parts of the window; negative where nothing is.
     double radius(const Task& task) const {
-        const Parameters<M> p = parameters_at(task.at->x, task.at->y);
-        Generator generator(1);
-        const auto x = unknowns(*task.at);
-        const auto weigh = [&](auto& parameters, int basis, int slice, int extremal, int third) {
-            // the basis that has v for its first vector: w = 0
-            const Eigen::Map<const Eigen::Matrix<double, n, 1>> v(&task.at->v[0]);
-            const Eigen::Matrix<double, n, n> b = Eigen::HouseholderQR<Eigen::Matrix<double, n, 1>>(v).householderQ();
-            for (int i = 0; i < n; ++i)
-                for (int k = 0; k < n; ++k) parameters[basis + i * n + k] = k == 0 ? v(i) : b(i, k);
-            for (int k = 0; k < 2; ++k) {
-                parameters[slice + k] = task.last.slice[k];
-                parameters[extremal + k] = task.last.extremal[k];
-            }
-            parameters[slice + 2] = -(task.last.slice[0] * x[0] + task.last.slice[1] * x[1]);
-            parameters[third] = task.last.third;
-        };
-        if (task.kind == LocusKind::fold) {
-            auto parameters = Folds::parameters(p, scales_, generator);
-            weigh(parameters, Folds::first_basis, Folds::slice, Folds::extremal, Folds::cusp);
-            Point<Folds, double> at;
-            for (int i = 0; i < n_angles<M>; ++i) at.c[i] = std::cos(task.at->q[i]), at.s[i] = std::sin(task.at->q[i]);
-            for (int j = 0; j < n_unknowns<Folds> - n_angles<M>; ++j) at.x[j] = 0.0;
-            for (int j = 0; j < n_coordinates<M>; ++j) at.x[j] = task.at->q[n_angles<M> + j];
-            for (int k = 0; k < 2; ++k) at.x[Folds::first_active + k] = x[k];
-            if constexpr (Folds::off_symmetric_branches) {
-                double sum = 0;
-                for (int i = 0; i < n_angles<M>; ++i) {
-                    parameters[Folds::first_sine + i] = std::sin(task.at->q[i]);
-                    sum += std::sin(task.at->q[i]) * std::sin(task.at->q[i]);
-                }
-                at.x[Folds::reciprocal] = 1 / sum;
-            }
-            return proved_radius<Folds>(parameters, at, n_angles<M> + Folds::first_active);
-        }
-        if constexpr (Formulation<M>::reflection_symmetric) {
-            Unknowns<M> branch = task.at->q;
-            auto parameters = Pitchforks::parameters(p, scales_, branch, generator);
-            weigh(parameters, Pitchforks::first_basis, Pitchforks::slice, Pitchforks::extremal, Pitchforks::fourth);
-            Point<Pitchforks, double> at;
-            for (int j = 0; j < n - 1; ++j) at.x[j] = 0.0;
-            for (int k = 0; k < 2; ++k) at.x[Pitchforks::first_active + k] = x[k];
-            return proved_radius<Pitchforks>(parameters, at, Pitchforks::first_active);
-        }
+        if (task.kind == LocusKind::fold) return fold_radius(task);
+        if constexpr (Formulation<M>::reflection_symmetric) return pitchfork_radius(task);
         return -1;
     }
+    double fold_radius(const Task& task) const {
+        const Unknowns<M>& q = task.at->q;
+        auto parameters = weighted<Folds>(
+            task, [&](const auto& p, Generator& generator) { return Folds::parameters(p, scales_, generator); });
+        parameters[Folds::cusp] = task.last.third;
+        Point<Folds, double> at;
+        for (auto& x : at.x) x = 0.0;
+        for (int i = 0; i < n_angles<M>; ++i) at.c[i] = std::cos(q[i]), at.s[i] = std::sin(q[i]);
+        for (int j = 0; j < n_coordinates<M>; ++j) at.x[j] = q[n_angles<M> + j];
+        if constexpr (Folds::off_symmetric_branches) {
+            double sum = 0;
+            for (int i = 0; i < n_angles<M>; ++i) {
+                parameters[Folds::first_sine + i] = std::sin(q[i]);
+                sum += std::sin(q[i]) * std::sin(q[i]);
+            }
+            at.x[Folds::reciprocal] = 1 / sum;
+        }
+        return proved_radius<Folds>(parameters, at, task);
+    }
+    double pitchfork_radius(const Task& task) const {
+        auto parameters = weighted<Pitchforks>(task, [&](const auto& p, Generator& generator) {
+            return Pitchforks::parameters(p, scales_, task.at->q, generator);
+        });
+        parameters[Pitchforks::fourth] = task.last.third;
+        Point<Pitchforks, double> at;
+        for (auto& x : at.x) x = 0.0;
+        return proved_radius<Pitchforks>(parameters, at, task);
+    }
 
+    /// The system's parameters with the weights of the task, and the basis that has v for its first vector: w = 0.
     template <class System>
-    double proved_radius(const Parameters<System>& parameters, const Point<System, double>& at,
-                         int first_active) const {
+    Parameters<System> weighted(const Task& task, const auto& own) const {
+        Generator generator(1);
+        Parameters<System> y = own(parameters_at(task.at->x, task.at->y), generator);
+        const Eigen::Map<const Eigen::Matrix<double, n, 1>> v(&task.at->v[0]);
+        const Eigen::Matrix<double, n, n> b = Eigen::HouseholderQR<Eigen::Matrix<double, n, 1>>(v).householderQ();
+        for (int i = 0; i < n; ++i)
+            for (int k = 0; k < n; ++k) y[System::first_basis + i * n + k] = k == 0 ? v(i) : b(i, k);
+        const auto x = unknowns(*task.at);
+        for (int k = 0; k < 2; ++k) {
+            y[System::slice + k] = task.last.slice[k];
+            y[System::extremal + k] = task.last.extremal[k];
+        }
+        y[System::slice + 2] = -(task.last.slice[0] * x[0] + task.last.slice[1] * x[1]);
+        return y;
+    }
+
+    /// Of the root next to `at`, whose parameters are those of the task.
+    template <class System>
+    double proved_radius(const Parameters<System>& parameters, Point<System, double> at, const Task& task) const {
+        const auto place = unknowns(*task.at);
+        for (int k = 0; k < 2; ++k) at.x[System::first_active + k] = place[k];
         const BallSystem<System, double> system(ExactSystem<System>::at(parameters));
         const auto proof = krawczyk<System, double>(system, at, true);
         if (!proof.proved) return -1;
         double largest = 0;
         for (int k = 0; k < 2; ++k) {
-            const double x = at.x[first_active - n_angles_of<System> + k].re, r = proof.radius[first_active + k];
+            const double x = place[k], r = proof.radius[n_angles<System> + System::first_active + k];
             if (Folds::power[k] == 2 && !(x > 2 * r)) return -1;  // the parameter itself might not be real
             const double size = k == 0 ? locus_->window.width() : locus_->window.height();
             for (const double end : {x - r, x + r})
@@ -205,9 +212,6 @@ private:
         }
         return largest;
     }
-    template <class System>
-    static constexpr int n_angles_of = equilibria::n_angles<System>;
-
     const Locus<M>* locus_;
     unsigned threads_;
     Array<double, 2> scales_;
@@ -217,10 +221,12 @@ private:
 
 }  // namespace detail
 
-/// Proves what can be proved of a locus of the plane of the parameters number X and Y, by the threads given (0: all of the
-/// machine's).
+/// Proves what can be proved of a locus of the plane of the parameters number X and Y, by the threads given (0: all of
+/// the machine's). What is not proved is missing in the shares, no more. Throws InvalidArgument for more than 1024
+/// threads. Source: krawczyk.hpp.
 template <PotentialModel M, int X, int Y>
 LocusProof prove_locus(const Locus<M>& locus, unsigned threads = 1) {
+    EnumerateOptions{.threads = threads}.validate();
     const auto begin = std::chrono::steady_clock::now();
     LocusProof proof = detail::LocusProver<M, X, Y>(locus, threads).run();
     proof.seconds = detail::seconds_since(begin);

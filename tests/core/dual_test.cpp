@@ -37,6 +37,7 @@ TEST_CASE("the rules of differentiation") {
         check(exp(2 * x), std::exp(2 * a), 2 * std::exp(2 * a), 0);
         check(log(x * x), std::log(a * a), 2 / a, 0);
         check(sqrt(y), std::sqrt(b), 0, 0.5 / std::sqrt(b));
+        check(atan2(x, y), std::atan2(a, b), b / (a * a + b * b), -a / (a * a + b * b));
         check(pow(x, 3), a * a * a, 3 * a * a, 0);
         check(pow(x, 0), 1, 0, 0);
         check(pow(x, -2), 1 / (a * a), -2 / (a * a * a), 0);

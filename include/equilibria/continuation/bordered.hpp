@@ -24,11 +24,11 @@
 #include <Eigen/Core>
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
-#include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
 #include <Eigen/SparseLU>
 
 #include <equilibria/continuation/problem.hpp>
+#include <equilibria/continuation/sparse_ldlt.hpp>
 
 namespace equilibria {
 
@@ -92,6 +92,18 @@ double largest_entry(const Matrix& k) {
     return y;
 }
 
+/// The largest of |K_ij| u_j, u_j = 1 / sqrt(w_j) being what makes unknown j of size 1 by the weights.
+template <class Matrix>
+double largest_force(const Matrix& k, const Eigen::VectorXd& weights) {
+    double y = 0;
+    for (Eigen::Index c = 0; c < k.outerSize(); ++c) {
+        double column = 0;
+        for (typename Matrix::InnerIterator entry(k, c); entry; ++entry) column = std::max(column, std::abs(entry.value()));
+        y = std::max(y, column / std::sqrt(weights(c)));
+    }
+    return y;
+}
+
 }  // namespace detail
 
 /// Solves with B; Matrix is Eigen::MatrixXd, or Eigen::SparseMatrix<double> with every entry of its diagonal stored.
@@ -103,7 +115,8 @@ class BorderedSolver {
 public:
     static constexpr bool sparse = !detail::is_dense_matrix<Matrix>;
 
-    explicit BorderedSolver(bool symmetric) : symmetric_(symmetric) {}
+    /// multipliers: how many of the last unknowns are.
+    explicit BorderedSolver(bool symmetric, int multipliers = 0) : symmetric_(symmetric), ldlt_(multipliers) {}
     bool symmetric() const { return symmetric_; }
 
     /// Factors K without the border's row and column. False where that is singular to working precision, or K not
@@ -165,12 +178,9 @@ private:
     bool factor_sparse() {
         use_lu_ = !symmetric_;
         if (symmetric_) {
-            if (!analysed_) ldlt_.analyzePattern(without_), analysed_ = true;
-            ldlt_.factorize(without_);
-            use_lu_ = ldlt_.info() != Eigen::Success || !safe();
+            use_lu_ = !ldlt_.factor(without_) || !safe();
             if (!use_lu_) {
-                const auto d = ldlt_.vectorD();
-                negative_ = static_cast<int>((d.array() < 0).count());
+                negative_ = ldlt_.negative();
                 sign_without_ = *negative_ % 2 == 0 ? 1 : -1;
                 return true;
             }
@@ -219,18 +229,19 @@ private:
         return transposed ? Eigen::VectorXd(k_.transpose() * x) : Eigen::VectorXd(k_ * x);
     }
 
-    struct None {};
-    using LDLT = Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>;
+    struct None {
+        explicit None(int = 0) {}
+    };
     using LU = Eigen::SparseLU<Eigen::SparseMatrix<double>>;
 
-    bool symmetric_, analysed_ = false, use_lu_ = false;
+    bool symmetric_, use_lu_ = false;
     Matrix k_, without_;
     Border border_;
     Eigen::VectorXd column_, row_;  ///< of K at the border
     int sign_without_ = 1;
     std::optional<int> negative_;  ///< of a sparse K without the border
     std::conditional_t<sparse, None, Eigen::PartialPivLU<Eigen::MatrixXd>> dense_;
-    std::conditional_t<sparse, LDLT, None> ldlt_;
+    std::conditional_t<sparse, SparseLDLT, None> ldlt_;
     std::conditional_t<sparse, LU, None> lu_;
 };
 

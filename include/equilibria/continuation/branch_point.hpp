@@ -23,7 +23,7 @@ struct BranchPoint {
     double weak_eigenvalue = 0;      ///< of K against the weights
     double sigma = 0, mu = 0;        ///< test functions, see bordered.hpp
     Border border;                   ///< where the weak directions are large
-    std::optional<int> negative;     ///< negative eigenvalues of K
+    std::optional<int> negative;     ///< negative eigenvalues of K; under constraints, of the energy on their set
     /// Eigenvalues of a dense symmetric K next to 0, below and above; infinite where there is none or it is not known.
     double eigenvalue_below = -std::numeric_limits<double>::infinity();
     double eigenvalue_above = std::numeric_limits<double>::infinity();

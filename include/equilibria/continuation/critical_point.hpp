@@ -82,7 +82,7 @@ public:
 
     /// The problem must outlive the solver.
     explicit CriticalPointSolver(const P& problem, const CriticalPointOptions& options = {})
-        : problem_(&problem), options_(options), solver_(symmetric_tangent<P>) {}
+        : problem_(&problem), options_(options), solver_(symmetric_tangent<P>, equilibria::multipliers(problem)) {}
     explicit CriticalPointSolver(P&&, const CriticalPointOptions& = {}) = delete;
 
     /// The critical point next to (q, p); nothing where neither system converges. border: with which the search for the
@@ -144,15 +144,21 @@ private:
     double rounding() const {
         return 1e3 * std::numeric_limits<double>::epsilon() * (detail::largest_entry(k_) + detail::largest_entry(dr_));
     }
-    /// Whether K has another null vector: K without the border is singular to the digits of a Newton iteration.
-    /// It is left in `second`.
-    bool two_null_vectors(Eigen::VectorXd& second) const {
+    /// Whether K has another null vector, left in `second`: K without the border is singular to the digits of a Newton
+    /// iteration, and, as stiff structures have soft modes, that eigenvalue too is 0 at a distance along the branch
+    /// below 1e-5 of the load, at a fold of the unknowns' size.
+    bool two_null_vectors(Eigen::VectorXd& second, bool bifurcation) {
         const Eigen::VectorXd f = detail::generic_vector(g_.size());
         second = solver_.solve(f, 0).x;
         const double size = second.norm();
         if (!(size * detail::largest_entry(k_) > 1e9 * f.norm())) return false;
         second /= size;
-        return true;
+        const double eigenvalue = std::abs(second.dot(k_ * second)) / second.dot(weights_.cwiseProduct(second)),
+                     phi2 = r_.x.dot(weights_.cwiseProduct(r_.x));
+        if (!bifurcation) return !(eigenvalue > 1e-5 * std::abs(this->second(r_.x)) / (phi2 * std::sqrt(phi2)));
+        bifurcation_step();  // b here
+        const double load = std::abs(p_) > 1e-9 * scale_p_ ? std::abs(p_) : scale_p_;
+        return !(eigenvalue > 1e-5 * std::abs(b_) / phi2 * load);
     }
 
     bool evaluate(const Configuration<P>& q, double p) {
@@ -230,7 +236,7 @@ private:
         point.transversality = transversality();
         const double phi = std::sqrt(r_.x.dot(weights_.cwiseProduct(r_.x)));
         Eigen::VectorXd second_null;
-        if (two_null_vectors(second_null)) {
+        if (two_null_vectors(second_null, bifurcation)) {
             point.nullity = 2;
             point.null_vectors.resize(g_.size(), 2);
             point.null_vectors << r_.x / phi, second_null;

@@ -38,7 +38,7 @@ std::optional<Configuration<P>> deflated_newton(const P& problem, double p, Conf
     options.validate();
     const Eigen::Index n = problem.residual(guess, p).size();
     const Eigen::VectorXd w = weights(problem, guess, n), zero = Eigen::VectorXd::Zero(n);
-    BorderedSolver<TangentMatrix<P>> solver(symmetric_tangent<P>);
+    BorderedSolver<TangentMatrix<P>> solver(symmetric_tangent<P>, equilibria::multipliers(problem));
     Border border;
     Configuration<P> q = std::move(guess);
     double before = std::numeric_limits<double>::infinity();

@@ -29,7 +29,7 @@ public:
 
     /// The problem must outlive the stepper. Throws InvalidArgument for options out of range.
     PathStepper(const P& problem, const PathOptions& options)
-        : problem_(&problem), options_(options), solver_(symmetric_tangent<P>), theta_(options.parameter_weight) {
+        : problem_(&problem), options_(options), solver_(symmetric_tangent<P>, equilibria::multipliers(problem)), theta_(options.parameter_weight) {
         options.validate();
         require(options.constraint != StepConstraint::scalar || Controlled<P>, "constraint", "scalar",
                 "must not be asked of a problem without control(q, p)");
@@ -152,7 +152,8 @@ public:
         point.weak_eigenvalue = weak->eigenvalue;
         point.border = border_;
         if (const auto inertia = solver_.inertia(r.tau)) {
-            point.negative = inertia->negative;
+            // each independent constraint brings a negative eigenvalue of its own
+            point.negative = inertia->negative - multipliers(*problem_);
             point.eigenvalue_below = inertia->below;
             point.eigenvalue_above = inertia->above;
         }
@@ -296,7 +297,7 @@ private:
             if (k == 0 && size > 0.5 * start + 1e3 * options_.tolerance) return std::nullopt;
             // with several weak directions rounding moves the iterates about in them
             const bool rounding = g.template lpNorm<Eigen::Infinity>() <=
-                                  64 * std::numeric_limits<double>::epsilon() * detail::largest_entry(k_now);
+                                  64 * std::numeric_limits<double>::epsilon() * detail::largest_force(k_now, weights_);
             if (k > 0 && contraction > 0.7 && size > 1e3 * tolerance(moved) && !rounding) return std::nullopt;
             q = retract(*problem_, q, correction.q);
             p += dp;

@@ -119,6 +119,14 @@ struct Dual {
         const T root = sqrt(a.value);
         return a.chain(root, 0.5 / root);
     }
+    friend constexpr Dual atan2(const Dual& y, const Dual& x) {
+        using std::atan2;
+        const T inverse = 1.0 / (x.value * x.value + y.value * y.value);
+        Dual angle(atan2(y.value, x.value));
+        for (int k = 0; k < angle.derivative.size(); ++k)
+            angle.derivative[k] = (x.value * y.derivative[k] - y.value * x.derivative[k]) * inverse;
+        return angle;
+    }
     template <std::integral I>
     friend constexpr Dual pow(const Dual& a, I power) {
         const int k = static_cast<int>(power);

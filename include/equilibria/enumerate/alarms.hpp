@@ -17,7 +17,7 @@
 #include <utility>
 #include <vector>
 
-#include <equilibria/enumerate/parallel.hpp>
+#include <equilibria/core/parallel.hpp>
 #include <equilibria/enumerate/root_set.hpp>
 
 namespace equilibria {

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include <equilibria/enumerate/family_probe.hpp>
-#include <equilibria/enumerate/parallel.hpp>
+#include <equilibria/core/parallel.hpp>
 #include <equilibria/enumerate/root_set.hpp>
 #include <equilibria/homotopy/polish.hpp>
 

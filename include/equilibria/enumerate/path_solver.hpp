@@ -16,7 +16,7 @@
 
 #include <equilibria/enumerate/coincidence.hpp>
 #include <equilibria/enumerate/endpoint_store.hpp>
-#include <equilibria/enumerate/parallel.hpp>
+#include <equilibria/core/parallel.hpp>
 #include <equilibria/enumerate/root_set.hpp>
 #include <equilibria/homotopy/endgame.hpp>
 

@@ -23,7 +23,7 @@
 #include <equilibria/certify/proved_index.hpp>
 #include <equilibria/core/multiprecision.hpp>
 #include <equilibria/enumerate/classify.hpp>
-#include <equilibria/enumerate/parallel.hpp>
+#include <equilibria/core/parallel.hpp>
 #include <equilibria/enumerate/root_set.hpp>
 
 namespace equilibria {

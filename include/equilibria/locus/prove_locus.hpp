@@ -19,7 +19,7 @@
 #include <Eigen/QR>
 
 #include <equilibria/certify/krawczyk.hpp>
-#include <equilibria/enumerate/parallel.hpp>
+#include <equilibria/core/parallel.hpp>
 #include <equilibria/enumerate/prove.hpp>
 #include <equilibria/locus/critical_system.hpp>
 #include <equilibria/locus/locus_result.hpp>

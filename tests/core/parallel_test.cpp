@@ -2,7 +2,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include <equilibria/enumerate/parallel.hpp>
+#include <equilibria/core/parallel.hpp>
 
 #include "support/catch.hpp"
 

@@ -1,0 +1,77 @@
+/// \file
+/// L D L^T of a sparse symmetric matrix without pivoting, which gives its inertia. Its last unknowns may be Lagrange
+/// multipliers, with zeros on the diagonal: the fill-reducing order of the others is kept, and each multiplier follows
+/// the last unknown that its constraint holds. Where the others' block is positive definite no pivot is 0 then, if the
+/// constraints are independent.
+#pragma once
+
+#include <algorithm>
+#include <numeric>
+#include <vector>
+
+#include <Eigen/OrderingMethods>
+#include <Eigen/SparseCholesky>
+#include <Eigen/SparseCore>
+
+namespace equilibria {
+
+class SparseLDLT {
+public:
+    using Matrix = Eigen::SparseMatrix<double>;
+
+    explicit SparseLDLT(int multipliers = 0) : multipliers_(multipliers) {}
+
+    /// Matrices after the first one must have its pattern. False where a pivot is 0.
+    bool factor(const Matrix& k) {
+        if (!analysed_) order(k);
+        permuted_.selfadjointView<Eigen::Upper>() = k.selfadjointView<Eigen::Lower>().twistedBy(order_);
+        if (!analysed_) ldlt_.analyzePattern(permuted_), analysed_ = true;
+        ldlt_.factorize(permuted_);
+        return ldlt_.info() == Eigen::Success;
+    }
+    Eigen::VectorXd solve(const Eigen::VectorXd& f) const {
+        const Eigen::VectorXd permuted = order_ * f;
+        return order_.inverse() * ldlt_.solve(permuted);
+    }
+    /// Negative pivots: negative eigenvalues.
+    int negative() const {
+        const auto d = ldlt_.vectorD();
+        return static_cast<int>((d.array() < 0).count());
+    }
+    /// Entries of L below its diagonal.
+    Eigen::Index fill() const { return ldlt_.matrixL().nestedExpression().nonZeros(); }
+
+private:
+    using Permutation = Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int>;
+
+    void order(const Matrix& k) {
+        const int size = static_cast<int>(k.rows()), own = size - multipliers_;
+        Matrix block = k.topLeftCorner(own, own);
+        Permutation inverse(own);  // place -> unknown
+        if (own > 0) Eigen::AMDOrdering<int>()(block, inverse);
+        std::vector<int> place(static_cast<std::size_t>(own));
+        for (int i = 0; i < own; ++i) place[static_cast<std::size_t>(inverse.indices()(i))] = i;
+        // each multiplier after the last of its constraint's unknowns
+        std::vector<std::vector<int>> following(static_cast<std::size_t>(own) + 1);
+        for (int m = own; m < size; ++m) {
+            int last = -1;
+            for (Matrix::InnerIterator entry(k, m); entry; ++entry)
+                if (entry.row() < own) last = std::max(last, place[static_cast<std::size_t>(entry.row())]);
+            following[static_cast<std::size_t>(last + 1)].push_back(m);
+        }
+        order_.resize(size);
+        int next = 0;
+        for (int i = 0; i <= own; ++i) {
+            if (i > 0) order_.indices()(inverse.indices()(i - 1)) = next++;
+            for (const int m : following[static_cast<std::size_t>(i)]) order_.indices()(m) = next++;
+        }
+    }
+
+    int multipliers_;
+    bool analysed_ = false;
+    Permutation order_;  // unknown -> place
+    Matrix permuted_;
+    Eigen::SimplicialLDLT<Matrix, Eigen::Upper, Eigen::NaturalOrdering<int>> ldlt_;
+};
+
+}  // namespace equilibria

@@ -1,0 +1,183 @@
+/// \file
+/// Beam elements, in space and in the plane, from their strains (beam_geometry.hpp, planar_geometry.hpp):
+///
+///     energy = integral of strain^T C strain / 2
+///
+/// with one Gauss point less than nodes: 2 nodes make an element of order 2, 3 of order 4 and 4 of order 6 in critical
+/// loads and in displacements of nodes, and none locks. Beams may be curved and twisted without load.
+///
+/// MixedBeam has the forces n = C_n Gamma at its Gauss points as unknowns of their own, multipliers, so that their
+/// stiffness may be infinite (fem::rigid), or so large that it would spoil the conditioning:
+///
+///     integral of kappa^T C_m kappa / 2 + n^T Gamma - n^T F n / 2 + rho |Gamma - F n|^2 / 2,     F = C_n^(-1)
+///
+/// (Hellinger and Reissner; the term with rho keeps the nodes' block of K regular and is 0 at every solution). Its
+/// equilibria are those of Beam where both exist.
+#pragma once
+
+#include <algorithm>
+#include <array>
+
+#include <equilibria/fem/beam_geometry.hpp>
+#include <equilibria/fem/element.hpp>
+#include <equilibria/fem/planar_geometry.hpp>
+#include <equilibria/fem/section.hpp>
+
+namespace equilibria::fem {
+
+namespace detail {
+
+template <class Geometry, class S>
+class BeamElement {
+public:
+    static constexpr int n_nodes = Geometry::gauss_points + 1;
+    static constexpr auto components = [] {
+        if constexpr (Geometry::n_strains == 6)
+            return spatial;
+        else
+            return planar;
+    }();
+    static constexpr int gauss_points = Geometry::gauss_points;
+    using Frames = typename Geometry::Frames;
+    using Strains = typename Geometry::Strains;
+    using InitialFrames = std::array<typename Geometry::InitialFrame, static_cast<std::size_t>(n_nodes)>;
+
+    /// at: the nodes from one end to the other, equally spaced along the beam. Throws InvalidArgument for a section out
+    /// of range and for nodes at one place.
+    BeamElement(const S& section, const InitialFrames& at) : geometry_(at), stiffness_(section.stiffness()) {
+        section.validate();
+        require(stiffness_.allFinite(), "section", "infinite", "MixedBeam takes infinite stiffnesses");
+    }
+
+    const Geometry& geometry() const { return geometry_; }
+    /// At Gauss point g.
+    Strains strain(const Frames& at, int g) const { return geometry_.strain(at, g); }
+    /// Forces and moments of the cross-section, in its axes.
+    Strains stress(const Frames& at, int g) const { return stiffness_.cwiseProduct(strain(at, g)); }
+    double energy(const Frames& at) const {
+        double y = 0;
+        for (int g = 0; g < gauss_points; ++g) y += 0.5 * geometry_.weight(g) * strain(at, g).dot(stress(at, g));
+        return y;
+    }
+
+    void evaluate(const Frames& at, double, Need need, ElementValues& out) const {
+        if (need == Need::parameter_derivative) {
+            out.parameter_derivative.setZero();
+            return;
+        }
+        out.residual.setZero();
+        if (need == Need::tangent) out.tangent.setZero();
+        for (int g = 0; g < gauss_points; ++g) {
+            const auto y = geometry_.point(at, g);
+            const Strains stress = stiffness_.cwiseProduct(y.strain);
+            if (need == Need::residual) {
+                for (int k = 0; k < n_nodes; ++k)
+                    out.residual.template segment<n>(n * k) += y.weight * y.b[place(k)].transpose() * stress;
+                continue;
+            }
+            for (int i = 0; i < n_nodes; ++i) {
+                const typename Geometry::StrainDerivative cb = y.weight * stiffness_.asDiagonal() * y.b[place(i)];
+                for (int k = 0; k < n_nodes; ++k)
+                    out.tangent.template block<n, n>(n * i, n * k) += cb.transpose() * y.b[place(k)];
+            }
+            geometry_.add_geometric(y, stress, out.tangent);
+        }
+    }
+
+private:
+    static constexpr int n = Geometry::n_strains;  // as many as unknowns of a node
+    static constexpr std::size_t place(int k) { return static_cast<std::size_t>(k); }
+
+    Geometry geometry_;
+    Strains stiffness_;
+};
+
+template <class Geometry, class S>
+class MixedBeamElement {
+public:
+    static constexpr int n_nodes = Geometry::gauss_points + 1;
+    static constexpr auto components = BeamElement<Geometry, S>::components;
+    static constexpr int gauss_points = Geometry::gauss_points;
+    static constexpr int n_multipliers = S::n_forces * gauss_points;
+    using Frames = typename Geometry::Frames;
+    using Strains = typename Geometry::Strains;
+    using InitialFrames = typename BeamElement<Geometry, S>::InitialFrames;
+
+    MixedBeamElement(const S& section, const InitialFrames& at) : geometry_(at) {
+        section.validate();
+        const Strains stiffness = section.stiffness();
+        bending_ = stiffness.template tail<n - f>();
+        flexibility_ = stiffness.template head<f>().cwiseInverse();
+        // as stiff as bending over the element, and below half of the stiffness itself: then n keeps its part
+        const double length = geometry_.length(), rho = bending_.maxCoeff() / (length * length);
+        for (int c = 0; c < f; ++c) penalty_(c) = std::min(rho, 0.5 * stiffness(c));
+    }
+
+    const Geometry& geometry() const { return geometry_; }
+    Strains strain(const Frames& at, int g) const { return geometry_.strain(at, g); }
+
+    void evaluate(const Frames& at, const double* multipliers, double, const ConstraintScale& scale, Need need,
+                  ElementValues& out) const {
+        if (need == Need::parameter_derivative) {
+            out.parameter_derivative.setZero();
+            return;
+        }
+        out.residual.setZero();
+        if (need == Need::tangent) out.tangent.setZero();
+        const Forces share = Forces::Ones() - penalty_.cwiseProduct(flexibility_);
+        for (int g = 0; g < gauss_points; ++g) {
+            const auto y = geometry_.point(at, g);
+            const Forces force = scale.multiplier * Eigen::Map<const Forces>(multipliers + f * g),
+                         gamma = y.strain.template head<f>();
+            Strains stress;
+            stress << penalty_.cwiseProduct(gamma) + share.cwiseProduct(force),
+                bending_.cwiseProduct(y.strain.template tail<n - f>());
+            const int row = n * n_nodes + f * g;
+            if (need == Need::residual) {
+                for (int k = 0; k < n_nodes; ++k)
+                    out.residual.template segment<n>(n * k) += y.weight * y.b[place(k)].transpose() * stress;
+                out.residual.template segment<f>(row) =
+                    scale.multiplier * y.weight *
+                    share.cwiseProduct(gamma - flexibility_.cwiseProduct(force));
+                continue;
+            }
+            Strains stiffness;
+            stiffness << penalty_, bending_;
+            const double k = scale.multiplier * y.weight;
+            for (int i = 0; i < n_nodes; ++i) {
+                const auto& b = y.b[place(i)];
+                const typename Geometry::StrainDerivative cb = y.weight * stiffness.asDiagonal() * b;
+                for (int j = 0; j < n_nodes; ++j)
+                    out.tangent.template block<n, n>(n * i, n * j) += cb.transpose() * y.b[place(j)];
+                out.tangent.template block<f, n>(row, n * i) = k * share.asDiagonal() * b.template topRows<f>();
+                out.tangent.template block<n, f>(n * i, row) =
+                    k * b.template topRows<f>().transpose() * share.asDiagonal();
+            }
+            out.tangent.template block<f, f>(row, row).diagonal() =
+                -scale.multiplier * k * flexibility_.cwiseProduct(share);
+            geometry_.add_geometric(y, stress, out.tangent);
+        }
+    }
+
+private:
+    static constexpr int n = Geometry::n_strains, f = S::n_forces;
+    using Forces = Eigen::Matrix<double, f, 1>;
+    static constexpr std::size_t place(int k) { return static_cast<std::size_t>(k); }
+
+    Geometry geometry_;
+    Eigen::Matrix<double, n - f, 1> bending_;
+    Forces flexibility_, penalty_;
+};
+
+}  // namespace detail
+
+template <int Nodes>
+using Beam = detail::BeamElement<BeamGeometry<Nodes>, Section>;
+template <int Nodes>
+using PlanarBeam = detail::BeamElement<PlanarGeometry<Nodes>, PlanarSection>;
+template <int Nodes>
+using MixedBeam = detail::MixedBeamElement<BeamGeometry<Nodes>, Section>;
+template <int Nodes>
+using PlanarMixedBeam = detail::MixedBeamElement<PlanarGeometry<Nodes>, PlanarSection>;
+
+}  // namespace equilibria::fem

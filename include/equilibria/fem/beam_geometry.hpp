@@ -1,0 +1,199 @@
+/// \file
+/// Strains of geometrically exact (Simo-Reissner) beams in space, and their first and second derivatives. At each point a
+/// section frame A and the axis x, by arc length s:
+///
+///     Gamma = A^T x' - its initial value,   kappa~ = A^T A' - its initial value
+///
+/// The nodes' quaternions are interpolated and divided by their length: Q = sum N_i p_i, A = A(Q / |Q|). A rotation of
+/// the whole multiplies every p_i from the left, and Q with them: strains are objective whatever the rotation, without a
+/// logarithm, and every derivative is rational:
+///
+///     A^T x' = Im(Q^* x' Q) / |Q|^2,     kappa = 2 Im(Q^* Q') / |Q|^2
+///
+/// Nodes may turn by up to 2 pi against each other.
+/// Sources: Simo 1985; Simo and Vu-Quoc 1986; for the interpolation, Zupan, Saje and Zupan 2009 (quaternions) and
+/// Sander 2016 (projection-based interpolation).
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <string>
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+#include <equilibria/core/error.hpp>
+#include <equilibria/fem/frame.hpp>
+#include <equilibria/fem/interpolation.hpp>
+
+namespace equilibria::fem {
+
+/// Where a beam's node is without load, and the frame of its cross-section there: axis 1 along the beam.
+struct SectionFrame {
+    Eigen::Vector3d x;
+    Eigen::Quaterniond orientation;
+};
+
+/// The frame at x with axis 1 along `axis` and axis 2 as near to `second` as that allows. Throws InvalidArgument where
+/// they are parallel or not finite.
+inline SectionFrame section_frame(const Eigen::Vector3d& x, const Eigen::Vector3d& axis, const Eigen::Vector3d& second) {
+    require(x.allFinite(), "x", to_text(x.transpose()), "must be finite");
+    require(axis.allFinite() && axis.norm() > 0, "axis", to_text(axis.transpose()), "must be finite and not 0");
+    const Eigen::Vector3d e1 = axis.normalized(), across = second - second.dot(e1) * e1;
+    require(second.allFinite() && across.norm() > 1e-8 * second.norm() && second.norm() > 0, "second",
+            to_text(second.transpose()), "must be finite and not along the axis");
+    Eigen::Matrix3d r;
+    r.col(0) = e1;
+    r.col(1) = across.normalized();
+    r.col(2) = e1.cross(r.col(1));
+    return {x, Eigen::Quaterniond(r)};
+}
+
+/// The strains (Gamma, kappa) of a beam element of equally spaced nodes at its Gauss points, one less than nodes.
+template <int Nodes>
+class BeamGeometry {
+    static constexpr std::size_t count = static_cast<std::size_t>(Nodes);
+    static constexpr std::size_t place(int k) { return static_cast<std::size_t>(k); }
+    using Four = Eigen::Vector4d;  // quaternions as (x, y, z, w)
+
+public:
+    static constexpr int gauss_points = Nodes - 1;
+    static constexpr int n_strains = 6;
+    using Frames = std::array<Frame<double>, count>;
+    using InitialFrame = SectionFrame;
+    using Strains = Eigen::Matrix<double, 6, 1>;
+    using StrainDerivative = Eigen::Matrix<double, 6, 6>;  ///< by a node's dx and dPsi
+
+    /// A Gauss point of the moved element.
+    struct Point {
+        Strains strain;
+        std::array<StrainDerivative, count> b;  ///< of the strains, by each node
+        double weight = 0;                      ///< of the point: its share of the element's length
+
+        std::array<double, count> n, d;  // shape functions, and slopes by arc length
+        std::array<Four, count> p;
+        std::array<Eigen::Matrix<double, 4, 3>, count> turn;
+        Four q = Four::Zero(), dq = Four::Zero();
+        Eigen::Vector3d dx = Eigen::Vector3d::Zero();
+        Strains total;
+        Eigen::Matrix<double, 6, 4> by_q, by_dq = Eigen::Matrix<double, 6, 4>::Zero();  // of the strains
+        Eigen::Matrix3d by_dx;                                                          // of Gamma: A^T
+    };
+
+    /// at: the nodes from one end to the other, equally spaced along the beam. Throws InvalidArgument for nodes at one
+    /// place.
+    explicit BeamGeometry(const std::array<SectionFrame, count>& at) {
+        Frames initial;
+        std::array<Eigen::Vector3d, count> x;
+        for (std::size_t k = 0; k < count; ++k) {
+            section_[k] = at[k].orientation.normalized();
+            if (k > 0 && section_[k].dot(section_[0]) < 0) section_[k].coeffs() *= -1;
+            initial[k].x = x[k] = at[k].x;
+        }
+        jacobian_ = jacobians<Nodes>(x);
+        for (int g = 0; g < gauss_points; ++g) {
+            Point y;
+            interpolate(initial, g, y);
+            initial_strain_[place(g)] = y.total;
+        }
+    }
+
+    /// Gamma and kappa at Gauss point g.
+    Strains strain(const Frames& at, int g) const {
+        Point y;
+        interpolate(at, g, y);
+        return y.total - initial_strain_[place(g)];
+    }
+    /// The element's length without load.
+    double length() const {
+        double y = 0;
+        for (int g = 0; g < gauss_points; ++g) y += weight(g);
+        return y;
+    }
+    double weight(int g) const { return gauss_rule<gauss_points>().weight[place(g)] * jacobian_[place(g)]; }
+
+    Point point(const Frames& at, int g) const {
+        Point y;
+        interpolate(at, g, y);
+        y.strain = y.total - initial_strain_[place(g)];
+        y.weight = weight(g);
+        // a node's quaternion p exp(dPsi) in its frame's axes: dp = turn dPsi - |dPsi|^2 p / 8
+        for (std::size_t k = 0; k < count; ++k)
+            for (int c = 0; c < 3; ++c)
+                y.turn[k].col(c) = 0.5 * (at[k].q * pure(Eigen::Vector3d::Unit(c)) * section_[k]).coeffs();
+        const Eigen::Quaterniond q = of(y.q), dq = of(y.dq), dx = pure(y.dx);
+        const double s = y.q.squaredNorm();
+        for (int c = 0; c < 3; ++c) {
+            const Eigen::Quaterniond e = pure(Eigen::Vector3d::Unit(c));
+            y.by_q.row(c) = (-2 * ((dx * q * e).coeffs() + y.total(c) * y.q) / s).transpose();
+            y.by_q.row(3 + c) = (-2 * ((dq * e).coeffs() + y.total(3 + c) * y.q) / s).transpose();
+            y.by_dq.row(3 + c) = (2 * (q * e).coeffs() / s).transpose();
+            y.by_dx.row(c) = (q * e * q.conjugate()).vec().transpose() / s;
+        }
+        for (std::size_t k = 0; k < count; ++k) {
+            y.b[k].template topLeftCorner<3, 3>() = y.d[k] * y.by_dx;
+            y.b[k].template bottomLeftCorner<3, 3>().setZero();
+            y.b[k].template rightCols<3>() = (y.n[k] * y.by_q + y.d[k] * y.by_dq) * y.turn[k];
+        }
+        return y;
+    }
+
+    /// Adds the second derivatives of weight stress . strain to a tangent whose first unknowns are the nodes'.
+    void add_geometric(const Point& y, const Strains& stress, Eigen::MatrixXd& tangent) const {
+        // f = n . Gamma + m . kappa with f |Q|^2 = <x' Q, Q n> + 2 <Q m, Q'>, quadratic in (Q, Q')
+        const Eigen::Vector3d n = stress.template head<3>(), m = stress.template tail<3>();
+        const double f = stress.dot(y.total), s = y.q.squaredNorm();
+        const Four f_q = y.by_q.transpose() * stress, f_dq = y.by_dq.transpose() * stress;
+        const Eigen::Vector3d f_dx = y.by_dx.transpose() * n;
+        Eigen::Matrix4d f_qq, f_qdq;
+        Eigen::Matrix<double, 4, 3> f_qdx;
+        for (int c = 0; c < 4; ++c) {
+            const Eigen::Quaterniond e = of(Four::Unit(c));
+            f_qq.col(c) = -2 * (pure(y.dx) * e * pure(n)).coeffs();
+            f_qdq.col(c) = -2 * (e * pure(m)).coeffs();
+        }
+        for (int c = 0; c < 3; ++c) f_qdx.col(c) = -2 * (pure(Eigen::Vector3d::Unit(c)) * of(y.q) * pure(n)).coeffs();
+        f_qq -= 2 * (f_q * y.q.transpose() + y.q * f_q.transpose()) + 2 * f * Eigen::Matrix4d::Identity();
+        f_qdq -= 2 * y.q * f_dq.transpose();
+        f_qdx -= 2 * y.q * f_dx.transpose();
+        const double w = y.weight / s;
+        for (std::size_t i = 0; i < count; ++i)
+            for (std::size_t j = 0; j < count; ++j) {
+                auto k = tangent.template block<6, 6>(static_cast<Eigen::Index>(6 * i), static_cast<Eigen::Index>(6 * j));
+                k.template bottomLeftCorner<3, 3>() += w * y.n[i] * y.d[j] * y.turn[i].transpose() * f_qdx;
+                k.template topRightCorner<3, 3>() += w * y.d[i] * y.n[j] * f_qdx.transpose() * y.turn[j];
+                k.template bottomRightCorner<3, 3>() +=
+                    w * y.turn[i].transpose() *
+                    (y.n[i] * y.n[j] * f_qq + y.n[i] * y.d[j] * f_qdq + y.d[i] * y.n[j] * f_qdq.transpose()) * y.turn[j];
+                if (i == j)
+                    k.template bottomRightCorner<3, 3>().diagonal().array() -=
+                        0.25 * y.weight * (y.n[i] * f_q + y.d[i] * f_dq).dot(y.p[i]);
+            }
+    }
+
+private:
+    static Eigen::Quaterniond pure(const Eigen::Vector3d& v) { return {0, v(0), v(1), v(2)}; }
+    static Eigen::Quaterniond of(const Four& v) { return Eigen::Quaterniond(v); }
+
+    /// Q, Q', x' and the strains with their initial values.
+    void interpolate(const Frames& at, int g, Point& y) const {
+        const ShapeFunctions<Nodes> shape(gauss_rule<gauss_points>().point[place(g)]);
+        for (std::size_t k = 0; k < count; ++k) {
+            y.n[k] = shape.value[k];
+            y.d[k] = shape.slope[k] / jacobian_[place(g)];
+            y.p[k] = (at[k].q * section_[k]).coeffs();
+            y.q += y.n[k] * y.p[k];
+            y.dq += y.d[k] * y.p[k];
+            y.dx += y.d[k] * at[k].x;
+        }
+        const Eigen::Quaterniond q = of(y.q);
+        y.total << (q.conjugate() * pure(y.dx) * q).vec(), 2 * (q.conjugate() * of(y.dq)).vec();
+        y.total /= y.q.squaredNorm();
+    }
+
+    std::array<Eigen::Quaterniond, count> section_;  // of each node's cross-section
+    std::array<double, count - 1> jacobian_;
+    std::array<Strains, count - 1> initial_strain_;
+};
+
+}  // namespace equilibria::fem

@@ -1,0 +1,277 @@
+/// \file
+/// What an element is. A struct of yours becomes one by naming its nodes and what it uses of them, and one function:
+///
+///     struct Spring {                                          // between two nodes
+///         static constexpr int n_nodes = 2;
+///         static constexpr auto components = fem::positions;   // or spatial, planar, planar_positions, or your own
+///         double stiffness, length;
+///         template <class T>                                   // double or a dual
+///         T energy(const std::array<fem::Frame<T>, 2>& at, const T& p) const {
+///             using std::sqrt;
+///             const Vector3<T> d = at[1].x - at[0].x;
+///             const T stretch = sqrt(d.dot(d)) - length;
+///             return 0.5 * stiffness * stretch * stretch;
+///         }
+///     };
+///     model.add(Spring{3, 1}, {a, b});
+///
+/// The function is one of
+///     T energy(at, p)                                  forces and stiffness follow by dual numbers, exactly
+///     Eigen::Matrix<T, m, 1> constraints(at, p)        with `static constexpr int n_constraints = m`: m equations = 0,
+///                                                      held by multipliers with the augmented Lagrangian (12)-(15)
+///     Eigen::Matrix<T, n, 1> residual(at, p)           n = nodes times components: minus the forces (spatial) and
+///                                                      moments (material), where they have no energy
+///     void evaluate(at, p, Need, ElementValues&)       all by hand, where speed matters; `static constexpr bool
+///                                                      conservative = false` where the tangent is not symmetric
+///     void evaluate(at, multipliers, p, ConstraintScale, Need, ElementValues&)
+///                                                      the same, with `static constexpr int n_multipliers`
+/// p is the load parameter. Derivatives are those by increments of the nodes at increment 0: x + dx, R exp(dPsi).
+/// Numbers in brackets: equations of Cardona and Huespe 1999.
+#pragma once
+
+#include <array>
+#include <concepts>
+#include <cstddef>
+#include <memory>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include <equilibria/core/dual.hpp>
+#include <equilibria/fem/frame.hpp>
+
+namespace equilibria::fem {
+
+/// What is asked of an element.
+enum class Need { residual, tangent, parameter_derivative };
+
+/// What it answers: its unknowns are the components of its first node, of the next one and so on, then its multipliers.
+struct ElementValues {
+    Eigen::VectorXd residual;              ///< of the energy, its gradient
+    Eigen::MatrixXd tangent;               ///< derivative of the residual
+    Eigen::VectorXd parameter_derivative;  ///< of the residual by p
+};
+
+/// The augmented Lagrangian's numbers, one of each for a structure: k lambda Phi + rho |Phi|^2 / 2 (12).
+struct ConstraintScale {
+    double multiplier = 1;  ///< k: unknowns are lambda, forces k lambda
+    double penalty = 1;     ///< rho
+};
+
+namespace detail {
+
+template <class E, class T>
+using Frames = std::array<Frame<T>, static_cast<std::size_t>(E::n_nodes)>;
+
+template <class E>
+concept NamesItsNodes = requires {
+    { E::n_nodes } -> std::convertible_to<int>;
+    { E::components[0] } -> std::convertible_to<Component>;
+};
+template <class E>
+concept WithEnergy = NamesItsNodes<E> && requires(const E& e, const Frames<E, double>& at, double p) {
+    { e.energy(at, p) } -> std::convertible_to<double>;
+};
+template <class E>
+concept WithConstraints = NamesItsNodes<E> && requires(const E& e, const Frames<E, double>& at, double p) {
+    { E::n_constraints } -> std::convertible_to<int>;
+    { e.constraints(at, p) } -> std::convertible_to<Eigen::VectorXd>;
+};
+template <class E>
+concept WithResidual = NamesItsNodes<E> && requires(const E& e, const Frames<E, double>& at, double p) {
+    { e.residual(at, p) } -> std::convertible_to<Eigen::VectorXd>;
+};
+template <class E>
+concept WithValues = NamesItsNodes<E> &&
+                     requires(const E& e, const Frames<E, double>& at, double p, ElementValues& out) {
+    e.evaluate(at, p, Need::residual, out);
+};
+template <class E>
+concept WithMultipliers = NamesItsNodes<E> && requires(const E& e, const Frames<E, double>& at, double p,
+                                                       ElementValues& out) {
+    { E::n_multipliers } -> std::convertible_to<int>;
+    e.evaluate(at, &p, p, ConstraintScale{}, Need::residual, out);
+};
+
+}  // namespace detail
+
+/// An element; see the file.
+template <class E>
+concept Element =
+    detail::WithEnergy<E> || detail::WithConstraints<E> || detail::WithResidual<E> || detail::WithValues<E> ||
+    detail::WithMultipliers<E>;
+
+/// How many multipliers an element brings.
+template <Element E>
+inline constexpr int multipliers_of = [] {
+    if constexpr (detail::WithConstraints<E>)
+        return E::n_constraints;
+    else if constexpr (detail::WithMultipliers<E>)
+        return E::n_multipliers;
+    else
+        return 0;
+}();
+
+/// How many unknowns of nodes an element has.
+template <Element E>
+inline constexpr int node_unknowns_of = E::n_nodes * static_cast<int>(E::components.size());
+
+/// Whether its tangent is symmetric: so unless it has a residual alone, or says `conservative = false`.
+template <Element E>
+inline constexpr bool is_conservative = [] {
+    if constexpr (requires { E::conservative; })
+        return static_cast<bool>(E::conservative);
+    else
+        return !detail::WithResidual<E>;
+}();
+
+namespace detail {
+
+/// The frames moved by increments u, by components; exact to second order, which is all that derivatives at 0 ask for.
+template <class E, class T>
+Frames<E, T> moved(const Frames<E, double>& at, const Eigen::VectorX<T>& u) {
+    Frames<E, T> y;
+    Eigen::Index next = 0;
+    for (std::size_t k = 0; k < y.size(); ++k) {
+        Vector3<T> x, half = Vector3<T>::Constant(T(0.0));
+        for (int c = 0; c < 3; ++c) x(c) = T(at[k].x(c));
+        bool turned = false;
+        for (const Component c : E::components) {
+            if (c < rx)
+                x(c) = x(c) + u(next++);
+            else
+                half(c - rx) = 0.5 * u(next++), turned = true;
+        }
+        y[k].x = x;
+        const auto& q = at[k].q;
+        y[k].q = Eigen::Quaternion<T>(T(q.w()), T(q.x()), T(q.y()), T(q.z()));
+        if (turned)
+            y[k].q = y[k].q * Eigen::Quaternion<T>(T(1.0) - 0.5 * half.dot(half), half(0), half(1), half(2));
+    }
+    return y;
+}
+
+/// The element's scalar: its energy, or its constraints' share of the augmented Lagrangian; u: increments, multipliers.
+template <class E, class T>
+T scalar_of(const E& element, const Frames<E, double>& at, const Eigen::VectorX<T>& u, const T& p,
+            const ConstraintScale& scale) {
+    const Frames<E, T> frames = moved<E, T>(at, u);
+    if constexpr (WithConstraints<E>) {
+        const Eigen::Matrix<T, E::n_constraints, 1> phi = element.constraints(frames, p);
+        T y(0.0);
+        for (int k = 0; k < E::n_constraints; ++k)
+            y = y + (scale.multiplier * u(node_unknowns_of<E> + k) + 0.5 * scale.penalty * phi(k)) * phi(k);
+        return y;
+    } else {
+        return element.energy(frames, p);
+    }
+}
+
+/// Residual, tangent or parameter derivative of an element, whichever functions it has.
+template <Element E>
+void evaluate(const E& element, const Frames<E, double>& at, const double* multipliers, double p,
+              const ConstraintScale& scale, Need need, ElementValues& out) {
+    constexpr int own = node_unknowns_of<E>, n = own + multipliers_of<E>;
+    if constexpr (WithValues<E>) {
+        element.evaluate(at, p, need, out);
+    } else if constexpr (WithMultipliers<E>) {
+        element.evaluate(at, multipliers, p, scale, need, out);
+    } else if constexpr (WithResidual<E>) {
+        if (need == Need::residual) {
+            out.residual = element.residual(at, p);
+            return;
+        }
+        using T = Dual<double, n + 1>;
+        Eigen::VectorX<T> u(n);
+        for (int k = 0; k < n; ++k) u(k) = T::variable(0.0, k);
+        const Eigen::VectorX<T> r = element.residual(moved<E, T>(at, u), T::variable(p, n));
+        if (need == Need::tangent) {
+            for (int i = 0; i < n; ++i)
+                for (int k = 0; k < n; ++k) out.tangent(i, k) = r(i).derivative[k];
+        } else {
+            for (int i = 0; i < n; ++i) out.parameter_derivative(i) = r(i).derivative[n];
+        }
+    } else {
+        using Inner = Dual<double, n>;
+        if (need == Need::residual) {
+            Eigen::VectorX<Inner> u(n);
+            for (int k = 0; k < n; ++k) u(k) = Inner::variable(k < own ? 0.0 : multipliers[k - own], k);
+            const Inner f = scalar_of<E, Inner>(element, at, u, Inner(p), scale);
+            for (int k = 0; k < n; ++k) out.residual(k) = f.derivative[k];
+            return;
+        }
+        using T = Dual<Inner, 1>;
+        Eigen::VectorX<T> u(n);
+        for (int k = 0; k < n; ++k) u(k) = T(Inner::variable(k < own ? 0.0 : multipliers[k - own], k));
+        T parameter{Inner(p)};
+        if (need == Need::parameter_derivative) {
+            parameter.derivative[0] = Inner(1.0);
+            const T f = scalar_of<E, T>(element, at, u, parameter, scale);
+            for (int i = 0; i < n; ++i) out.parameter_derivative(i) = f.derivative[0].derivative[i];
+            return;
+        }
+        for (int k = 0; k < n; ++k) {
+            u(k).derivative[0] = Inner(1.0);
+            const T f = scalar_of<E, T>(element, at, u, parameter, scale);
+            u(k).derivative[0] = Inner(0.0);
+            for (int i = 0; i < n; ++i) out.tangent(i, k) = f.derivative[0].derivative[i];
+        }
+    }
+}
+
+}  // namespace detail
+
+/// Elements of one kind, with their nodes: what a structure sees of them.
+class ElementGroup {
+public:
+    virtual ~ElementGroup() = default;
+    virtual std::unique_ptr<ElementGroup> clone() const = 0;
+    virtual std::size_t size() const = 0;
+    /// The nodes of element e.
+    virtual const int* nodes(std::size_t e) const = 0;
+    virtual int n_nodes() const = 0;
+    virtual int n_components() const = 0;
+    virtual const Component* components() const = 0;
+    virtual int multipliers() const = 0;
+    virtual bool conservative() const = 0;
+    /// Of element e, whose nodes are taken from `frames`, all of the structure's.
+    virtual void evaluate(std::size_t e, const Frame<double>* frames, const double* multipliers, double p,
+                          const ConstraintScale& scale, Need need, ElementValues& out) const = 0;
+    int unknowns() const { return n_nodes() * n_components() + multipliers(); }
+};
+
+/// The elements of type E of a model.
+template <Element E>
+class ElementGroupOf final : public ElementGroup {
+public:
+    static constexpr std::size_t count = static_cast<std::size_t>(E::n_nodes);
+
+    void add(E element, const std::array<int, count>& nodes) {
+        elements_.push_back(std::move(element));
+        nodes_.push_back(nodes);
+    }
+    const E& operator[](std::size_t e) const { return elements_[e]; }
+
+    std::unique_ptr<ElementGroup> clone() const override { return std::make_unique<ElementGroupOf>(*this); }
+    std::size_t size() const override { return elements_.size(); }
+    const int* nodes(std::size_t e) const override { return nodes_[e].data(); }
+    int n_nodes() const override { return E::n_nodes; }
+    int n_components() const override { return static_cast<int>(E::components.size()); }
+    const Component* components() const override { return E::components.data(); }
+    int multipliers() const override { return multipliers_of<E>; }
+    bool conservative() const override { return is_conservative<E>; }
+    void evaluate(std::size_t e, const Frame<double>* frames, const double* multipliers, double p,
+                  const ConstraintScale& scale, Need need, ElementValues& out) const override {
+        detail::Frames<E, double> at;
+        for (std::size_t k = 0; k < count; ++k) at[k] = frames[nodes_[e][k]];
+        detail::evaluate(elements_[e], at, multipliers, p, scale, need, out);
+    }
+
+private:
+    std::vector<E> elements_;
+    std::vector<std::array<int, count>> nodes_;
+};
+
+}  // namespace equilibria::fem

@@ -1,0 +1,35 @@
+/// \file
+/// Where a node is and how it is turned, and the unknowns of its motion.
+#pragma once
+
+#include <array>
+
+#include <equilibria/rotation/rotation_vector.hpp>
+
+namespace equilibria::fem {
+
+/// A node's unknowns: its position in fixed axes, and right (material) increments of its rotation, radians.
+enum Component { ux, uy, uz, rx, ry, rz };
+
+/// What elements use of their nodes.
+inline constexpr std::array spatial{ux, uy, uz, rx, ry, rz};
+inline constexpr std::array positions{ux, uy, uz};
+inline constexpr std::array planar{ux, uy, rz};
+inline constexpr std::array planar_positions{ux, uy};
+
+/// A node: its position, and the rotation from its initial orientation, which is that of the fixed axes.
+template <class T>
+struct Frame {
+    Vector3<T> x = Vector3<T>::Zero();
+    Eigen::Quaternion<T> q = Eigen::Quaternion<T>(T(1.0), T(0.0), T(0.0), T(0.0));  ///< of unit length
+
+    /// The rotation matrix: material components to spatial ones.
+    Matrix3<T> rotation() const { return q.toRotationMatrix(); }
+};
+
+/// The frame moved by an increment (dx, dPsi): x + dx and q exp(dPsi).
+inline Frame<double> retract(const Frame<double>& at, const Vector3<double>& dx, const Vector3<double>& dpsi) {
+    return {at.x + dx, (at.q * quaternion(dpsi)).normalized()};
+}
+
+}  // namespace equilibria::fem

@@ -1,0 +1,161 @@
+/// \file
+/// Joints between two nodes, and prescribed motions, as constraints of the augmented Lagrangian. Axes and offsets are
+/// those without load, in the fixed axes. A joint to the ground is one to a node whose components are all fixed. Forces
+/// and moments of a joint are its multipliers times fem::ConstraintScale::multiplier.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <string>
+
+#include <equilibria/core/error.hpp>
+#include <equilibria/fem/element.hpp>
+
+namespace equilibria::fem {
+
+namespace detail {
+
+/// Two unit vectors that make a right-handed orthogonal frame with `axis`. Throws InvalidArgument unless the axis is
+/// finite and not 0.
+inline std::array<Eigen::Vector3d, 3> frame_along(const Eigen::Vector3d& axis) {
+    require(axis.allFinite() && axis.norm() > 0, "axis", to_text(axis.transpose()), "must be finite and not 0");
+    Eigen::Index least = 0;
+    const Eigen::Vector3d n = axis.normalized();
+    n.cwiseAbs().minCoeff(&least);
+    const Eigen::Vector3d t = n.cross(Eigen::Vector3d::Unit(least)).normalized();
+    return {n, t, n.cross(t)};
+}
+
+template <class T>
+Vector3<T> turned(const Frame<T>& at, const Eigen::Vector3d& v) {
+    return at.q * Vector3<T>(v.cast<T>());
+}
+
+}  // namespace detail
+
+/// A point of each body is the same: x_A + R_A a = x_B + R_B b.
+struct SphericalJoint {
+    static constexpr int n_nodes = 2, n_constraints = 3;
+    static constexpr auto components = spatial;
+    Eigen::Vector3d a = Eigen::Vector3d::Zero(), b = Eigen::Vector3d::Zero();  ///< from the nodes to the joint
+
+    template <class T>
+    Vector3<T> constraints(const std::array<Frame<T>, 2>& at, const T&) const {
+        return at[0].x + detail::turned(at[0], a) - at[1].x - detail::turned(at[1], b);
+    }
+};
+
+/// A spherical joint whose bodies also share an axis.
+class RevoluteJoint {
+public:
+    static constexpr int n_nodes = 2, n_constraints = 5;
+    static constexpr auto components = spatial;
+
+    explicit RevoluteJoint(const Eigen::Vector3d& axis, const Eigen::Vector3d& a = Eigen::Vector3d::Zero(),
+                           const Eigen::Vector3d& b = Eigen::Vector3d::Zero())
+        : point_{a, b}, frame_(detail::frame_along(axis)) {}
+
+    template <class T>
+    Eigen::Matrix<T, 5, 1> constraints(const std::array<Frame<T>, 2>& at, const T& p) const {
+        const Vector3<T> axis = detail::turned(at[0], frame_[0]);
+        Eigen::Matrix<T, 5, 1> y;
+        y << point_.constraints(at, p), axis.dot(detail::turned(at[1], frame_[1])),
+            axis.dot(detail::turned(at[1], frame_[2]));
+        return y;
+    }
+
+private:
+    SphericalJoint point_;
+    std::array<Eigen::Vector3d, 3> frame_;
+};
+
+/// Node B slides along an axis of node A, and turns as A does.
+class PrismaticJoint {
+public:
+    static constexpr int n_nodes = 2, n_constraints = 5;
+    static constexpr auto components = spatial;
+
+    /// offset: from A to B without load.
+    PrismaticJoint(const Eigen::Vector3d& axis, const Eigen::Vector3d& offset)
+        : frame_(detail::frame_along(axis)), offset_(offset) {}
+
+    template <class T>
+    Eigen::Matrix<T, 5, 1> constraints(const std::array<Frame<T>, 2>& at, const T&) const {
+        const Vector3<T> d = at[1].x - at[0].x, n = detail::turned(at[0], frame_[0]),
+                         s = detail::turned(at[0], frame_[1]), t = detail::turned(at[0], frame_[2]);
+        Eigen::Matrix<T, 5, 1> y;
+        y << s.dot(d) - T(frame_[1].dot(offset_)), t.dot(d) - T(frame_[2].dot(offset_)),
+            n.dot(detail::turned(at[1], frame_[1])), s.dot(detail::turned(at[1], frame_[2])),
+            t.dot(detail::turned(at[1], frame_[0]));
+        return y;
+    }
+
+private:
+    std::array<Eigen::Vector3d, 3> frame_;
+    Eigen::Vector3d offset_;
+};
+
+/// The node moves along a fixed direction: direction . (x - origin) = rate p + offset. Its multiplier is minus the force.
+struct PrescribedDisplacement {
+    static constexpr int n_nodes = 1, n_constraints = 1;
+    static constexpr auto components = positions;
+    Eigen::Vector3d direction, origin;
+    double rate = 1, offset = 0;
+
+    template <class T>
+    Eigen::Matrix<T, 1, 1> constraints(const std::array<Frame<T>, 1>& at, const T& p) const {
+        const Vector3<T> d = direction.cast<T>();
+        return Eigen::Matrix<T, 1, 1>(d.dot(at[0].x) - T(direction.dot(origin) + offset) - rate * p);
+    }
+};
+
+/// The node turns about a fixed axis by the angle rate p, radians, through any number of turns; its multipliers are minus
+/// the moment, in the axes of the node.
+class PrescribedRotation {
+public:
+    static constexpr int n_nodes = 1, n_constraints = 3;
+    static constexpr std::array components{rx, ry, rz};
+
+    explicit PrescribedRotation(const Eigen::Vector3d& axis, double rate = 1)
+        : axis_(detail::frame_along(axis)[0]), rate_(rate) {}
+
+    template <class T>
+    Vector3<T> constraints(const std::array<Frame<T>, 1>& at, const T& p) const {
+        using std::cos, std::sin;
+        const T half = 0.5 * rate_ * p;
+        const Vector3<T> v = sin(half) * axis_.cast<T>();
+        const Vector3<T> error = (Eigen::Quaternion<T>(cos(half), -v(0), -v(1), -v(2)) * at[0].q).vec();
+        return T(2.0) * error;
+    }
+
+private:
+    Eigen::Vector3d axis_;
+    double rate_;
+};
+
+/// Node B turns against node A about an axis of both by the angle rate p + offset, radians: the drive of a revolute
+/// joint. Its multiplier is minus the moment.
+class RotationDrive {
+public:
+    static constexpr int n_nodes = 2, n_constraints = 1;
+    static constexpr std::array components{rx, ry, rz};
+
+    explicit RotationDrive(const Eigen::Vector3d& axis, double rate = 1, double offset = 0)
+        : axis_(detail::frame_along(axis)[0]), rate_(rate), offset_(offset) {}
+
+    template <class T>
+    Eigen::Matrix<T, 1, 1> constraints(const std::array<Frame<T>, 2>& at, const T& p) const {
+        using std::cos, std::sin;
+        const T half = 0.5 * (rate_ * p + T(offset_));
+        const Eigen::Quaternion<T> between = at[0].q.conjugate() * at[1].q;
+        const Vector3<T> n = axis_.cast<T>();
+        // the part along the axis of exp(-angle n) between, twice
+        return Eigen::Matrix<T, 1, 1>(T(2.0) * (cos(half) * n.dot(between.vec()) - sin(half) * between.w()));
+    }
+
+private:
+    Eigen::Vector3d axis_;
+    double rate_, offset_;
+};
+
+}  // namespace equilibria::fem

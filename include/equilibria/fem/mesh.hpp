@@ -1,0 +1,92 @@
+/// \file
+/// Lines and arcs of beam elements: Beam, or MixedBeam where forces are stiff against bending.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <type_traits>
+#include <vector>
+
+#include <equilibria/fem/beam.hpp>
+#include <equilibria/fem/model.hpp>
+
+namespace equilibria::fem {
+
+/// Whether the force of a stretch or shear strain is far above bending over this length. From the linear prediction of a
+/// turned element Newton's method meets strains of second order then, and forces that throw it off; with the forces as
+/// unknowns it does not.
+bool stiff_in_forces(const auto& section, double length) {
+    constexpr int f = std::remove_cvref_t<decltype(section)>::n_forces;
+    const auto stiffness = section.stiffness();
+    const double bending = stiffness.tail(stiffness.size() - f).minCoeff();
+    return stiffness.template head<f>().maxCoeff() * length * length > 100 * bending;
+}
+
+namespace detail {
+
+template <class B, class Mixed>
+std::vector<int> add_line(Model& model, const auto& section, const auto& frame, int elements, int first, int last) {
+    require(elements >= 1, "elements", elements, "must be at least 1");
+    constexpr int nodes_each = B::n_nodes;
+    constexpr std::size_t count = static_cast<std::size_t>(nodes_each);
+    const int steps = elements * (nodes_each - 1);
+    std::vector<decltype(frame(0.0))> at;
+    std::vector<int> nodes;
+    for (int k = 0; k <= steps; ++k) {
+        const int given = k == 0 ? first : k == steps ? last : -1;
+        at.push_back(frame(double(k) / steps));
+        nodes.push_back(given >= 0 ? given : model.add_node(at.back().x));
+        at.back().x = model.at(nodes.back());
+    }
+    for (int begin = 0; begin < steps; begin += nodes_each - 1) {
+        std::array<decltype(frame(0.0)), count> own_at;
+        std::array<int, count> own{};
+        std::copy_n(at.begin() + begin, count, own_at.begin());
+        std::copy_n(nodes.begin() + begin, count, own.begin());
+        if (stiff_in_forces(section, (own_at.back().x - own_at.front().x).norm()))
+            model.add(Mixed(section, own_at), own);
+        else
+            model.add(B(section, own_at), own);
+    }
+    return nodes;
+}
+
+}  // namespace detail
+
+/// A beam along a curve: frame(t) of t in [0, 1], by arc length, split into equal elements of `Nodes` nodes. first and
+/// last: existing nodes at its ends, or -1 for new ones. All nodes, in order.
+template <int Nodes>
+std::vector<int> add_beam(Model& model, const Section& section, const std::function<SectionFrame(double)>& frame,
+                          int elements, int first = -1, int last = -1) {
+    return detail::add_line<Beam<Nodes>, MixedBeam<Nodes>>(model, section, frame, elements, first, last);
+}
+
+/// A straight beam between two nodes; second: towards which axis 2 of its cross-section points.
+template <int Nodes>
+std::vector<int> add_straight_beam(Model& model, const Section& section, int first, int last,
+                                   const Eigen::Vector3d& second, int elements) {
+    const Eigen::Vector3d a = model.at(first), d = model.at(last) - a;
+    return add_beam<Nodes>(
+        model, section, [&](double t) { return section_frame(a + t * d, d, second); }, elements, first, last);
+}
+
+/// A planar beam along a curve in the x-y plane; see add_beam. frame(t).angle is continuous.
+template <int Nodes>
+std::vector<int> add_planar_beam(Model& model, const PlanarSection& section,
+                                 const std::function<PlanarSectionFrame(double)>& frame, int elements, int first = -1,
+                                 int last = -1) {
+    return detail::add_line<PlanarBeam<Nodes>, PlanarMixedBeam<Nodes>>(model, section, frame, elements, first, last);
+}
+
+/// A straight planar beam between two nodes.
+template <int Nodes>
+std::vector<int> add_straight_planar_beam(Model& model, const PlanarSection& section, int first, int last,
+                                          int elements) {
+    const Eigen::Vector3d a = model.at(first), d = model.at(last) - a;
+    const auto frame = [&](double t) { return PlanarSectionFrame{a + t * d, std::atan2(d(1), d(0))}; };
+    return add_planar_beam<Nodes>(model, section, frame, elements, first, last);
+}
+
+}  // namespace equilibria::fem

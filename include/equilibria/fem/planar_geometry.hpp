@@ -1,0 +1,137 @@
+/// \file
+/// Strains of geometrically exact (Reissner) beams in the x-y plane, and their first and second derivatives:
+///
+///     Gamma = A(theta)^T x' - its initial value,   kappa = theta' - its initial value
+///
+/// theta is interpolated from the nodes' angles against the first node's, which may reach 2 pi.
+/// Source: Reissner 1972.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+#include <Eigen/Core>
+
+#include <equilibria/core/error.hpp>
+#include <equilibria/fem/frame.hpp>
+#include <equilibria/fem/interpolation.hpp>
+
+namespace equilibria::fem {
+
+/// Where a planar beam's node is without load, and the direction of the beam there.
+struct PlanarSectionFrame {
+    Eigen::Vector3d x;
+    double angle;  ///< from the x axis to the beam's, radians
+};
+
+/// The strains (Gamma_1, Gamma_2, kappa) of a planar beam element of equally spaced nodes at its Gauss points, one less
+/// than nodes.
+template <int Nodes>
+class PlanarGeometry {
+    static constexpr std::size_t count = static_cast<std::size_t>(Nodes);
+    static constexpr std::size_t place(int k) { return static_cast<std::size_t>(k); }
+
+public:
+    static constexpr int gauss_points = Nodes - 1;
+    static constexpr int n_strains = 3;
+    using Frames = std::array<Frame<double>, count>;
+    using InitialFrame = PlanarSectionFrame;
+    using Strains = Eigen::Vector3d;
+    using StrainDerivative = Eigen::Matrix3d;  ///< by a node's dx, dy and dtheta
+
+    /// A Gauss point of the moved element.
+    struct Point {
+        Strains strain;
+        std::array<StrainDerivative, count> b;  ///< of the strains, by each node
+        double weight = 0;                      ///< of the point: its share of the element's length
+
+        std::array<double, count> n, d;  // shape functions, and slopes by arc length
+        Eigen::Matrix2d axes;            // A
+        Strains total;
+    };
+
+    /// at: the nodes from one end to the other, equally spaced along the beam; angles of neighbours within pi of each
+    /// other. Throws InvalidArgument for nodes at one place.
+    explicit PlanarGeometry(const std::array<PlanarSectionFrame, count>& at) {
+        Frames initial;
+        std::array<Eigen::Vector3d, count> x;
+        for (std::size_t k = 0; k < count; ++k) {
+            require(std::isfinite(at[k].angle), "angle", at[k].angle, "must be finite");
+            angle_[k] = at[k].angle;
+            initial[k].x = x[k] = at[k].x;
+        }
+        jacobian_ = jacobians<Nodes>(x);
+        for (int g = 0; g < gauss_points; ++g) {
+            Point y;
+            interpolate(initial, g, y);
+            initial_strain_[place(g)] = y.total;
+        }
+    }
+
+    /// Gamma and kappa at Gauss point g.
+    Strains strain(const Frames& at, int g) const {
+        Point y;
+        interpolate(at, g, y);
+        return y.total - initial_strain_[place(g)];
+    }
+    /// The element's length without load.
+    double length() const {
+        double y = 0;
+        for (int g = 0; g < gauss_points; ++g) y += weight(g);
+        return y;
+    }
+    double weight(int g) const { return gauss_rule<gauss_points>().weight[place(g)] * jacobian_[place(g)]; }
+
+    Point point(const Frames& at, int g) const {
+        Point y;
+        interpolate(at, g, y);
+        y.strain = y.total - initial_strain_[place(g)];
+        y.weight = weight(g);
+        // Gamma = A^T x': by theta it changes as -J Gamma, J = [0 -1; 1 0]
+        const Eigen::Vector2d slope(y.total(1), -y.total(0));
+        for (std::size_t k = 0; k < count; ++k) {
+            y.b[k].template topLeftCorner<2, 2>() = y.d[k] * y.axes.transpose();
+            y.b[k].template topRightCorner<2, 1>() = y.n[k] * slope;
+            y.b[k].row(2) << 0, 0, y.d[k];
+        }
+        return y;
+    }
+
+    /// Adds the second derivatives of weight stress . strain to a tangent whose first unknowns are the nodes'.
+    void add_geometric(const Point& y, const Strains& stress, Eigen::MatrixXd& tangent) const {
+        // n . Gamma: by x' and theta A J n, by theta twice -n . Gamma
+        const Eigen::Vector2d n = stress.template head<2>(), mixed = y.axes * Eigen::Vector2d(-n(1), n(0));
+        for (std::size_t i = 0; i < count; ++i)
+            for (std::size_t j = 0; j < count; ++j) {
+                auto k = tangent.template block<3, 3>(static_cast<Eigen::Index>(3 * i), static_cast<Eigen::Index>(3 * j));
+                k.template topRightCorner<2, 1>() += y.weight * y.d[i] * y.n[j] * mixed;
+                k.template bottomLeftCorner<1, 2>() += y.weight * y.n[i] * y.d[j] * mixed.transpose();
+                k(2, 2) -= y.weight * y.n[i] * y.n[j] * n.dot(y.total.template head<2>());
+            }
+    }
+
+private:
+    void interpolate(const Frames& at, int g, Point& y) const {
+        const ShapeFunctions<Nodes> shape(gauss_rule<gauss_points>().point[place(g)]);
+        Eigen::Vector2d dx = Eigen::Vector2d::Zero();
+        double theta = 2 * std::atan2(at[0].q.z(), at[0].q.w()), kappa = 0;
+        for (std::size_t k = 0; k < count; ++k) {
+            y.n[k] = shape.value[k];
+            y.d[k] = shape.slope[k] / jacobian_[place(g)];
+            const Eigen::Quaterniond turned = at[0].q.conjugate() * at[k].q;
+            const double angle = angle_[k] + 2 * std::atan2(turned.z(), turned.w());
+            theta += y.n[k] * angle;
+            kappa += y.d[k] * angle;
+            dx += y.d[k] * at[k].x.template head<2>();
+        }
+        y.axes << std::cos(theta), -std::sin(theta), std::sin(theta), std::cos(theta);
+        y.total << y.axes.transpose() * dx, kappa;
+    }
+
+    std::array<double, count> angle_;  // of each node's cross-section
+    std::array<double, count - 1> jacobian_;
+    std::array<Strains, count - 1> initial_strain_;
+};
+
+}  // namespace equilibria::fem

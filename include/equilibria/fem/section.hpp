@@ -1,0 +1,48 @@
+/// \file
+/// Cross-sections of beams. Stiffnesses against stretch and shear may be infinite: the beam is inextensible, or its
+/// cross-sections stay normal to the axis (Kirchhoff).
+#pragma once
+
+#include <cmath>
+#include <limits>
+
+#include <Eigen/Core>
+
+#include <equilibria/core/error.hpp>
+
+namespace equilibria::fem {
+
+inline constexpr double rigid = std::numeric_limits<double>::infinity();
+
+/// The stiffness of a beam's cross-section: forces N = EA Gamma_1, Q_2 = GA2 Gamma_2, Q_3 = GA3 Gamma_3 and moments
+/// M_1 = GJ kappa_1, M_2 = EI2 kappa_2, M_3 = EI3 kappa_3, axis 1 along the beam; EI2 bends about axis 2.
+struct Section {
+    static constexpr int n_forces = 3;
+    double ea, ga2, ga3, gj, ei2, ei3;
+
+    /// In the order of the strains.
+    Eigen::Matrix<double, 6, 1> stiffness() const { return {ea, ga2, ga3, gj, ei2, ei3}; }
+    void validate() const {
+        constexpr const char* names[] = {"ea", "ga2", "ga3", "gj", "ei2", "ei3"};
+        const auto values = stiffness();
+        for (int k = 0; k < 6; ++k) {
+            require(values(k) > 0, names[k], values(k), "must be positive");
+            require(k < 3 || std::isfinite(values(k)), names[k], values(k), "must be finite");
+        }
+    }
+};
+
+/// The stiffness of a planar beam: N = EA Gamma_1, Q = GA Gamma_2, M = EI kappa.
+struct PlanarSection {
+    static constexpr int n_forces = 2;
+    double ea, ga, ei;
+
+    Eigen::Vector3d stiffness() const { return {ea, ga, ei}; }
+    void validate() const {
+        require(ea > 0, "ea", ea, "must be positive");
+        require(ga > 0, "ga", ga, "must be positive");
+        require(ei > 0 && std::isfinite(ei), "ei", ei, "must be positive and finite");
+    }
+};
+
+}  // namespace equilibria::fem

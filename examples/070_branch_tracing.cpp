@@ -2,156 +2,54 @@
 // followed.
 //
 //   branch_tracing --case star_dome --svg dome.svg
-#include <algorithm>
 #include <cstdio>
-#include <equilibria/continuation/branch.hpp>
 #include <equilibria/io/gnuplot.hpp>
-#include <functional>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <sstream>
+#include <type_traits>
+#include <vector>
 
 #include "support/command_line.hpp"
 #include "support/numbers.hpp"
 #include "support/output_file.hpp"
 #include "support/structures.hpp"
+#include "support/tracing.hpp"
 
 namespace {
 
 using Eigen::VectorXd;
-using equilibria::CriticalKind;
-using Json = nlohmann::ordered_json;
+using support::Json;
 
-struct CriticalRow {
-    CriticalKind kind;
-    double parameter;
-    std::array<double, 2> measures;
-    int nullity, iterations;
-    double residual;
-    std::optional<int> before, after;
-    std::size_t branch;
-};
-struct BranchRow {
-    std::vector<std::array<double, 3>> points;  // the parameter and two measures; critical points are among them
-    std::vector<bool> stable;                   // critical points by the branch before them
-    std::optional<std::size_t> parent;          // the critical point that it was entered from
-    std::string end;
-};
-struct Tracing {
-    std::string name, parameter;
-    std::array<std::string, 2> measures;
-    std::vector<CriticalRow> critical_points;
-    std::vector<BranchRow> branches;
-    std::vector<std::string> unexplained;
-};
-
-/// The main branch, and all that leave it at bifurcations.
-template <equilibria::ContinuationProblem P>
-void trace(Tracing& out, const P& problem, const VectorXd& start, const equilibria::ContinuationOptions& options,
-           double amplitude, const std::function<std::array<double, 2>(const VectorXd&)>& measure) {
-    equilibria::PathStepper<P> stepper(problem, options.path);
-    const auto first = stepper.start(start, 0, 1);
-    if (!first) throw std::runtime_error("no equilibrium without load");
-    std::vector<equilibria::Branch<P>> branches;
-    const auto add = [&](const equilibria::BranchPoint<P>& from, std::optional<std::size_t> parent) {
-        branches.push_back(equilibria::follow(stepper, from, options));
-        const auto& branch = branches.back();
-        BranchRow row{{}, {}, parent, to_string(branch.end)};
-        const auto push = [&](const VectorXd& q, double p, bool stable) {
-            const auto m = measure(q);
-            row.points.push_back({p, m[0], m[1]});
-            row.stable.push_back(stable);
-        };
-        if (parent) push(branches[0].events[*parent].point.q, branches[0].events[*parent].point.p, false);
-        auto event = branch.events.begin();
-        for (std::size_t k = 0; k < branch.points.size(); ++k) {
-            const auto& point = branch.points[k];
-            push(point.q, point.p, point.stable().value_or(false));
-            for (; event != branch.events.end() && event->step == k; ++event)
-                push(event->point.q, event->point.p, event->point.negative_before == 0);
-        }
-        const std::size_t number = out.branches.size();
-        out.branches.push_back(std::move(row));
-        for (const auto& found : branch.events) {
-            const auto& e = found.point;
-            out.critical_points.push_back({e.kind, e.p, measure(e.q), e.nullity, e.iterations(), e.residual,
-                                           e.negative_before, e.negative_after, number});
-        }
-        for (const auto& step : branch.unexplained)
-            out.unexplained.push_back("branch " + std::to_string(number) + ": " + step.reason);
-    };
-    add(*first, std::nullopt);
-    const auto main = branches[0];
-    for (std::size_t k = 0; k < main.events.size(); ++k) {
-        const auto& [step, point] = main.events[k];
-        if (!is_bifurcation(point.kind)) continue;
-        for (const auto& from : switch_branch(stepper, point, main.points[step].tangent, amplitude)) {
-            const bool known = std::any_of(branches.begin(), branches.end(),
-                                           [&](const auto& branch) { return lies_on(stepper, branch, from); });
-            if (!known) add(from, k);
-        }
-    }
-}
-
-std::string json(const Tracing& t) {
-    const auto inertia = [](const std::optional<int>& n) { return n ? Json(*n) : Json(nullptr); };
+template <class P>
+std::string json(const support::Tracing<P>& t) {
     Json out{{"case", t.name},
              {"parameter", t.parameter},
              {"measures", t.measures},
-             {"critical_points", Json::array()},
+             {"critical_points", critical_points_json(t)},
              {"branches", Json::array()},
              {"unexplained_steps", t.unexplained}};
-    for (const auto& c : t.critical_points)
-        out["critical_points"].push_back({{"kind", to_string(c.kind)},
-                                          {"parameter", c.parameter},
-                                          {"measures", c.measures},
-                                          {"nullity", c.nullity},
-                                          {"iterations", c.iterations},
-                                          {"residual", c.residual},
-                                          {"inertia_before", inertia(c.before)},
-                                          {"inertia_after", inertia(c.after)},
-                                          {"branch", c.branch}});
-    for (const auto& b : t.branches)
-        out["branches"].push_back({{"points", b.points},
-                                   {"stable", b.stable},
+    for (const auto& b : t.branches) {
+        Json points = Json::array(), stable = Json::array();
+        for (const auto& point : b.points) {
+            points.push_back({point.parameter, point.measures[0], point.measures[1]});
+            stable.push_back(point.stable);
+        }
+        out["branches"].push_back({{"points", std::move(points)},
+                                   {"stable", std::move(stable)},
                                    {"parent", b.parent ? Json(*b.parent) : Json(nullptr)},
                                    {"end", b.end}});
+    }
     return out.dump(1) + "\n";
 }
 
-std::string title(std::string name) {
-    std::replace(name.begin(), name.end(), '_', ' ');
-    return name;
-}
-
 /// The parameter over the first measure; stable parts of branches heavier.
-std::string script(const Tracing& t) {
-    std::ostringstream stable, unstable, points[2], out;
-    for (auto* s : {&stable, &unstable, &points[0], &points[1]}) s->precision(10);
-    for (const auto& b : t.branches) {
-        for (std::size_t k = 0; k + 1 < b.points.size(); ++k) {
-            // up to a critical point, or from one, at which the stability may change
-            std::ostringstream& s = b.stable[k + 1] ? stable : unstable;
-            for (const std::size_t end : {k, k + 1}) s << b.points[end][1] << ' ' << b.points[end][0] << '\n';
-            s << "\n";
-        }
-    }
-    for (const auto& c : t.critical_points)
-        points[is_bifurcation(c.kind) ? 1 : 0] << c.measures[0] << ' ' << c.parameter << '\n';
-    const auto block = [&](const char* name, const std::ostringstream& rows) {
-        out << equilibria::gnuplot_block(name, rows.str().empty() ? "nan nan\n" : rows.str());
-    };
-    block("stable", stable);
-    block("unstable", unstable);
-    block("folds", points[0]);
-    block("bifurcations", points[1]);
-    out << "set tics out nomirror\nset border 31 lw 0.8\nset key outside right top samplen 2\n"
-        << "set title '" << title(t.name) << "'\nset xlabel '" << t.measures[0] << "'\nset ylabel '" << t.parameter
-        << "'\n"
-        << "plot $unstable with lines lw 1.2 lc rgb '#e69f00' title 'unstable', "
-        << "$stable with lines lw 2.4 lc rgb '#009e73' title 'stable', "
-        << "$bifurcations with points pt 7 ps 0.8 lc rgb '#0072b2' title 'bifurcations', "
-        << "$folds with points pt 5 ps 0.8 lc rgb 'black' title 'folds'\n";
+template <class P>
+std::string script(const support::Tracing<P>& t) {
+    std::ostringstream out;
+    out << branch_blocks(t, 0) << "set tics out nomirror\nset border 31 lw 0.8\nset key outside right top samplen 2\n"
+        << "set title '" << support::title(t.name) << "'\nset xlabel '" << t.measures[0] << "'\nset ylabel '"
+        << t.parameter << "'\n"
+        << support::branch_plot();
     return out.str();
 }
 
@@ -214,64 +112,58 @@ int main(int argc, char** argv) {
         }
     };
     options.path.largest_step = 0.05;
-    Tracing t;
-    t.name = name;
     try {
+        const auto run = [&](const auto& problem, const VectorXd& start, double amplitude, const char* parameter,
+                             std::vector<std::string> measures, const auto& measure) {
+            support::Tracing<std::remove_cvref_t<decltype(problem)>> t;
+            t.name = name;
+            t.parameter = parameter;
+            t.measures = std::move(measures);
+            t.value = [](const VectorXd&, double p) { return p; };
+            t.measure = measure;
+            trace(t, problem, start, options, amplitude);
+            if (svg_file)
+                svg_file->write(
+                    equilibria::gnuplot("svg size 1000,620 font 'Helvetica,14' background 'white'", script(t)));
+            if (png_file)
+                png_file->write(
+                    equilibria::gnuplot("pngcairo size 2000,1240 fontscale 1.8 linewidth 2 pointscale 2", script(t)));
+            if (json_file) json_file->write(json(t));
+            if (!json_file || !json_file->to_stdout()) print(t);
+        };
         if (truss) {
             const auto problem = support::von_mises_truss(rise, strain);
-            t.parameter = "P / EA";
-            t.measures = {"height of the apex", "sway of the apex"};
             window(-1, 1);
-            trace(t, problem, problem.unloaded(), options, 0.02 * rise, [&](const VectorXd& q) {
-                return std::array{problem.at(q, 1)(1), problem.at(q, 1)(0)};
-            });
+            run(problem, problem.unloaded(), 0.02 * rise, "P / EA", {"height of the apex", "sway of the apex"},
+                [&](const VectorXd& q) { return std::vector{problem.at(q, 1)(1), problem.at(q, 1)(0)}; });
         } else if (dome) {
             const bool ring = load_text == "ring";
             const auto problem = support::star_dome(ring ? 0.5 : 1, ring ? 1 : 0, strain);
-            t.parameter = "P / EA";
-            t.measures = {"height of the apex", "sway of the apex"};
             window(-1e-3, ring ? 2e-3 : 1e-3);
-            trace(t, problem, problem.unloaded(), options, 0.3, [&](const VectorXd& q) {
-                const Eigen::Vector3d x = problem.at(q, 0);
-                return std::array{x(2), std::hypot(x(0), x(1))};
-            });
+            run(problem, problem.unloaded(), 0.3, "P / EA", {"height of the apex", "sway of the apex"},
+                [&](const VectorXd& q) {
+                    const Eigen::Vector3d x = problem.at(q, 0);
+                    return std::vector{x(2), std::hypot(x(0), x(1))};
+                });
         } else if (arch) {
             const support::ShallowArch problem{rise};
-            t.parameter = "q";
-            t.measures = {"A1", "A2"};
             const double fold = rise > 1 ? problem.fold() : rise;
             window(2 * rise - fold - 3, fold + 3);
-            trace(t, problem, Eigen::Vector2d(rise, 0), options, 0.02 * rise, [](const VectorXd& q) {
-                return std::array{q(0), q(1)};
-            });
+            run(problem, Eigen::Vector2d(rise, 0), 0.02 * rise, "q", {"A1", "A2"},
+                [](const VectorXd& q) { return std::vector{q(0), q(1)}; });
         } else {
             const support::SpringElastica problem{links};
             const double critical = problem.buckling_load();
-            t.parameter = "P l / c";
-            t.measures = {"angle of the last link", "root mean square of the angles"};
             window(-critical, rigid ? 4.5 : 1.5 * critical);
             options.path.parameter_weight = 1 / critical;
+            const std::vector<std::string> measures{"angle of the last link", "root mean square of the angles"};
             const auto measure = [](const VectorXd& q) {
-                return std::array{q(q.size() - 1), q.norm() / std::sqrt(static_cast<double>(q.size()))};
+                return std::vector{q(q.size() - 1), q.norm() / std::sqrt(static_cast<double>(q.size()))};
             };
             if (rigid)
-                trace(t, support::DenseSpringElastica{{links}}, VectorXd::Zero(links), options, 0.05, measure);
+                run(support::DenseSpringElastica{{links}}, VectorXd::Zero(links), 0.05, "P l / c", measures, measure);
             else
-                trace(t, problem, VectorXd::Zero(links), options, 0.05, measure);
-        }
-        if (svg_file)
-            svg_file->write(equilibria::gnuplot("svg size 1000,620 font 'Helvetica,14' background 'white'", script(t)));
-        if (png_file)
-            png_file->write(
-                equilibria::gnuplot("pngcairo size 2000,1240 fontscale 1.8 linewidth 2 pointscale 2", script(t)));
-        if (json_file) json_file->write(json(t));
-        if (!json_file || !json_file->to_stdout()) {
-            std::printf("kind           %-18s nullity  inertia   iterations  branch\n", t.parameter.c_str());
-            for (const auto& c : t.critical_points)
-                std::printf("%-13s  %-18.12g %4d    %3d to %3d  %6d    %6zu\n", to_string(c.kind), c.parameter,
-                            c.nullity, c.before.value_or(-1), c.after.value_or(-1), c.iterations, c.branch);
-            std::printf("%zu branches, %zu unexplained steps\n", t.branches.size(), t.unexplained.size());
-            for (const std::string& reason : t.unexplained) std::printf("UNEXPLAINED: %s\n", reason.c_str());
+                run(problem, VectorXd::Zero(links), 0.05, "P l / c", measures, measure);
         }
     } catch (const std::exception& error) {
         std::fprintf(stderr, "branch_tracing: %s\n", error.what());

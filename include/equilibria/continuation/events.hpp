@@ -38,6 +38,7 @@ public:
 
     StepEvents<P> between(const Point& a, const Point& b) {
         StepEvents<P> out;
+        resolution_ = std::min(stepper_->options().resolution, 1e-3 * std::abs(b.arc_length - a.arc_length));
         locate(a, b, 0, out);
         return out;
     }
@@ -135,7 +136,7 @@ private:
                 return;
             }
         }
-        if (h > stepper_->options().resolution && depth < 40) {
+        if (h > resolution_ && depth < 40) {
             halve(a, b, depth, out);
             return;
         }
@@ -205,7 +206,7 @@ private:
         y.null_vectors = stepper_->weak_directions(close.q, close.p, y.nullity);
         std::vector<double> eigenvalue;
         std::vector<Direction> offset;  // from `close`
-        const double h = 10 * stepper_->options().resolution;
+        const double h = 10 * resolution_;
         for (const int k : {-3, -2, -1, 1, 2, 3}) {
             const auto point = stepper_->step(k < 0 ? a : b, k * h);
             if (!point || changes(a, *point) != (k < 0 ? 0 : y.nullity)) return y;
@@ -228,6 +229,7 @@ private:
 
     PathStepper<P>* stepper_;
     CriticalPointOptions options_;
+    double resolution_ = 0;  ///< of the present step
 };
 
 }  // namespace equilibria

@@ -34,9 +34,9 @@
 #include <utility>
 
 #include <Eigen/Core>
-#include <Eigen/QR>
 #include <Eigen/SparseCore>
 
+#include <equilibria/continuation/constraint_rank.hpp>
 #include <equilibria/core/error.hpp>
 
 namespace equilibria {
@@ -315,8 +315,7 @@ DerivativeErrors check_derivatives(const P& problem, const Configuration<P>& q, 
         const Eigen::Index m = problem.multipliers();
         require(m >= 0 && m < g.size(), "problem.multipliers", m,
                 "must be 0 to " + std::to_string(g.size() - 1) + ", below the number of unknowns");
-        const Eigen::MatrixXd gradients = k.bottomLeftCorner(m, g.size() - m);
-        const Eigen::Index rank = m > 0 ? gradients.colPivHouseholderQr().rank() : 0;
+        const Eigen::Index rank = m > 0 ? detail::constraint_rank(k, m) : 0;
         require(rank == m, "problem.multipliers", m,
                 "must be the number of independent constraints: redundant ones, or a dead point, at the start, where "
                 "the rank is " + std::to_string(rank));

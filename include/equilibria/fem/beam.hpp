@@ -6,13 +6,15 @@
 /// with one Gauss point less than nodes: 2 nodes make an element of order 2, 3 of order 4 and 4 of order 6 in critical
 /// loads and in displacements of nodes, and none locks. Beams may be curved and twisted without load.
 ///
-/// MixedBeam has the forces n = C_n Gamma at its Gauss points as unknowns of their own, multipliers, so that their
-/// stiffness may be infinite (fem::rigid), or so large that it would spoil the conditioning:
+/// MixedBeam has the forces and moments n = C strain at its Gauss points as unknowns of their own, multipliers:
 ///
-///     integral of kappa^T C_m kappa / 2 + n^T Gamma - n^T F n / 2 + rho |Gamma - F n|^2 / 2,     F = C_n^(-1)
+///     integral of n^T strain - n^T F n / 2 + (strain - F n)^T rho (strain - F n) / 2,     F = C^(-1)
 ///
 /// (Hellinger and Reissner; the term with rho keeps the nodes' block of K regular and is 0 at every solution). Its
-/// equilibria are those of Beam where both exist.
+/// equilibria are those of Beam, but stiffnesses may be infinite (fem::rigid), and where some are far above others Newton's
+/// method takes steps many times as long: a turned element's linear prediction has strains of second order, which throw
+/// forces off that follow from them, and leave forces that are unknowns where they are. (Magisano, Leonetti and Garcea
+/// 2017, mixed integration points.)
 #pragma once
 
 #include <algorithm>
@@ -98,7 +100,7 @@ public:
     static constexpr int n_nodes = Geometry::gauss_points + 1;
     static constexpr auto components = BeamElement<Geometry, S>::components;
     static constexpr int gauss_points = Geometry::gauss_points;
-    static constexpr int n_multipliers = S::n_forces * gauss_points;
+    static constexpr int n_multipliers = Geometry::n_strains * gauss_points;
     using Frames = typename Geometry::Frames;
     using Strains = typename Geometry::Strains;
     using InitialFrames = typename BeamElement<Geometry, S>::InitialFrames;
@@ -106,11 +108,11 @@ public:
     MixedBeamElement(const S& section, const InitialFrames& at) : geometry_(at) {
         section.validate();
         const Strains stiffness = section.stiffness();
-        bending_ = stiffness.template tail<n - f>();
-        flexibility_ = stiffness.template head<f>().cwiseInverse();
-        // as stiff as bending over the element, and below half of the stiffness itself: then n keeps its part
-        const double length = geometry_.length(), rho = bending_.maxCoeff() / (length * length);
-        for (int c = 0; c < f; ++c) penalty_(c) = std::min(rho, 0.5 * stiffness(c));
+        flexibility_ = stiffness.cwiseInverse();
+        // as stiff as the softest bending over the element, and half of the stiffness at most: then n keeps its part
+        const double length = geometry_.length(), softest = stiffness.template tail<n - S::n_forces>().minCoeff();
+        for (int c = 0; c < n; ++c)
+            penalty_(c) = std::min(c < S::n_forces ? softest / (length * length) : softest, 0.5 * stiffness(c));
     }
 
     const Geometry& geometry() const { return geometry_; }
@@ -124,49 +126,41 @@ public:
         }
         out.residual.setZero();
         if (need == Need::tangent) out.tangent.setZero();
-        const Forces share = Forces::Ones() - penalty_.cwiseProduct(flexibility_);
+        const Strains share = Strains::Ones() - penalty_.cwiseProduct(flexibility_);
         for (int g = 0; g < gauss_points; ++g) {
             const auto y = geometry_.point(at, g);
-            const Forces force = scale.multiplier * Eigen::Map<const Forces>(multipliers + f * g),
-                         gamma = y.strain.template head<f>();
-            Strains stress;
-            stress << penalty_.cwiseProduct(gamma) + share.cwiseProduct(force),
-                bending_.cwiseProduct(y.strain.template tail<n - f>());
-            const int row = n * n_nodes + f * g;
+            const Strains force = scale.multiplier * Eigen::Map<const Strains>(multipliers + n * g),
+                          stress = penalty_.cwiseProduct(y.strain) + share.cwiseProduct(force);
+            const int row = n * (n_nodes + g);
+            const double k = scale.multiplier * y.weight;
             if (need == Need::residual) {
-                for (int k = 0; k < n_nodes; ++k)
-                    out.residual.template segment<n>(n * k) += y.weight * y.b[place(k)].transpose() * stress;
-                out.residual.template segment<f>(row) =
-                    scale.multiplier * y.weight *
-                    share.cwiseProduct(gamma - flexibility_.cwiseProduct(force));
+                for (int i = 0; i < n_nodes; ++i)
+                    out.residual.template segment<n>(n * i) += y.weight * y.b[place(i)].transpose() * stress;
+                out.residual.template segment<n>(row) =
+                    k * share.cwiseProduct(y.strain - flexibility_.cwiseProduct(force));
                 continue;
             }
-            Strains stiffness;
-            stiffness << penalty_, bending_;
-            const double k = scale.multiplier * y.weight;
             for (int i = 0; i < n_nodes; ++i) {
                 const auto& b = y.b[place(i)];
-                const typename Geometry::StrainDerivative cb = y.weight * stiffness.asDiagonal() * b;
+                const Matrix cb = y.weight * penalty_.asDiagonal() * b, coupling = k * share.asDiagonal() * b;
                 for (int j = 0; j < n_nodes; ++j)
                     out.tangent.template block<n, n>(n * i, n * j) += cb.transpose() * y.b[place(j)];
-                out.tangent.template block<f, n>(row, n * i) = k * share.asDiagonal() * b.template topRows<f>();
-                out.tangent.template block<n, f>(n * i, row) =
-                    k * b.template topRows<f>().transpose() * share.asDiagonal();
+                out.tangent.template block<n, n>(row, n * i) = coupling;
+                out.tangent.template block<n, n>(n * i, row) = coupling.transpose();
             }
-            out.tangent.template block<f, f>(row, row).diagonal() =
+            out.tangent.template block<n, n>(row, row).diagonal() =
                 -scale.multiplier * k * flexibility_.cwiseProduct(share);
             geometry_.add_geometric(y, stress, out.tangent);
         }
     }
 
 private:
-    static constexpr int n = Geometry::n_strains, f = S::n_forces;
-    using Forces = Eigen::Matrix<double, f, 1>;
+    static constexpr int n = Geometry::n_strains;  // as many as unknowns of a node
+    using Matrix = typename Geometry::StrainDerivative;
     static constexpr std::size_t place(int k) { return static_cast<std::size_t>(k); }
 
     Geometry geometry_;
-    Eigen::Matrix<double, n - f, 1> bending_;
-    Forces flexibility_, penalty_;
+    Strains flexibility_, penalty_;
 };
 
 }  // namespace detail

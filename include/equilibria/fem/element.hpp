@@ -169,6 +169,23 @@ T scalar_of(const E& element, const Frames<E, double>& at, const Eigen::VectorX<
     }
 }
 
+/// The moments m of a residual are by the spin of their nodes, the unknowns increments Psi: their derivative has the part
+/// D(T^T m) d = d x m / 2 at Psi = 0.
+template <class E>
+void add_chart_term(const auto& residual, Eigen::MatrixXd& tangent) {
+    constexpr int each = static_cast<int>(E::components.size());
+    for (int k = 0; k < E::n_nodes; ++k) {
+        Vector3<double> moment = Vector3<double>::Zero();
+        for (int c = 0; c < each; ++c)
+            if (E::components[c] >= rx) moment(E::components[c] - rx) = equilibria::detail::without_derivatives(residual(each * k + c));
+        const Matrix3<double> s = skew(moment);
+        for (int r = 0; r < each; ++r)
+            for (int c = 0; c < each; ++c)
+                if (E::components[r] >= rx && E::components[c] >= rx)
+                    tangent(each * k + r, each * k + c) -= 0.5 * s(E::components[r] - rx, E::components[c] - rx);
+    }
+}
+
 /// Residual, tangent or parameter derivative of an element, whichever functions it has.
 template <Element E>
 void evaluate(const E& element, const Frames<E, double>& at, const double* multipliers, double p,
@@ -190,6 +207,7 @@ void evaluate(const E& element, const Frames<E, double>& at, const double* multi
         if (need == Need::tangent) {
             for (int i = 0; i < n; ++i)
                 for (int k = 0; k < n; ++k) out.tangent(i, k) = r(i).derivative[k];
+            add_chart_term<E>(r, out.tangent);
         } else {
             for (int i = 0; i < n; ++i) out.parameter_derivative(i) = r(i).derivative[n];
         }

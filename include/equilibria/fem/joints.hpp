@@ -45,6 +45,18 @@ struct SphericalJoint {
     }
 };
 
+/// The same in the x-y plane, a hinge about z.
+struct PlanarHinge {
+    static constexpr int n_nodes = 2, n_constraints = 2;
+    static constexpr auto components = planar;
+    Eigen::Vector3d a = Eigen::Vector3d::Zero(), b = Eigen::Vector3d::Zero();  ///< from the nodes to the joint
+
+    template <class T>
+    Eigen::Matrix<T, 2, 1> constraints(const std::array<Frame<T>, 2>& at, const T& p) const {
+        return SphericalJoint{a, b}.constraints(at, p).template head<2>();
+    }
+};
+
 /// A spherical joint whose bodies also share an axis.
 class RevoluteJoint {
 public:

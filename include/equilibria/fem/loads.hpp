@@ -25,10 +25,17 @@ struct FollowerLoad {
     }
 };
 
-/// p times a force towards a fixed center, of constant size: energy p force |x - center|.
+/// p times a force towards a fixed center, of constant size, in space (Dimension 3) or in the plane (2): energy
+/// p force |x - center|.
+template <int Dimension>
 struct CentralLoad {
     static constexpr int n_nodes = 1;
-    static constexpr auto components = positions;
+    static constexpr auto components = [] {
+        if constexpr (Dimension == 3)
+            return positions;
+        else
+            return planar_positions;
+    }();
     double force;
     Eigen::Vector3d center;
 
@@ -36,7 +43,7 @@ struct CentralLoad {
     T energy(const std::array<Frame<T>, 1>& at, const T& p) const {
         using std::sqrt;
         const Vector3<T> d = at[0].x - center.cast<T>();
-        return force * p * sqrt(d.dot(d));
+        return force * p * sqrt(d.template head<Dimension>().squaredNorm());
     }
 };
 

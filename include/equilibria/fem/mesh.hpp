@@ -1,5 +1,5 @@
 /// \file
-/// Lines and arcs of beam elements: Beam, or MixedBeam where forces are stiff against bending.
+/// Lines and arcs of beam elements: Beam, or MixedBeam where some stiffnesses are far above others.
 #pragma once
 
 #include <algorithm>
@@ -14,14 +14,13 @@
 
 namespace equilibria::fem {
 
-/// Whether the force of a stretch or shear strain is far above bending over this length. From the linear prediction of a
-/// turned element Newton's method meets strains of second order then, and forces that throw it off; with the forces as
-/// unknowns it does not.
-bool stiff_in_forces(const auto& section, double length) {
+/// Whether some stiffnesses of a section are far above others over this length, so that MixedBeam is better.
+bool unequal_stiffness(const auto& section, double length) {
     constexpr int f = std::remove_cvref_t<decltype(section)>::n_forces;
     const auto stiffness = section.stiffness();
-    const double bending = stiffness.tail(stiffness.size() - f).minCoeff();
-    return stiffness.template head<f>().maxCoeff() * length * length > 100 * bending;
+    const auto bending = stiffness.tail(stiffness.size() - f);
+    return std::max(stiffness.template head<f>().maxCoeff() * length * length, bending.maxCoeff()) >
+           100 * bending.minCoeff();
 }
 
 namespace detail {
@@ -45,7 +44,7 @@ std::vector<int> add_line(Model& model, const auto& section, const auto& frame, 
         std::array<int, count> own{};
         std::copy_n(at.begin() + begin, count, own_at.begin());
         std::copy_n(nodes.begin() + begin, count, own.begin());
-        if (stiff_in_forces(section, (own_at.back().x - own_at.front().x).norm()))
+        if (unequal_stiffness(section, (own_at.back().x - own_at.front().x).norm()))
             model.add(Mixed(section, own_at), own);
         else
             model.add(B(section, own_at), own);

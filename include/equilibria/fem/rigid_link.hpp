@@ -11,16 +11,23 @@
 
 namespace equilibria::fem {
 
-/// Holds node B at the place X of the body of node A, whose rotation it shares. Its multipliers are minus the force on B.
+/// Holds node B at the place X of the body of node A, in space (Dimension 3) or in the plane (2). Node B may have a
+/// rotation of its own: then it is a joint of the body. Its multipliers are minus the force on B.
+template <int Dimension>
 struct RigidLink {
-    static constexpr int n_nodes = 2, n_constraints = 3;
-    static constexpr auto components = spatial;
+    static constexpr int n_nodes = 2, n_constraints = Dimension;
+    static constexpr auto components = [] {
+        if constexpr (Dimension == 3)
+            return spatial;
+        else
+            return planar;
+    }();
     Eigen::Vector3d offset;  ///< X, from A to B without load
 
     template <class T>
-    Vector3<T> constraints(const std::array<Frame<T>, 2>& at, const T&) const {
-        const Vector3<T> x = offset.cast<T>();
-        return at[1].x - at[0].x - at[0].q * x;
+    Eigen::Matrix<T, Dimension, 1> constraints(const std::array<Frame<T>, 2>& at, const T&) const {
+        const Vector3<T> x = offset.cast<T>(), gap = at[1].x - at[0].x - at[0].q * x;
+        return gap.template head<Dimension>();
     }
 };
 
@@ -29,7 +36,7 @@ inline void add_rigid_body(Model& model, const std::vector<int>& nodes) {
     require(nodes.size() >= 2, "nodes", nodes.size(), "must be at least 2 nodes");
     for (std::size_t k = 1; k < nodes.size(); ++k) {
         model.share_rotation(nodes[k], nodes[0]);
-        model.add(RigidLink{model.at(nodes[k]) - model.at(nodes[0])}, {nodes[0], nodes[k]});
+        model.add(RigidLink<3>{model.at(nodes[k]) - model.at(nodes[0])}, {nodes[0], nodes[k]});
     }
 }
 

@@ -1,5 +1,5 @@
 /// \file
-/// Cross-sections of beams. Stiffnesses against stretch and shear may be infinite: the beam is inextensible, or its
+/// Cross-sections of beams. Stiffnesses may be infinite, one of bending or torsion apart: the beam is inextensible, or its
 /// cross-sections stay normal to the axis (Kirchhoff).
 #pragma once
 
@@ -25,10 +25,8 @@ struct Section {
     void validate() const {
         constexpr const char* names[] = {"ea", "ga2", "ga3", "gj", "ei2", "ei3"};
         const auto values = stiffness();
-        for (int k = 0; k < 6; ++k) {
-            require(values(k) > 0, names[k], values(k), "must be positive");
-            require(k < 3 || std::isfinite(values(k)), names[k], values(k), "must be finite");
-        }
+        for (int k = 0; k < 6; ++k) require(values(k) > 0, names[k], values(k), "must be positive");
+        require(std::isfinite(values.tail<3>().minCoeff()), "gj, ei2, ei3", rigid, "must not all be infinite");
     }
 };
 

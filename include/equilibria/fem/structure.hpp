@@ -92,14 +92,14 @@ public:
         Eigen::SparseMatrix<double> k = pattern_;
         assemble(q, p, Need::tangent,
                  [&](const GroupAssembly& group, std::size_t e, const ElementValues& out) { group.add(e, out.tangent, k); });
-        // R exp(d)^T m = M + M x d, M = R^T m: of a node that turns about one axis it has no entry
+        // -(R exp(d))^T m = -M - M x d with M = R^T m, and the chart's d x (-M) / 2: none where a node turns about one axis
         for (const NodalLoad& m : moments_) {
             const Eigen::Vector3d moment = factor(m, p) * (q.frames[node_of(m)].q.conjugate() * m.moment);
             const Eigen::Matrix3d s = skew(moment);
             for (int r = 0; r < 3; ++r)
                 for (int c = 0; c < 3; ++c) {
                     const int i = unknown(m.node, Component(rx + r)), j = unknown(m.node, Component(rx + c));
-                    if (i >= 0 && j >= 0 && i != j) k.coeffRef(i, j) -= s(r, c);
+                    if (i >= 0 && j >= 0 && i != j) k.coeffRef(i, j) -= 0.5 * s(r, c);
                 }
         }
         return k;

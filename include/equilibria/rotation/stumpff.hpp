@@ -4,13 +4,15 @@
 ///
 ///     c_k = 1/k! - x c_(k+2)              2 dc_k/dx = k c_(k+2) - c_(k+1)
 ///
-/// No branch loses digits to cancellation: the two highest come from their series up to x = 10 and the others from the
-/// recurrence downwards; from there on the recurrence is stable upwards.
+/// No branch loses digits to cancellation: up to psi = 2 pi the two highest come from their series and others from the
+/// recurrence downwards; c_3 and c_4 from x = 10 on, and all beyond 2 pi, come from the recurrence upwards.
 /// Source: Danby, Fundamentals of Celestial Mechanics, section 6.9.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <type_traits>
 
 #include <equilibria/core/array.hpp>
 
@@ -27,7 +29,7 @@ const auto& without_derivatives(const T& x) {
         return x;
 }
 
-/// c_k(x) by its series, x not above 10.
+/// c_k(x) by its series, for x not above 10, or 45 where k is 5 or more.
 template <class T>
 T stumpff_series(const T& x, int k) {
     using Plain = std::remove_cvref_t<decltype(without_derivatives(x))>;
@@ -60,17 +62,16 @@ Array<T, Most + 1> stumpff(const T& x) {
         c[1] = sin(psi) / psi;
         c[2] = T(2.0) * s * s / x;
     }
+    // upwards to `up`, then downwards from the top two by their series
+    const int up = size < 1 ? -1 : size < 10 ? 2 : size < 45 ? 4 : Most;
     double factorial = 1;
-    if (!(size < 10)) {
-        for (int k = 1; k + 2 <= Most; ++k) {
-            factorial *= k;
-            c[k + 2] = (T(1.0) / T(factorial) - c[k]) / x;
-        }
-        return c;
+    for (int k = 1; k + 2 <= std::min(up, Most); ++k) {
+        factorial *= k;
+        c[k + 2] = (T(1.0) / T(factorial) - c[k]) / x;
     }
-    for (int k = 1; k <= Most - 2; ++k) factorial *= k;
-    const int trigonometric = size < 1 ? 0 : 3;  // so many are known
-    for (int k = Most; k >= trigonometric; --k) {
+    factorial = 1;
+    for (int k = 2; k <= Most - 2; ++k) factorial *= k;
+    for (int k = Most; k > up; --k) {
         if (k > Most - 2) {
             c[k] = detail::stumpff_series(x, k);
         } else {

@@ -1,0 +1,259 @@
+// Laws of every element, in random states with rotations up to 3 radians: K = dR/dq, symmetry, no strain in rigid
+// motions.
+#include <equilibria/fem/beam.hpp>
+#include <equilibria/fem/joints.hpp>
+#include <equilibria/fem/loads.hpp>
+#include <equilibria/fem/rigid_link.hpp>
+#include <equilibria/fem/springs.hpp>
+#include <equilibria/fem/truss.hpp>
+
+#include "fem/random_states.hpp"
+#include "support/catch.hpp"
+
+using namespace equilibria;
+using namespace equilibria::fem;
+using Eigen::Vector3d;
+
+namespace {
+
+const Section section{40, 30, 20, 3, 2, 5};
+const PlanarSection planar_section{40, 30, 2};
+
+/// Nodes along a helix, with frames along it, twisted.
+template <int Nodes>
+std::array<SectionFrame, static_cast<std::size_t>(Nodes)> helix() {
+    std::array<SectionFrame, static_cast<std::size_t>(Nodes)> at;
+    for (int k = 0; k < Nodes; ++k) {
+        const double t = 0.4 * k;
+        at[static_cast<std::size_t>(k)] =
+            section_frame({std::cos(t), std::sin(t), 0.3 * t}, {-std::sin(t), std::cos(t), 0.3}, {0.2 * t, 0.1, 1});
+    }
+    return at;
+}
+template <int Nodes>
+std::array<PlanarSectionFrame, static_cast<std::size_t>(Nodes)> arc() {
+    std::array<PlanarSectionFrame, static_cast<std::size_t>(Nodes)> at;
+    for (int k = 0; k < Nodes; ++k) at[static_cast<std::size_t>(k)] = {{std::sin(0.4 * k), 1 - std::cos(0.4 * k), 0}, 0.4 * k};
+    return at;
+}
+template <class Initial>
+std::vector<Vector3d> places(const Initial& at) {
+    std::vector<Vector3d> y;
+    for (const auto& a : at) y.push_back(a.x);
+    return y;
+}
+
+template <class E>
+void check(const char* name, const E& element, const std::vector<Vector3d>& x, double size = 0.1, double apart = 0.5) {
+    std::mt19937 draw(17);
+    for (int k = 0; k < 20; ++k) {
+        const auto at = states::random_frames<E>(draw, x, size, apart);
+        const auto errors = states::derivative_errors(element, at, draw);
+        INFO(name << ", state " << k);
+        CHECK(errors.tangent < 1e-9);
+        CHECK(errors.parameter < 1e-9);
+        if (is_conservative<E>) CHECK(errors.symmetry < 1e-14);
+    }
+}
+
+/// The nodes as they are without load, moved as a rigid body.
+template <class E>
+std::array<Frame<double>, static_cast<std::size_t>(E::n_nodes)> rigid_motion(std::mt19937& draw,
+                                                                             const std::vector<Vector3d>& x,
+                                                                             bool in_plane) {
+    std::array<Frame<double>, static_cast<std::size_t>(E::n_nodes)> y;
+    Vector3d psi = states::random_rotation(draw), shift = states::random_vector(draw, 10);
+    if (in_plane) psi(0) = psi(1) = shift(2) = 0;
+    const auto q = quaternion<double>(psi);
+    for (std::size_t k = 0; k < y.size(); ++k) y[k] = {shift + q * x[k], q};
+    return y;
+}
+
+template <class E>
+void check_rigid_motion(const char* name, const E& element, const std::vector<Vector3d>& x) {
+    std::mt19937 draw(19);
+    constexpr bool in_plane = E::components.size() < 6 && E::components[E::components.size() - 1] != uz;
+    for (int k = 0; k < 20; ++k) {
+        const auto at = rigid_motion<E>(draw, x, in_plane);
+        INFO(name);
+        const auto values = states::values(element, at, std::vector<double>(multipliers_of<E>), 0, {1, 1});
+        CHECK(values.residual.norm() < 1e-12 * (1 + values.tangent.norm()));
+        if constexpr (requires { element.geometry(); })
+            for (int g = 0; g < E::gauss_points; ++g) CHECK(element.strain(at, g).norm() < 1e-13);
+        if constexpr (requires { element.energy(at); }) CHECK(element.energy(at) < 1e-24);
+    }
+}
+
+/// The beam's energy once more, from its definition: quaternions of any scalar.
+template <int Nodes>
+struct PlainBeam {
+    static constexpr int n_nodes = Nodes;
+    static constexpr auto components = spatial;
+    std::array<SectionFrame, static_cast<std::size_t>(Nodes)> initial;
+
+    template <class T>
+    std::array<Eigen::Matrix<T, 6, 1>, static_cast<std::size_t>(Nodes - 1)> strains(
+        const std::array<Frame<T>, static_cast<std::size_t>(Nodes)>& at, std::vector<double>& weights) const {
+        std::array<Eigen::Matrix<T, 6, 1>, static_cast<std::size_t>(Nodes - 1)> y;
+        weights.clear();
+        for (std::size_t g = 0; g < y.size(); ++g) {
+            const ShapeFunctions<Nodes> n(gauss_rule<Nodes - 1>().point[g]);
+            Vector3d slope = Vector3d::Zero();
+            for (std::size_t k = 0; k < at.size(); ++k) slope += n.slope[k] * initial[k].x;
+            const double j = slope.norm();
+            weights.push_back(j * gauss_rule<Nodes - 1>().weight[g]);
+            Eigen::Matrix<T, 4, 1> q, dq;
+            Vector3<T> dx;
+            for (int c = 0; c < 4; ++c) q(c) = dq(c) = T(0.0);
+            for (int c = 0; c < 3; ++c) dx(c) = T(0.0);
+            for (std::size_t k = 0; k < at.size(); ++k) {
+                const auto& c = initial[k].orientation;
+                const Eigen::Quaternion<T> p = at[k].q * Eigen::Quaternion<T>(T(c.w()), T(c.x()), T(c.y()), T(c.z()));
+                q += n.value[k] * p.coeffs();
+                dq += n.slope[k] / j * p.coeffs();
+                dx += n.slope[k] / j * at[k].x;
+            }
+            using std::sqrt;
+            const Eigen::Quaternion<T> whole(q), slope_q(dq);
+            const T s = q.dot(q);
+            y[g] << Vector3<T>((whole.conjugate() * Eigen::Quaternion<T>(T(0.0), dx(0), dx(1), dx(2)) * whole).vec() / s),
+                Vector3<T>(T(2.0) * (whole.conjugate() * slope_q).vec() / s);
+        }
+        return y;
+    }
+    template <class T>
+    T energy(const std::array<Frame<T>, static_cast<std::size_t>(Nodes)>& at, const T&) const {
+        std::array<Frame<double>, static_cast<std::size_t>(Nodes)> without;
+        for (std::size_t k = 0; k < without.size(); ++k) without[k].x = initial[k].x;
+        std::vector<double> weights;
+        const auto before = strains(without, weights);
+        const auto now = strains(at, weights);
+        T y(0.0);
+        const auto c = section.stiffness();
+        for (std::size_t g = 0; g < now.size(); ++g)
+            for (int k = 0; k < 6; ++k) {
+                const T e = now[g](k) - T(before[g](k));
+                y = y + 0.5 * weights[g] * c(k) * e * e;
+            }
+        return y;
+    }
+};
+
+}  // namespace
+
+TEST_CASE("K is the derivative of the residual and symmetric: beams") {
+    check("beam of 2 nodes", Beam<2>(section, helix<2>()), places(helix<2>()));
+    check("beam of 3 nodes", Beam<3>(section, helix<3>()), places(helix<3>()));
+    check("beam of 4 nodes", Beam<4>(section, helix<4>()), places(helix<4>()));
+    check("mixed beam of 2 nodes", MixedBeam<2>({rigid, rigid, 3, 3, 2, 5}, helix<2>()), places(helix<2>()));
+    check("mixed beam of 3 nodes", MixedBeam<3>({rigid, rigid, 3, 3, 2, 5}, helix<3>()), places(helix<3>()));
+    check("planar beam of 2 nodes", PlanarBeam<2>(planar_section, arc<2>()), places(arc<2>()));
+    check("planar beam of 3 nodes", PlanarBeam<3>(planar_section, arc<3>()), places(arc<3>()));
+    check("planar mixed beam of 3 nodes", PlanarMixedBeam<3>({rigid, 3, 2}, arc<3>()), places(arc<3>()));
+}
+
+TEST_CASE("K is the derivative of the residual and symmetric: trusses and springs") {
+    const std::vector<Vector3d> x{{0, 0, 0}, {1, 0.5, 0.2}}, flat{{0, 0, 0}, {1, 0.5, 0}};
+    check("truss", Truss<3>(3, 1.3), x);
+    check("truss, engineering strain", Truss<3>(3, 1.3, Strain::engineering), x);
+    check("planar truss", Truss<2>(3, 1.3, Strain::engineering), flat);
+    check("rotation spring", RotationSpring{2}, x, 0.1, 2.5);
+    check("planar rotation spring", PlanarRotationSpring{2}, flat, 0.1, 2.5);
+    check("point spring", PointSpring{{1, 2, 3}, {0, 1, 0}}, x);
+}
+
+TEST_CASE("K is the derivative of the residual and symmetric: rigid bodies and joints") {
+    const std::vector<Vector3d> x{{0, 0, 0}, {1, 0.5, 0.2}}, flat{{0, 0, 0}, {1, 0.5, 0}};
+    check("rigid link", RigidLink<3>{{1, 0.5, 0.2}}, x);
+    check("planar rigid link", RigidLink<2>{{1, 0.5, 0}}, flat);
+    check("planar hinge", PlanarHinge{{0.5, 0, 0}, {-0.5, -0.5, 0}}, flat);
+    check("spherical joint", SphericalJoint{{0.5, 0, 0}, {-0.5, -0.5, -0.2}}, x);
+    check("revolute joint", RevoluteJoint({0, 1, 2}, {0.5, 0, 0}, {-0.5, -0.5, -0.2}), x);
+    check("prismatic joint", PrismaticJoint({0, 1, 2}, {1, 0.5, 0.2}), x);
+    check("prescribed displacement", PrescribedDisplacement{{0, 0.6, 0.8}, {0, 0, 0}, 2, 0.1}, x);
+    check("prescribed rotation", PrescribedRotation({0, 1, 2}, 3), x);
+    check("rotation drive", RotationDrive({0, 1, 2}, 3, 0.2), x);
+}
+
+TEST_CASE("K is the derivative of the residual: loads") {
+    const std::vector<Vector3d> x{{0, 0, 0}, {1, 0.5, 0}, {2, 0.7, 0}};
+    check("follower load", FollowerLoad{{1, 2, 3}, {4, 5, 6}}, x);
+    check("central load", CentralLoad<3>{2, {0, 3, 4}}, x);
+    check("pressure on 2 nodes", PlanarPressure<2>{2}, x);
+    check("pressure on 3 nodes", PlanarPressure<3>{2}, x);
+}
+
+TEST_CASE("Rigid motions give no strain, no force and no energy") {
+    check_rigid_motion("beam of 2 nodes", Beam<2>(section, helix<2>()), places(helix<2>()));
+    check_rigid_motion("beam of 3 nodes", Beam<3>(section, helix<3>()), places(helix<3>()));
+    check_rigid_motion("beam of 4 nodes", Beam<4>(section, helix<4>()), places(helix<4>()));
+    check_rigid_motion("mixed beam", MixedBeam<3>({rigid, rigid, 3, 3, 2, 5}, helix<3>()), places(helix<3>()));
+    check_rigid_motion("planar beam", PlanarBeam<3>(planar_section, arc<3>()), places(arc<3>()));
+    check_rigid_motion("truss", Truss<3>(3, {0, 0, 0}, {1, 0.5, 0.2}), {{0, 0, 0}, {1, 0.5, 0.2}});
+    check_rigid_motion("rigid link", RigidLink<3>{{1, 0.5, 0.2}}, {{0, 0, 0}, {1, 0.5, 0.2}});
+    check_rigid_motion("spherical joint", SphericalJoint{{1, 0.5, 0.2}, {0, 0, 0}}, {{0, 0, 0}, {1, 0.5, 0.2}});
+    check_rigid_motion("revolute joint", RevoluteJoint({0, 1, 2}, {1, 0.5, 0.2}), {{0, 0, 0}, {1, 0.5, 0.2}});
+    check_rigid_motion("prismatic joint", PrismaticJoint({0, 1, 2}, {1, 0.5, 0.2}), {{0, 0, 0}, {1, 0.5, 0.2}});
+}
+
+TEST_CASE("Beams derived by hand agree with dual numbers on their definition") {
+    std::mt19937 draw(23);
+    const auto compare = [&]<int Nodes>(std::integral_constant<int, Nodes>) {
+        const Beam<Nodes> beam(section, helix<Nodes>());
+        const PlainBeam<Nodes> plain{helix<Nodes>()};
+        for (int k = 0; k < 5; ++k) {
+            const auto at = states::random_frames<Beam<Nodes>>(draw, places(helix<Nodes>()), 0.1, 0.8);
+            const auto a = states::values(beam, at, {}, 0, {}), b = states::values(plain, at, {}, 0, {});
+            CHECK(beam.energy(at) == Approx(plain.energy(at, 0.0)).epsilon(1e-12));
+            CHECK((a.residual - b.residual).norm() < 1e-13 * a.tangent.norm());
+            CHECK((a.tangent - b.tangent).norm() < 1e-13 * a.tangent.norm());
+        }
+    };
+    compare(std::integral_constant<int, 2>());
+    compare(std::integral_constant<int, 3>());
+}
+
+TEST_CASE("Strains are objective: a rotation of the whole changes none") {
+    std::mt19937 draw(29);
+    const Beam<3> beam(section, helix<3>());
+    for (int k = 0; k < 20; ++k) {
+        auto at = states::random_frames<Beam<3>>(draw, places(helix<3>()), 0.1, 0.8);
+        const auto before = beam.strain(at, 1);
+        const auto q = quaternion<double>(states::random_rotation(draw));
+        for (auto& frame : at) frame = {q * frame.x, q * frame.q};
+        CHECK((beam.strain(at, 1) - before).norm() < 1e-13);
+    }
+}
+
+TEST_CASE("The mixed beam's equilibrium forces are those of the beam") {
+    std::mt19937 draw(31);
+    const Beam<3> beam(section, helix<3>());
+    const MixedBeam<3> mixed(section, helix<3>());
+    for (int k = 0; k < 5; ++k) {
+        const auto at = states::random_frames<Beam<3>>(draw, places(helix<3>()), 0.1, 0.5);
+        std::vector<double> forces;
+        for (int g = 0; g < 2; ++g)
+            for (int c = 0; c < 3; ++c) forces.push_back(beam.stress(at, g)(c) / 7);
+        const auto a = states::values(beam, at, {}, 0, {}), b = states::values(mixed, at, forces, 0, {7, 1});
+        CHECK((a.residual - b.residual.head(18)).norm() < 1e-13 * a.tangent.norm());
+        CHECK(b.residual.tail(6).norm() < 1e-13 * a.tangent.norm());
+        // condensed, K is the same
+        const Eigen::MatrixXd coupling = b.tangent.topRightCorner(18, 6);
+        const Eigen::MatrixXd condensed =
+            b.tangent.topLeftCorner(18, 18) -
+            coupling * b.tangent.bottomRightCorner(6, 6).inverse() * coupling.transpose();
+        CHECK((condensed - a.tangent).norm() < 1e-12 * a.tangent.norm());
+    }
+}
+
+TEST_CASE("Bad sections and elements are refused by name") {
+    CHECK_THROWS_WITH(Beam<2>({0, 1, 1, 1, 1, 1}, helix<2>()), Catch::Contains("ea = 0"));
+    CHECK_THROWS_WITH(Beam<2>({rigid, 1, 1, 1, 1, 1}, helix<2>()), Catch::Contains("MixedBeam"));
+    CHECK_THROWS_WITH(MixedBeam<2>({rigid, 1, 1, rigid, 1, 1}, helix<2>()), Catch::Contains("gj = inf"));
+    CHECK_THROWS_WITH(Truss<3>(1, {0, 0, 0}, {0, 0, 0}), Catch::Contains("length = 0"));
+    auto at = helix<3>();
+    at[1].x = at[2].x = at[0].x;
+    CHECK_THROWS_WITH(Beam<3>(section, at), Catch::Contains("length of an element"));
+    CHECK_THROWS_WITH(section_frame({0, 0, 0}, {1, 0, 0}, {2, 0, 0}), Catch::Contains("not along the axis"));
+    CHECK_THROWS_WITH(RevoluteJoint({0, 0, 0}), Catch::Contains("axis"));
+}

@@ -1,6 +1,7 @@
 // Structures with known critical points: the numbered cases of docs/finite-rotations.md. The tests of fem/ use them too.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <equilibria/continuation/branch.hpp>
 #include <equilibria/fem/joints.hpp>
@@ -29,8 +30,9 @@ struct CaseData {
     std::string load;                   ///< of the ring: hydrostatic, fixed or central; of the dome: ring or apex
     std::string ends = "cantilever";    ///< of the column: cantilever, hinged, clamped or clamped-hinged
     int links = 3;                      ///< of the chain
-    int elements = 16;                  ///< of each member
-    int nodes = 3;                      ///< of each element: 2, 3 or 4
+    int elements = 32;                  ///< of the structure, shared among its members by length
+    int nodes = 4;                      ///< of each element: 2, 3 or 4
+    unsigned threads = 1;               ///< of assembly
 };
 
 /// A place on a branch that is asked for: where `value` is 0.
@@ -65,6 +67,10 @@ using namespace equilibria::fem;
 
 inline const double pi = std::numbers::pi;
 
+/// The elements of a member that makes a share of the structure's length.
+inline int elements_of(const CaseData& data, double share) {
+    return std::max(1, static_cast<int>(std::lround(share * data.elements)));
+}
 /// A planar beam of elements with data.nodes nodes.
 inline std::vector<int> planar_beam(Model& model, const PlanarSection& section,
                                     const std::function<PlanarSectionFrame(double)>& frame, const CaseData& data,
@@ -81,15 +87,16 @@ inline std::vector<int> planar_beam(Model& model, const PlanarSection& section, 
 }
 /// The same in space.
 inline std::vector<int> beam(Model& model, const Section& section, const std::function<SectionFrame(double)>& frame,
-                             const CaseData& data, int first = -1, int last = -1) {
-    if (data.nodes == 2) return add_beam<2>(model, section, frame, data.elements, first, last);
-    if (data.nodes == 3) return add_beam<3>(model, section, frame, data.elements, first, last);
-    return add_beam<4>(model, section, frame, data.elements, first, last);
+                             const CaseData& data, int elements, int first = -1, int last = -1) {
+    if (data.nodes == 2) return add_beam<2>(model, section, frame, elements, first, last);
+    if (data.nodes == 3) return add_beam<3>(model, section, frame, elements, first, last);
+    return add_beam<4>(model, section, frame, elements, first, last);
 }
 inline std::vector<int> beam(Model& model, const Section& section, int first, int last, const Vector3d& second,
-                             const CaseData& data) {
+                             const CaseData& data, int elements) {
     const Vector3d a = model.at(first), d = model.at(last) - a;
-    return beam(model, section, [=](double t) { return section_frame(a + t * d, d, second); }, data, first, last);
+    const auto frame = [=](double t) { return section_frame(a + t * d, d, second); };
+    return beam(model, section, frame, data, elements, first, last);
 }
 /// A planar arc of radius r around the origin, from angle `from` to `to`.
 inline std::vector<int> arc(Model& model, const PlanarSection& section, double r, double from, double to,
@@ -109,8 +116,8 @@ inline CasePoint at_parameter(double at) {
     return {"at " + equilibria::to_text(at), [=](const StructureState&, double p) { return p - at; }};
 }
 
-inline BucklingCase make(Model model, int tip, const char* parameter, double low, double high, double first_step) {
-    BucklingCase y{Structure(std::move(model)), tip, parameter, {}, {}, {}, false, 0.02, 0};
+inline BucklingCase make(Model model, const CaseData& data, int tip, const char* parameter, double low, double high, double first_step) {
+    BucklingCase y{Structure(std::move(model), {.threads = data.threads}), tip, parameter, {}, {}, {}, false, 0.02, 0};
     y.value = [](const StructureState&, double p) { return p; };
     y.options.low = low;
     y.options.high = high;
@@ -140,7 +147,7 @@ inline BucklingCase euler_column(const CaseData& data) {
     const int watched = data.ends == "cantilever" ? b : nodes[nodes.size() / 2];
     // the first three critical loads of the chosen ends
     const double most = data.ends == "cantilever" ? 25 : clamped ? 90 : 45;
-    BucklingCase y = make(std::move(model), watched, "P L^2 / EI", -1, most, 0.05);
+    BucklingCase y = make(std::move(model), data, watched, "P L^2 / EI", -1, most, 0.05);
     y.options.path.parameter_weight = 0.1;
     if (data.ends == "cantilever")
         for (const double degrees : {20, 60, 120})
@@ -160,7 +167,7 @@ inline BucklingCase roll_up(const CaseData& data) {
     planar_beam(model, {data.ea.value_or(rigid), data.ga.value_or(rigid), ei}, a, b, data, data.elements);
     model.fix(a, planar);
     model.load(b, {0, 0, 0}, {0, 0, 2 * pi * ei});
-    BucklingCase y = make(std::move(model), b, "M L / (2 pi EI)", -0.01, 4.2, 0.02);
+    BucklingCase y = make(std::move(model), data, b, "M L / (2 pi EI)", -0.01, 4.2, 0.02);
     for (const int n : {1, 2, 3, 4}) y.points.push_back(at_parameter(n));
     return y;
 }
@@ -172,10 +179,10 @@ inline BucklingCase lateral_cantilever(const CaseData& data) {
     const int a = model.add_node({0, 0, 0}), b = model.add_node({1, 0, 0});
     const double ga = data.ga.value_or(rigid);
     beam(model, {data.ea.value_or(rigid), ga, ga, data.gj.value_or(1.343), data.ei2.value_or(1), data.ei3.value_or(25)},
-         a, b, Vector3d::UnitY(), data);
+         a, b, Vector3d::UnitY(), data, data.elements);
     model.fix(a, spatial);
     model.load(b, {0, -1, 0});
-    BucklingCase y = make(std::move(model), b, "P L^2 (EI2 = 1)", -0.1, 7, 0.02);
+    BucklingCase y = make(std::move(model), data, b, "P L^2 (EI2 = 1)", -0.1, 7, 0.02);
     for (const double z : {.1, .2, .4}) y.points.push_back(at_coordinate(b, 2, z));
     y.view = 1;
     return y;
@@ -192,14 +199,14 @@ inline BucklingCase lateral_strip(const CaseData& data) {
     const auto nodes = beam(model,
                             {data.ea.value_or(rigid), ga, ga, data.gj.value_or(1.343), data.ei2.value_or(1),
                              data.ei3.value_or(25)},
-                            a, b, Vector3d::UnitY(), data);
+                            a, b, Vector3d::UnitY(), data, data.elements);
     model.fix(fork_a, {ux, uy, uz, rx, ry});
     model.fix(fork_b, {uy, uz, rx, ry});
     model.add(RevoluteJoint(Vector3d::UnitY()), {fork_a, a});
     model.add(RevoluteJoint(Vector3d::UnitY()), {fork_b, b});
     model.load(fork_a, {0, 0, 0}, {0, 0, -1});
     model.load(fork_b, {0, 0, 0}, {0, 0, 1});
-    BucklingCase y = make(std::move(model), nodes[nodes.size() / 2], "M L (EI2 = 1)", -0.1, 8, 0.02);
+    BucklingCase y = make(std::move(model), data, nodes[nodes.size() / 2], "M L (EI2 = 1)", -0.1, 8, 0.02);
     y.view = 1;
     return y;
 }
@@ -213,12 +220,12 @@ inline BucklingCase right_angle_frame(const CaseData& data) {
                           data.ei3.value_or(1350 * e)};
     Model model;
     const int a = model.add_node({0, 0, 0}), b = model.add_node({240, 0, 0}), c = model.add_node({240, -240, 0});
-    beam(model, section, a, b, Vector3d::UnitY(), data);
-    beam(model, section, b, c, Vector3d::UnitX(), data);
+    beam(model, section, a, b, Vector3d::UnitY(), data, elements_of(data, 0.5));
+    beam(model, section, b, c, Vector3d::UnitX(), data, elements_of(data, 0.5));
     model.fix(a, spatial);
     const double sign = data.load_direction[0] == '-' ? -1 : 1;
     model.load(c, data.load_direction[1] == 'x' ? Vector3d(sign, 0, 0) : Vector3d(0, sign, 0));
-    BucklingCase y = make(std::move(model), c, "P", -0.05, 2, 0.005);
+    BucklingCase y = make(std::move(model), data, c, "P", -0.05, 2, 0.005);
     for (const double z : {10, 20, 40, 60}) y.points.push_back(at_coordinate(c, 2, z));
     y.view = 1;
     return y;
@@ -233,13 +240,13 @@ inline BucklingCase hinged_frame(const CaseData& data) {
                           data.ei3.value_or(1350 * e)};
     Model model;
     const int a = model.add_node({-h, 0, 0}), b = model.add_node({0, h, 0}), c = model.add_node({h, 0, 0});
-    beam(model, section, a, b, Vector3d(-1, 1, 0), data);
-    beam(model, section, b, c, Vector3d(1, 1, 0), data);
+    beam(model, section, a, b, Vector3d(-1, 1, 0), data, elements_of(data, 0.5));
+    beam(model, section, b, c, Vector3d(1, 1, 0), data, elements_of(data, 0.5));
     model.fix(a, {ux, uy, uz, rx, ry});
     model.fix(c, {uy, uz, rx, ry});
     model.load(a, {0, 0, 0}, {0, 0, 1});
     model.load(c, {0, 0, 0}, {0, 0, -1});
-    BucklingCase y = make(std::move(model), b, "M", -700, 700, 0.002);
+    BucklingCase y = make(std::move(model), data, b, "M", -700, 700, 0.002);
     y.both_ways = true;
     y.view = 1;
     return y;
@@ -255,7 +262,7 @@ inline BucklingCase deep_arch(const CaseData& data) {
     model.fix(nodes.front(), planar);
     model.fix(nodes.back(), {ux, uy});
     model.load(nodes[nodes.size() / 2], {0, -1, 0});
-    return make(std::move(model), nodes[nodes.size() / 2], "P", -200, 2000, 0.01);
+    return make(std::move(model), data, nodes[nodes.size() / 2], "P", -200, 2000, 0.01);
 }
 
 /// 8: the hinged arch under a crown load, R = EI = 1.
@@ -268,7 +275,7 @@ inline BucklingCase hinged_arch(const CaseData& data) {
     model.fix(nodes.front(), {ux, uy});
     model.fix(nodes.back(), {ux, uy});
     model.load(nodes[nodes.size() / 2], {0, -1, 0});
-    return make(std::move(model), nodes[nodes.size() / 2], "P R^2 / EI", -2, 20, 0.01);
+    return make(std::move(model), data, nodes[nodes.size() / 2], "P R^2 / EI", -2, 20, 0.01);
 }
 
 /// 10: Lee's frame: its whole snap-back path.
@@ -278,13 +285,13 @@ inline BucklingCase lee_frame(const CaseData& data) {
     Model model;
     const int foot = model.add_node({0, 0, 0}), corner = model.add_node({0, 120, 0}), loaded = model.add_node({24, 120, 0}),
               end = model.add_node({120, 120, 0});
-    planar_beam(model, section, foot, corner, data, data.elements);
-    planar_beam(model, section, corner, loaded, data, (data.elements + 3) / 4);
-    planar_beam(model, section, loaded, end, data, data.elements);
+    planar_beam(model, section, foot, corner, data, elements_of(data, 0.5));
+    planar_beam(model, section, corner, loaded, data, elements_of(data, 0.1));
+    planar_beam(model, section, loaded, end, data, elements_of(data, 0.4));
     model.fix(foot, {ux, uy});
     model.fix(end, {ux, uy});
     model.load(loaded, {0, -1, 0});
-    return make(std::move(model), loaded, "P", -1.5, 5, 0.01);
+    return make(std::move(model), data, loaded, "P", -1.5, 5, 0.01);
 }
 
 /// 11: Williams' toggle.
@@ -294,12 +301,12 @@ inline BucklingCase williams_toggle(const CaseData& data) {
     Model model;
     const int a = model.add_node({-12.943, 0, 0}), apex = model.add_node({0, data.rise.value_or(.386), 0}),
               b = model.add_node({12.943, 0, 0});
-    planar_beam(model, section, a, apex, data, data.elements);
-    planar_beam(model, section, apex, b, data, data.elements);
+    planar_beam(model, section, a, apex, data, elements_of(data, 0.5));
+    planar_beam(model, section, apex, b, data, elements_of(data, 0.5));
     model.fix(a, planar);
     model.fix(b, planar);
     model.load(apex, {0, -1, 0});
-    BucklingCase y = make(std::move(model), apex, "P", -5, 80, 0.001);
+    BucklingCase y = make(std::move(model), data, apex, "P", -5, 80, 0.001);
     y.options.path.largest_step = 0.01;
     return y;
 }
@@ -316,7 +323,7 @@ inline BucklingCase von_mises_truss(const CaseData& data) {
     model.fix(a, planar_positions);
     model.fix(b, planar_positions);
     model.load(apex, {0, -ea, 0});
-    return make(std::move(model), apex, "P / EA", -1, 1, 0.01);
+    return make(std::move(model), data, apex, "P / EA", -1, 1, 0.01);
 }
 
 /// 13: the star dome of 24 bars.
@@ -342,7 +349,7 @@ inline BucklingCase star_dome(const CaseData& data) {
     const bool all = data.load != "apex";
     model.load(apex, {0, 0, all ? -0.5 * ea : -ea});
     for (int k = 1; all && k < 7; ++k) model.load(k, {0, 0, -ea});
-    BucklingCase y = make(std::move(model), apex, "P / EA", -1e-3, all ? 2e-3 : 1e-3, 0.001);
+    BucklingCase y = make(std::move(model), data, apex, "P / EA", -1e-3, all ? 2e-3 : 1e-3, 0.001);
     y.options.path.largest_step = 0.005;
     y.amplitude = 0.003;
     y.view = 1;
@@ -379,7 +386,7 @@ inline BucklingCase pressed_ring(const CaseData& data) {
             model.add(PlanarPressure<4>{1}, {node(0), node(1), node(2), node(3)});
         }
     }
-    BucklingCase y = make(std::move(model), nodes.front(), "q R^3 / EI", -0.5, 10, 0.05);
+    BucklingCase y = make(std::move(model), data, nodes.front(), "q R^3 / EI", -0.5, 10, 0.05);
     y.options.path.parameter_weight = 0.2;
     return y;
 }
@@ -391,12 +398,12 @@ inline BucklingCase twisted_rod(const CaseData& data) {
     const int a = model.add_node({0, 0, 0}), b = model.add_node({1, 0, 0});
     const double ei = data.ei2.value_or(1), ga = data.ga.value_or(rigid);
     const auto nodes = beam(model, {data.ea.value_or(rigid), ga, ga, data.gj.value_or(1), ei, data.ei3.value_or(ei)}, a,
-                            b, Vector3d::UnitY(), data);
+                            b, Vector3d::UnitY(), data, data.elements);
     model.fix(a, spatial);
     model.fix(b, {uy, uz});
     model.add(PrescribedRotation(Vector3d::UnitX()), {b});
     if (data.tension) model.load(b, {*data.tension, 0, 0}, {0, 0, 0}, LoadKind::constant);
-    BucklingCase y = make(std::move(model), nodes[nodes.size() / 2], "M L / EI2", -0.2, 20 / data.gj.value_or(1), 0.05);
+    BucklingCase y = make(std::move(model), data, nodes[nodes.size() / 2], "M L / EI2", -0.2, 20 / data.gj.value_or(1), 0.05);
     // the last element added is the drive: its moment about x
     const double k = y.structure.scale().multiplier;
     const int drive = y.structure.multipliers() - 3;
@@ -419,10 +426,10 @@ inline BucklingCase bend(const CaseData& data) {
                  return section_frame({r * std::sin(angle), r * (1 - std::cos(angle)), 0},
                                       {std::cos(angle), std::sin(angle), 0}, Vector3d::UnitZ());
              },
-             data);
+             data, data.elements);
     model.fix(nodes.front(), spatial);
     model.load(nodes.back(), {0, 0, 1});
-    BucklingCase y = make(std::move(model), nodes.back(), "P", -1, 620, 0.02);
+    BucklingCase y = make(std::move(model), data, nodes.back(), "P", -1, 620, 0.02);
     for (const double p : {300, 450, 600}) y.points.push_back(at_parameter(p));
     y.view = 1;
     return y;
@@ -445,7 +452,7 @@ inline BucklingCase rigid_link_chain(const CaseData& data) {
     }
     model.share_rotation(joint, before);
     model.load(joint, {0, -1, 0});
-    BucklingCase y = make(std::move(model), joint, "P l / c", -0.5, 4.5, 0.05);
+    BucklingCase y = make(std::move(model), data, joint, "P l / c", -0.5, 4.5, 0.05);
     y.options.path.parameter_weight = 1;
     return y;
 }
@@ -470,7 +477,7 @@ inline BucklingCase shallow_arch(const CaseData& data) {
     const int node = model.add_node({l, 0, 0});
     model.add(TwoModeArch{l}, {node});
     const double fold = l + (l > 1 ? 2 * std::pow(l * l - 1, 1.5) / (3 * std::sqrt(3.0)) : 0);
-    return make(std::move(model), node, "q", 2 * l - fold - 3, fold + 3, 0.02);
+    return make(std::move(model), data, node, "q", 2 * l - fold - 3, fold + 3, 0.02);
 }
 
 /// A case's number, name and maker, and which data it takes.

@@ -7,7 +7,8 @@
 ///
 /// in their minimally augmented form, sigma = 0 and mu = 0 of bordered.hpp, by block elimination with one factorisation
 /// a step. The first is regular at quadratic folds, the second at simple bifurcations, where its gamma is 0. Which of
-/// them is solved is decided by |phi^T dg/dp| / (|phi| |dg/dp|), which no scaling changes.
+/// them is solved is decided by |phi^T dg/dp| / (|phi| |dg/dp|), which no scaling changes; where that
+/// fails, by the length of their steps.
 ///
 /// With w, K w = -dg/dp, w_i = 0, the bifurcation equation a x^2 + 2 b x y + c y^2 = 0 has the tangents x phi + y w, y
 /// (of p); phi is the left null vector where K is not symmetric.
@@ -88,6 +89,14 @@ public:
     /// The critical point next to (q, p); nothing where neither system converges. border: with which the search for the
     /// weakest direction begins.
     std::optional<CriticalPoint<P>> solve(const Configuration<P>& q, double p, Border border = {}) {
+        auto point = solve(q, p, border, false);
+        // a fold whose load does little work looks like a bifurcation
+        return point ? point : solve(q, p, border, true);
+    }
+
+private:
+    /// limit_first: the limit point's system unless the bifurcation's leads to a point that is about as near.
+    std::optional<CriticalPoint<P>> solve(const Configuration<P>& q, double p, Border border, bool limit_first) {
         weights_ = weights(*problem_, q, problem_->residual(q, p).size());
         border_ = border;
         scale_p_ = 0;
@@ -98,11 +107,15 @@ public:
         int switches = 0;
         for (int k = 0; k < options_.most_iterations; ++k) {
             if (!evaluate(point.q, point.p)) return std::nullopt;
-            const double mu_rel = transversality();
+            Step step = bifurcation ? bifurcation_step() : limit_step();
             // a limit point's system is singular at a bifurcation, a bifurcation's finds imperfect ones as well
-            if (!bifurcation && switches < 2 && (mu_rel < options_.bifurcation_start || linear(point.history)))
-                bifurcation = true, ++switches;
-            const auto [d, gamma] = bifurcation ? bifurcation_step() : limit_step();
+            const bool is_linear = linear(point.history);
+            if (!bifurcation && switches < 2 && (transversality() < options_.bifurcation_start || is_linear)) {
+                const Step other = bifurcation_step();
+                if (!limit_first || is_linear || !(length(other.d) > 10 * length(step.d)))
+                    step = other, bifurcation = true, ++switches;
+            }
+            const auto& [d, gamma] = step;
             const double size = length(d);
             if (!std::isfinite(size)) return std::nullopt;
             const double before =
@@ -130,7 +143,6 @@ public:
         return std::nullopt;
     }
 
-private:
     double length(const Direction& d) const {
         return std::sqrt(d.q.dot(weights_.cwiseProduct(d.q))) + std::abs(d.p) / scale_p_;
     }

@@ -21,9 +21,9 @@ struct RedundantConstraints {
     std::vector<int> multipliers;  ///< of those that depend on earlier ones, from 0, rising
 };
 
-/// Which constraints' gradients depend on those before them; k: the structure's tangent. Multipliers with a flexibility of
-/// their own, as MixedBeam has where it is not rigid, are independent of all others. Where more than `most` constraints
-/// are left they are not looked at, and none is named: the time may grow with the cube of their number.
+/// Which constraints' gradients depend on those before them; k: the structure's tangent. Multipliers with a flexibility
+/// of their own, as MixedBeam has where it is not rigid, are independent of all others. Where more than `most`
+/// constraints are left they are not looked at, and none is named: the time may grow with the cube of their number.
 template <bool Conservative>
 RedundantConstraints redundant_constraints(const BasicStructure<Conservative>& structure,
                                            const Eigen::SparseMatrix<double>& k, int most = 2000) {

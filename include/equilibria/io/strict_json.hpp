@@ -145,15 +145,16 @@ public:
     void keys(std::string_view what, std::initializer_list<const char*> needed,
               std::initializer_list<const char*> optional = {}) const {
         for (const char* key : needed) at(key);
-        std::string allowed;
-        for (const auto& list : {needed, optional})
-            for (const char* key : list) allowed += (allowed.empty() ? "" : ", ") + std::string(key);
         for (const auto& member : value_->items()) {
             const auto is_its = [&](const char* key) { return member.key() == key; };
-            if (std::none_of(needed.begin(), needed.end(), is_its) &&
-                std::none_of(optional.begin(), optional.end(), is_its))
-                JsonPlace(member.value(), member_place(place_, member.key()))
-                    .refuse("is no key of " + std::string(what) + ", whose keys are " + allowed);
+            if (std::any_of(needed.begin(), needed.end(), is_its) ||
+                std::any_of(optional.begin(), optional.end(), is_its))
+                continue;
+            std::string allowed;
+            for (const auto& list : {needed, optional})
+                for (const char* key : list) allowed += (allowed.empty() ? "" : ", ") + std::string(key);
+            JsonPlace(member.value(), member_place(place_, member.key()))
+                .refuse("is no key of " + std::string(what) + ", whose keys are " + allowed);
         }
     }
 

@@ -13,11 +13,12 @@
 ///         {"type": "truss", "nodes": ["A", "B"], "ea": 1000, "strain": "green", "planar": false},
 ///         {"type": "rotation_spring", "nodes": ["A", "B"], "stiffness": 3, "planar": false},
 ///         {"type": "point_spring", "node": "A", "stiffness": [1, 1, 1]},
-///         {"type": "rigid_body", "nodes": ["A", "B", "C"]}],
+///         {"type": "rigid_body", "nodes": ["A", "B", "C"], "planar": false}],
 ///       "supports": [{"node": "A", "fix": ["ux", "uy", "uz", "rx", "ry", "rz"]}],           optional
 ///       "joints": [                                                                         optional
 ///         {"type": "revolute", "nodes": ["A", "B"], "axis": [0, 0, 1]},
 ///         {"type": "spherical", "nodes": ["A", "B"]},
+///         {"type": "hinge", "nodes": ["A", "B"]},
 ///         {"type": "prismatic", "nodes": ["A", "B"], "axis": [1, 0, 0]},
 ///         {"type": "prescribed_displacement", "node": "A", "direction": [1, 0, 0], "rate": 1},
 ///         {"type": "prescribed_rotation", "node": "A", "axis": [0, 0, 1], "rate": 1},
@@ -30,22 +31,23 @@
 ///     }
 ///
 /// nodes: in the order of the text they are numbered from 0; each must be one of an element's or a joint's.
-/// sections: of beams in space, or of planar ones, as the keys say; forces' stiffnesses may be "rigid".
-/// beam, arc: straight, or circular through a third point; 8 elements, of order "linear", "quadratic" (default) or
-///     "cubic", which have 2, 3 or 4 nodes. With a planar section all lies in the x-y plane. Else "second" is where
-///     axis 2 of the cross-section points to, as nearly as it can; by default z, or y for a straight beam within 0.001
-///     radians of z, and for an arc the normal of its plane, about which it turns to the left.
-/// truss: strain "green" (default) or "engineering". planar (default false): uses ux and uy alone; of a rotation
-/// spring,
-///     rz alone.
-/// supports: components as above, or "position", "rotation" and "all" of them; rotations of a node that a truss alone
-///     uses do not matter.
-/// joints: the nodes of a revolute or spherical one are at one place; directions may have any length, a prescribed
-///     displacement is rate p, a rate (default 1) of 0 holds. Joints, rigid bodies and follower loads are spatial: in a
-///     planar model uz, rx and ry of one of their nodes are fixed.
-/// loads: dead by default, of size p ("proportional", default) or "constant"; a follower load is of size p.
-/// parameter: p, called "p" unless it has a name; its steps are optional.
+/// sections: of beams in space, or of planar ones, as their keys say. Stiffnesses are positive, or "rigid" except one
+///     of gj, ei2 and ei3, and a planar section's ei.
+/// beam, arc: straight, or circular through a third point; 8 "elements" unless given, of order "linear", "quadratic"
+///     (default) or "cubic", with 2, 3 or 4 nodes each. With a planar section all lies in the plane z = 0. Else
+///     "second" is where axis 2 of the cross-section points to, as nearly as it can; by default z, or y for a straight
+///     beam within 0.001 radians of z, and for an arc the normal of its plane, about which it turns to the left.
+/// "planar" (default false): of a truss, for ux and uy alone; of a rotation spring, rz; of a rigid body, ux, uy and rz.
+/// truss: "strain" is "green" (default) or "engineering".
+/// supports: components as above, or "position", "rotation" and "all" of them.
+/// joints: the two nodes of a revolute or spherical one, or of a hinge, which is planar, are at one place. Vectors have
+///     any length but 0; a displacement or rotation is "rate" p (default 1; 0 holds the node).
+/// loads: dead ones of size p ("proportional", default) or "constant", or follower loads of size p.
+/// parameter: p, called "p" unless it has a name, from low to high; steps are optional.
 /// measure: the node that is looked at; by default the first one with a load, or else the last one.
+///
+/// What is not called planar is spatial: it uses uz, rx and ry too. Where planar elements meet it these components are
+/// fixed, at one of the nodes of a joint, at the node of a follower load.
 #pragma once
 
 #include <algorithm>
@@ -55,6 +57,7 @@
 #include <map>
 #include <numbers>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -82,14 +85,13 @@ namespace equilibria::fem {
 struct ParseLimits {
     std::size_t bytes = std::size_t{64} << 20;  ///< of the text
     std::size_t depth = 16;                     ///< of objects and lists in each other; the format has 4
-    int elements = 100'000;                     ///< of the model, with its joints; in a Structure each takes some 10 kB
-    int constraints =
-        2'000;  ///< of joints, rigid bodies and rigid beams: among more, redundant ones are not looked for
+    int elements = 100'000;                     ///< of the model, with joints; in a Structure each may take 70 kB
+    int constraints = 2000;                     ///< see redundant_constraints: more of them are not looked at
 
     void validate() const {
         require(bytes >= 1, "bytes", bytes, "must be at least 1");
         require(depth >= 4, "depth", depth, "must be at least 4, as deep as the format");
-        require(elements >= 1, "elements", elements, "must be at least 1");
+        require(elements >= 1 && elements <= 10'000'000, "elements", elements, "must be 1 to 10000000");
         require(constraints >= 0, "constraints", constraints, "must not be negative");
     }
 };
@@ -165,8 +167,10 @@ private:
     void read_nodes() {
         const JsonPlace nodes = root_.at("nodes");
         if (nodes.object().empty()) nodes.refuse("must not be empty");
-        for (const std::string& name : text_.order.at("nodes"))
-            y_.nodes[name] = y_.model.add_node(nodes.at(name).vector());
+        for (const std::string& name : text_.order.at("nodes")) {
+            const int k = y_.nodes[name] = y_.model.add_node(nodes.at(name).vector());
+            size_ = std::max(size_, at(k).norm());
+        }
         touched_.resize(y_.nodes.size());
         bodies_.resize(y_.nodes.size());
     }
@@ -198,10 +202,10 @@ private:
         if (!(length > 0)) entry.at("nodes").refuse("must not both be at " + point(at(nodes[0])));
         if (!std::isfinite(length)) entry.at("nodes").refuse("must be at a finite distance");
     }
-    void check_planar(const JsonPlace& entry, const std::array<int, 2>& nodes) const {
-        for (std::size_t k = 0; k < 2; ++k)
+    void check_planar(const JsonPlace& entry, std::span<const int> nodes) const {
+        for (std::size_t k = 0; k < nodes.size(); ++k)
             if (at(nodes[k])(2) != 0)
-                entry.at("nodes")[k].refuse("must be in the plane z = 0, as a planar element is, not at " +
+                entry.at("nodes")[k].refuse("must be in the plane z = 0, as all that is planar, not at " +
                                             point(at(nodes[k])));
     }
     /// So many more elements of the model.
@@ -212,8 +216,7 @@ private:
         elements_ += more;
     }
 
-    static double stiffness(const JsonPlace& value, bool may_be_rigid) {
-        if (!may_be_rigid) return value.positive();
+    static double stiffness(const JsonPlace& value) {
         if (value.json() == "rigid") return rigid;
         if (!value.json().is_number() || !(value.number() > 0)) value.refuse("must be a positive number or \"rigid\"");
         return value.number();
@@ -225,13 +228,14 @@ private:
             const JsonPlace s = sections->at(name);
             if (s.find("ga") || s.find("ei")) {
                 s.keys("a planar section", {"ea", "ga", "ei"});
-                planar_[name] = {stiffness(s.at("ea"), true), stiffness(s.at("ga"), true),
-                                 stiffness(s.at("ei"), false)};
+                planar_[name] = {stiffness(s.at("ea")), stiffness(s.at("ga")), s.at("ei").positive()};
             } else {
                 s.keys("a section", {"ea", "ga2", "ga3", "gj", "ei2", "ei3"});
-                spatial_[name] = {stiffness(s.at("ea"), true),   stiffness(s.at("ga2"), true),
-                                  stiffness(s.at("ga3"), true),  stiffness(s.at("gj"), false),
-                                  stiffness(s.at("ei2"), false), stiffness(s.at("ei3"), false)};
+                const Section section{stiffness(s.at("ea")), stiffness(s.at("ga2")), stiffness(s.at("ga3")),
+                                      stiffness(s.at("gj")), stiffness(s.at("ei2")), stiffness(s.at("ei3"))};
+                if (std::isinf(std::min({section.gj, section.ei2, section.ei3})))
+                    s.refuse("must not have gj, ei2 and ei3 all rigid");
+                spatial_[name] = section;
             }
         }
     }
@@ -369,7 +373,7 @@ private:
         y_.model.add(PointSpring{stiffness, at(k)}, {k});
     }
     void add_body(const JsonPlace& e) {
-        e.keys("a rigid body", {"type", "nodes"});
+        e.keys("a rigid body", {"type", "nodes"}, {"planar"});
         const JsonPlace names = e.at("nodes");
         if (names.size() < 2) names.refuse("must be at least 2 nodes");
         std::vector<int> nodes;
@@ -380,13 +384,19 @@ private:
             *taken = true;
         }
         count(e, nodes.size() - 1);
-        add_rigid_body(y_.model, nodes);
+        if (!planar_key(e)) return add_rigid_body(y_.model, nodes);
+        check_planar(e, nodes);
+        for (std::size_t k = 1; k < nodes.size(); ++k) {
+            y_.model.share_rotation(nodes[k], nodes[0]);
+            y_.model.add(RigidLink<2>{at(nodes[k]) - at(nodes[0])}, {nodes[0], nodes[k]});
+        }
     }
 
     void add_joint(const JsonPlace& j) {
-        enum { revolute, spherical, prismatic, displacement, rotation, drive };
-        const std::size_t type = j.at("type").choice(
-            {"revolute", "spherical", "prismatic", "prescribed_displacement", "prescribed_rotation", "rotation_drive"});
+        enum { revolute, spherical, hinge, prismatic, displacement, rotation, drive };
+        const std::size_t type =
+            j.at("type").choice({"revolute", "spherical", "hinge", "prismatic", "prescribed_displacement",
+                                 "prescribed_rotation", "rotation_drive"});
         count(j, 1);
         const auto number = [&](const char* key, double otherwise) {
             const auto given = j.find(key);
@@ -411,6 +421,11 @@ private:
             j.keys("a revolute joint", {"type", "nodes", "axis"});
             const auto ends = two_nodes(j);
             model.add(RevoluteJoint(j.at("axis").direction(), Eigen::Vector3d::Zero(), gap(j, ends)), ends);
+        } else if (type == hinge) {
+            j.keys("a hinge", {"type", "nodes"});
+            const auto ends = two_nodes(j);
+            check_planar(j, ends);
+            model.add(PlanarHinge{Eigen::Vector3d::Zero(), gap(j, ends)}, ends);
         } else {
             j.keys("a spherical joint", {"type", "nodes"});
             const auto ends = two_nodes(j);
@@ -420,7 +435,7 @@ private:
     /// From the second to the first node of a joint that holds them at one place: rounding alone.
     Eigen::Vector3d gap(const JsonPlace& j, const std::array<int, 2>& ends) const {
         const Eigen::Vector3d &a = at(ends[0]), &b = at(ends[1]);
-        if (!((a - b).norm() <= 1e-9 * std::max(a.norm(), b.norm())))
+        if (!((a - b).norm() <= 1e-9 * size_))
             j.at("nodes").refuse("must be at one place, but are at " + point(a) + " and " + point(b));
         return a - b;
     }
@@ -439,7 +454,7 @@ private:
         }
     }
 
-    /// Which components elements and joints use, as Structure has it.
+    /// Which components elements and joints use, or supports fix, as Structure has it.
     void find_used() {
         used_.resize(static_cast<std::size_t>(y_.model.nodes()));
         for (const auto& group : y_.model.groups())
@@ -449,12 +464,14 @@ private:
                         const Component component = group->components()[c];
                         used_[holder(group->nodes(e)[k], component)][component] = true;
                     }
+        for (int k = 0; k < y_.model.nodes(); ++k)
+            for (const Component c : spatial)
+                if (y_.model.fixed(k, c)) used_[holder(k, c)][c] = true;
     }
     /// Of a node's component: the node, or the one whose rotation it shares.
     std::size_t holder(int node, Component c) const {
         return static_cast<std::size_t>(c < rx ? node : y_.model.rotates_with(node));
     }
-    bool used_or_fixed(int node, Component c) const { return used_[holder(node, c)][c] || y_.model.fixed(node, c); }
 
     void add_load(const JsonPlace& l) {
         constexpr const char* names[] = {"ux", "uy", "uz", "rx", "ry", "rz"};
@@ -470,7 +487,7 @@ private:
         const Eigen::Vector3d zero = Eigen::Vector3d::Zero(), f = force ? force->vector() : zero,
                               m = moment ? moment->vector() : zero;
         for (const Component c : spatial) {
-            if (used_or_fixed(k, c)) continue;
+            if (used_[holder(k, c)][c]) continue;
             if (follows)
                 l.at("node").refuse(
                     std::string("must be a node whose components are all used by elements, or fixed: ") + names[c] +
@@ -533,10 +550,9 @@ private:
         const auto found = redundant_constraints(structure, k, limits_.constraints);
         if (!found.multipliers.empty())
             owner(found.multipliers.front())
-                .refuse("must not hold what is held already: over-constrained, " +
-                        std::to_string(found.multipliers.size()) + " of " + std::to_string(found.constraints) +
-                        " constraints depend on the others at the start (or this is a dead point); a joint that holds "
-                        "less or fewer supports may do, in the plane uz, rx and ry fixed at one of its nodes only");
+                .refuse("must not be over-constrained: at the start " + std::to_string(found.multipliers.size()) +
+                        " of the structure's " + std::to_string(found.constraints) +
+                        " constraints depend on the others, or it is a dead point; let a joint or a support hold less");
     }
     /// The entry of the text that a multiplier belongs to.
     const JsonPlace& owner(int multiplier) const {
@@ -560,6 +576,7 @@ private:
     StructureInput y_;
     std::map<std::string, PlanarSection> planar_;
     std::map<std::string, Section> spatial_;
+    double size_ = 0;  // the largest distance of a node from the origin
     std::size_t elements_ = 0;
     std::vector<bool> touched_;  // nodes of elements and joints
     std::vector<bool> bodies_;   // nodes of rigid bodies

@@ -92,11 +92,12 @@ double largest_entry(const Matrix& k) {
     return y;
 }
 
-/// The largest of |K_ij| u_j, u_j = 1 / sqrt(w_j) being what makes unknown j of size 1 by the weights.
+/// The largest of |K_ij| u_j over the first `own` unknowns j, u_j = 1 / sqrt(w_j) being what makes one of size 1 by the
+/// weights.
 template <class Matrix>
-double largest_force(const Matrix& k, const Eigen::VectorXd& weights) {
+double largest_force(const Matrix& k, const Eigen::VectorXd& weights, Eigen::Index own) {
     double y = 0;
-    for (Eigen::Index c = 0; c < k.outerSize(); ++c) {
+    for (Eigen::Index c = 0; c < own; ++c) {
         double column = 0;
         for (typename Matrix::InnerIterator entry(k, c); entry; ++entry) column = std::max(column, std::abs(entry.value()));
         y = std::max(y, column / std::sqrt(weights(c)));
@@ -318,10 +319,14 @@ std::optional<WeakDirection> factor_at_weakest(BorderedSolver<Matrix>& solver, c
     for (int round = 0; round < 4;) {
         if (!solver.factor(k, border)) {
             if (++singular > 4 || !std::isfinite(detail::largest_entry(k))) return std::nullopt;
-            if (singular == 1)
+            if (singular == 1) {
                 border = detail::border_for(k, weights, multipliers, symmetric);
-            else
+            } else if (singular == 2) {
+                // without freedom to move K is regular without a multiplier alone
+                border = detail::border_for(k, Eigen::VectorXd::Ones(k.rows()), 0, symmetric);
+            } else {
                 border.column = border.row = (border.column + 1 + (singular * size) / 5) % size;
+            }
             continue;
         }
         ++round;
@@ -356,7 +361,7 @@ std::optional<WeakDirection> factor_at_weakest(BorderedSolver<Matrix>& solver, c
             const Eigen::VectorXd unit = Eigen::VectorXd::Unit(k.rows(), better.column);
             better.row = largest(inverse(solver.solve_transposed(unit, 0), l), border.row);
         }
-        if (better == border) break;
+        if (better == border || singular >= 2) break;
         border = better;
     }
     if (solver.border() != border && !solver.factor(k, border)) return std::nullopt;

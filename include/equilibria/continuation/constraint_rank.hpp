@@ -44,7 +44,8 @@ Eigen::Index constraint_rank(const Matrix& k, Eigen::Index multipliers) {
         }
         Eigen::SparseMatrix<double> rows(own, count);
         rows.setFromTriplets(entries.begin(), entries.end());
-        const Eigen::SparseMatrix<double> gram = rows.transpose() * rows;
+        Eigen::SparseMatrix<double> gram = rows.transpose() * rows;
+        for (Eigen::Index r = 0; r < count; ++r) gram.coeffRef(r, r) += 1e-14;  // no pivot is 0 itself
         const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> ldlt(gram);
         return others + (ldlt.vectorD().array() > 1e-12).count();
     }

@@ -187,8 +187,10 @@ private:
         left_ = symmetric_tangent<P> ? r_ : solver_.solve_transposed(Eigen::VectorXd::Zero(g_.size()), 1);
         s_ = solver_.solve(-g_p_, 0);
         q0_ = solver_.solve(-g_, 0);
-        // a change of p that moves the unknowns by 1
-        const double slope = std::sqrt(s_.x.dot(weights_.cwiseProduct(s_.x)));
+        // a change of p that moves the unknowns by 1; multipliers count as the others do, lest nothing depends on p
+        const Eigen::Index own = g_.size() - multipliers(*problem_);
+        const double slope = std::sqrt(s_.x.head(own).dot(weights_.head(own).cwiseProduct(s_.x.head(own))) +
+                                       weights_.head(own).maxCoeff() * s_.x.tail(g_.size() - own).squaredNorm());
         if (scale_p_ == 0) scale_p_ = slope > 0 ? 1 / slope : 1.0;
         dr_ = tangent_derivative(*problem_, q, p, r_.x);
         gp_r_ = parameter_derivative_along(*problem_, q, p, r_.x);
@@ -207,6 +209,22 @@ private:
     Step combined(double z, double dp) const {
         return {{q0_.x + z * r_.x + dp * s_.x, dp}, q0_.tau + z * r_.tau + dp * s_.tau};
     }
+    /// psi^T g_qqq[v, v, v], by differences of dK along v where that is exact, else by second differences of K.
+    double third(const Eigen::VectorXd& v) const {
+        const auto at = [&](double by) { return retract(*problem_, *q_, Eigen::VectorXd(by * v)); };
+        if constexpr (requires { problem_->tangent_derivative(*q_, p_, v); }) {
+            const double h = detail::difference_step(*problem_, *q_, v);
+            const auto along = [&](double by) { return left_.x.dot(problem_->tangent_derivative(at(by), p_, v) * v); };
+            return (along(h) - along(-h)) / (2 * h);
+        } else {
+            // of fourth order in h = eps^(1/6)
+            const double h =
+                detail::difference_step(*problem_, *q_, v) / std::sqrt(detail::third_root_of_rounding);
+            const auto along = [&](double by) { return left_.x.dot(problem_->tangent(at(by), p_) * v); };
+            return (16 * (along(h) + along(-h)) - along(2 * h) - along(-2 * h) - 30 * along(0)) / (12 * h * h);
+        }
+    }
+
     /// psi^T g_qq[r, v].
     double second(const Eigen::VectorXd& v) const { return left_.x.dot(dr_ * v); }
     Step limit_step() const {
@@ -272,7 +290,7 @@ private:
         bifurcation_step();  // a, b, c here
         point.a = a_, point.b = b_, point.c = c_;
         // in units in which phi and (w, 1) have length 1; w may be 0
-        const double w = std::sqrt(s_.x.dot(weights_.cwiseProduct(s_.x)) + 1 / (scale_p_ * scale_p_));
+        const double w = std::numbers::sqrt2 / scale_p_;
         const double a = a_ / (phi * phi), b = b_ / (phi * w), c = c_ / (w * w);
         const double size = std::max({std::abs(a), std::abs(b), std::abs(c)});
         const double noise = 1e-5;
@@ -298,12 +316,7 @@ private:
         if (point.kind == CriticalKind::pitchfork) {
             // K z = -g_qq[phi, phi], z_i = 0; d = phi^T (g_qqq[phi, phi, phi] + 3 g_qq[phi, z])
             const Eigen::VectorXd z = solver_.solve(-(dr_ * r_.x), 0).x;
-            const double h =
-                std::pow(std::numeric_limits<double>::epsilon(), 0.25) / r_.x.template lpNorm<Eigen::Infinity>();
-            const auto along = [&](double by) -> Eigen::VectorXd {
-                return tangent_derivative(*problem_, retract(*problem_, *q_, by * r_.x), p_, r_.x) * r_.x;
-            };
-            const double cubic = left_.x.dot(along(h) - along(-h)) / (2 * h) + 3 * second(z);
+            const double cubic = third(r_.x) + 3 * second(z);
             point.curvature = -cubic / (3 * point.b);
         }
     }

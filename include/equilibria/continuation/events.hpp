@@ -38,7 +38,7 @@ public:
 
     StepEvents<P> between(const Point& a, const Point& b) {
         StepEvents<P> out;
-        resolution_ = std::min(stepper_->options().resolution, 1e-3 * std::abs(b.arc_length));
+        resolution_ = std::min(stepper_->options().resolution, 1e-4 * std::abs(b.arc_length));
         locate(a, b, 0, out);
         return out;
     }

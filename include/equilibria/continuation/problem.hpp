@@ -164,9 +164,10 @@ inline Eigen::VectorXd generic_vector(Eigen::Index size, Eigen::Index k = 0) {
     return v;
 }
 
-/// The step of a central difference along v: one that changes unknowns of size 1 by eps^(1/3).
-inline double difference_step(const Eigen::VectorXd& v) {
-    const double size = v.lpNorm<Eigen::Infinity>();
+/// The step of a central difference along v: one that moves by eps^(1/3), by the problem's weights.
+template <ContinuationProblem P>
+double difference_step(const P& problem, const Configuration<P>& q, const Eigen::VectorXd& v) {
+    const double size = std::sqrt(v.dot(weights(problem, q, v.size()).cwiseProduct(v)));
     return size > 0 ? third_root_of_rounding / size : 1.0;
 }
 
@@ -178,7 +179,7 @@ TangentMatrix<P> tangent_derivative(const P& problem, const Configuration<P>& q,
     if constexpr (requires { problem.tangent_derivative(q, p, v); }) {
         return problem.tangent_derivative(q, p, v);
     } else {
-        const double h = detail::difference_step(v);
+        const double h = detail::difference_step(problem, q, v);
         TangentMatrix<P> ahead = problem.tangent(retract(problem, q, h * v), p);
         const TangentMatrix<P> behind = problem.tangent(retract(problem, q, -h * v), p);
         ahead -= behind;
@@ -194,7 +195,7 @@ Eigen::VectorXd parameter_derivative_along(const P& problem, const Configuration
     if constexpr (requires { problem.parameter_derivative_along(q, p, v); }) {
         return problem.parameter_derivative_along(q, p, v);
     } else {
-        const double h = detail::difference_step(v);
+        const double h = detail::difference_step(problem, q, v);
         const Eigen::VectorXd ahead = problem.parameter_derivative(retract(problem, q, h * v), p);
         return (ahead - problem.parameter_derivative(retract(problem, q, -h * v), p)) / (2 * h);
     }
@@ -270,12 +271,25 @@ DerivativeErrors check_derivatives(const P& problem, const Configuration<P>& q, 
         const double difference = (a - b).norm();
         return difference == 0 ? 0.0 : difference / size;  // NaN stays NaN
     };
-    const double h = detail::difference_step(v);
+    const double h = detail::difference_step(problem, q, v);
     const Configuration<P> ahead = retract(problem, q, h * v), behind = retract(problem, q, -h * v);
     DerivativeErrors y;
     const Eigen::VectorXd kv = k * v;
     const double rounding = 1e-10 * (1 + g.norm()) / tolerance;
-    y.tangent = error(kv, (problem.residual(ahead, p) - problem.residual(behind, p)) / (2 * h), rounding);
+    if constexpr (requires { problem.transport(q, v, v); }) {
+        // g is by increments at the configuration that it is taken at: w . g belongs to transported w
+        Eigen::Vector3d exact, difference;
+        for (int n = 0; n < 3; ++n) {
+            const Eigen::VectorXd w = detail::generic_vector(g.size(), n + 1);
+            exact(n) = w.dot(kv);
+            difference(n) = (problem.residual(ahead, p).dot(problem.transport(q, Eigen::VectorXd(h * v), w)) -
+                             problem.residual(behind, p).dot(problem.transport(q, Eigen::VectorXd(-h * v), w))) /
+                            (2 * h);
+        }
+        y.tangent = error(exact, difference, std::max(rounding, 0.1 * kv.norm()));
+    } else {
+        y.tangent = error(kv, (problem.residual(ahead, p) - problem.residual(behind, p)) / (2 * h), rounding);
+    }
     if (symmetric_tangent<P>) y.symmetry = error(kv, k.transpose() * v, rounding);
     const double hp = detail::third_root_of_rounding * std::max(1e-3, std::abs(p));
     y.parameter_derivative =

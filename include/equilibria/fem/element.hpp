@@ -153,20 +153,61 @@ Frames<E, T> moved(const Frames<E, double>& at, const Eigen::VectorX<T>& u) {
     return y;
 }
 
-/// The element's scalar: its energy, or its constraints' share of the augmented Lagrangian; u: increments, multipliers.
-template <class E, class T>
-T scalar_of(const E& element, const Frames<E, double>& at, const Eigen::VectorX<T>& u, const T& p,
-            const ConstraintScale& scale) {
-    const Frames<E, T> frames = moved<E, T>(at, u);
-    if constexpr (WithConstraints<E>) {
-        const Eigen::Matrix<T, E::n_constraints, 1> phi = element.constraints(frames, p);
-        T y(0.0);
-        for (int k = 0; k < E::n_constraints; ++k)
-            y = y + (scale.multiplier * u(node_unknowns_of<E> + k) + 0.5 * scale.penalty * phi(k)) * phi(k);
-        return y;
-    } else {
-        return element.energy(frames, p);
-    }
+/// A number with derivatives along two directions.
+using Hyper = Dual<Dual<double, 1>, 1>;
+
+/// The frames with unknowns i and j as the two directions; number own is p.
+template <class E>
+std::pair<Frames<E, Hyper>, Hyper> along(const Frames<E, double>& at, double p, int i, int j) {
+    constexpr int own = node_unknowns_of<E>;
+    Eigen::VectorX<Hyper> u = Eigen::VectorX<Hyper>::Constant(own + 1, Hyper(0.0));
+    u(own) = Hyper(p);
+    u(i).derivative[0].value += 1;
+    u(j).value.derivative[0] += 1;
+    const Hyper parameter = u(own);
+    return {moved<E, Hyper>(at, u), parameter};
+}
+
+/// Of an energy: its gradient, its Hessian, or its gradient's derivative by p.
+template <class E>
+void evaluate_energy(const E& element, const Frames<E, double>& at, double p, Need need, ElementValues& out) {
+    constexpr int own = node_unknowns_of<E>;
+    for (int i = 0; i < own; ++i)
+        for (int j = need == Need::tangent ? i : own; j <= (need == Need::tangent ? own - 1 : own); ++j) {
+            const auto [frames, parameter] = along<E>(at, p, i, j);
+            const Hyper f = element.energy(frames, parameter);
+            if (need == Need::residual) out.residual(i) = f.derivative[0].value;
+            if (need == Need::parameter_derivative) out.parameter_derivative(i) = f.derivative[0].derivative[0];
+            if (need == Need::tangent) out.tangent(i, j) = out.tangent(j, i) = f.derivative[0].derivative[0];
+        }
+}
+
+/// Of constraints: the same of k lambda Phi + rho |Phi|^2 / 2, by nodes' unknowns and multipliers.
+template <class E>
+void evaluate_constraints(const E& element, const Frames<E, double>& at, const double* multipliers, double p,
+                          const ConstraintScale& scale, Need need, ElementValues& out) {
+    constexpr int own = node_unknowns_of<E>, m = E::n_constraints;
+    if (need == Need::tangent) out.tangent.template bottomRightCorner<m, m>().setZero();
+    for (int i = 0; i < own; ++i)
+        for (int j = need == Need::tangent ? i : own; j <= (need == Need::tangent ? own - 1 : own); ++j) {
+            const auto [frames, parameter] = along<E>(at, p, i, j);
+            const Eigen::Matrix<Hyper, m, 1> phi = element.constraints(frames, parameter);
+            double force = 0, second = 0;
+            for (int k = 0; k < m; ++k) {
+                const double value = phi(k).value.value, by_i = phi(k).derivative[0].value,
+                             by_j = phi(k).value.derivative[0], by_ij = phi(k).derivative[0].derivative[0];
+                const double total = scale.multiplier * multipliers[k] + scale.penalty * value;
+                force += total * by_i;
+                second += total * by_ij + scale.penalty * by_i * by_j;
+                if (need == Need::residual) out.residual(own + k) = scale.multiplier * value;
+                if (need == Need::parameter_derivative) out.parameter_derivative(own + k) = scale.multiplier * by_j;
+                if (need == Need::tangent)
+                    out.tangent(own + k, i) = out.tangent(i, own + k) = scale.multiplier * by_i;
+            }
+            if (need == Need::residual) out.residual(i) = force;
+            if (need == Need::parameter_derivative) out.parameter_derivative(i) = second;
+            if (need == Need::tangent) out.tangent(i, j) = out.tangent(j, i) = second;
+        }
 }
 
 /// The moments m of a residual are by the spin of their nodes, the unknowns increments Psi: their derivative has the part
@@ -190,7 +231,7 @@ void add_chart_term(const auto& residual, Eigen::MatrixXd& tangent) {
 template <Element E>
 void evaluate(const E& element, const Frames<E, double>& at, const double* multipliers, double p,
               const ConstraintScale& scale, Need need, ElementValues& out) {
-    constexpr int own = node_unknowns_of<E>, n = own + multipliers_of<E>;
+    [[maybe_unused]] constexpr int own = node_unknowns_of<E>;
     if constexpr (WithValues<E>) {
         element.evaluate(at, p, need, out);
     } else if constexpr (WithMultipliers<E>) {
@@ -200,42 +241,20 @@ void evaluate(const E& element, const Frames<E, double>& at, const double* multi
             out.residual = element.residual(at, p);
             return;
         }
-        using T = Dual<double, n + 1>;
-        Eigen::VectorX<T> u(n);
-        for (int k = 0; k < n; ++k) u(k) = T::variable(0.0, k);
-        const Eigen::VectorX<T> r = element.residual(moved<E, T>(at, u), T::variable(p, n));
-        if (need == Need::tangent) {
-            for (int i = 0; i < n; ++i)
-                for (int k = 0; k < n; ++k) out.tangent(i, k) = r(i).derivative[k];
-            add_chart_term<E>(r, out.tangent);
-        } else {
-            for (int i = 0; i < n; ++i) out.parameter_derivative(i) = r(i).derivative[n];
+        using T = Dual<double, 1>;
+        for (int k = need == Need::tangent ? 0 : own; k <= (need == Need::tangent ? own - 1 : own); ++k) {
+            Eigen::VectorX<T> u = Eigen::VectorX<T>::Constant(own + 1, T(0.0));
+            u(own) = T(p);
+            u(k).derivative[0] = 1;
+            const Eigen::VectorX<T> r = element.residual(moved<E, T>(at, u), T(u(own)));
+            for (int i = 0; i < own; ++i)
+                (need == Need::tangent ? out.tangent(i, k) : out.parameter_derivative(i)) = r(i).derivative[0];
+            if (need == Need::tangent && k == own - 1) add_chart_term<E>(r, out.tangent);
         }
+    } else if constexpr (WithConstraints<E>) {
+        evaluate_constraints(element, at, multipliers, p, scale, need, out);
     } else {
-        using Inner = Dual<double, n>;
-        if (need == Need::residual) {
-            Eigen::VectorX<Inner> u(n);
-            for (int k = 0; k < n; ++k) u(k) = Inner::variable(k < own ? 0.0 : multipliers[k - own], k);
-            const Inner f = scalar_of<E, Inner>(element, at, u, Inner(p), scale);
-            for (int k = 0; k < n; ++k) out.residual(k) = f.derivative[k];
-            return;
-        }
-        using T = Dual<Inner, 1>;
-        Eigen::VectorX<T> u(n);
-        for (int k = 0; k < n; ++k) u(k) = T(Inner::variable(k < own ? 0.0 : multipliers[k - own], k));
-        T parameter{Inner(p)};
-        if (need == Need::parameter_derivative) {
-            parameter.derivative[0] = Inner(1.0);
-            const T f = scalar_of<E, T>(element, at, u, parameter, scale);
-            for (int i = 0; i < n; ++i) out.parameter_derivative(i) = f.derivative[0].derivative[i];
-            return;
-        }
-        for (int k = 0; k < n; ++k) {
-            u(k).derivative[0] = Inner(1.0);
-            const T f = scalar_of<E, T>(element, at, u, parameter, scale);
-            u(k).derivative[0] = Inner(0.0);
-            for (int i = 0; i < n; ++i) out.tangent(i, k) = f.derivative[0].derivative[i];
-        }
+        evaluate_energy(element, at, p, need, out);
     }
 }
 

@@ -19,8 +19,8 @@ bool unequal_stiffness(const auto& section, double length) {
     constexpr int f = std::remove_cvref_t<decltype(section)>::n_forces;
     const auto stiffness = section.stiffness();
     const auto bending = stiffness.tail(stiffness.size() - f);
-    return std::max(stiffness.template head<f>().maxCoeff() * length * length, bending.maxCoeff()) >
-           100 * bending.minCoeff();
+    return std::max(stiffness.template head<f>().maxCoeff() * length * length, bending.maxCoeff()) / 100 >
+           bending.minCoeff();
 }
 
 namespace detail {

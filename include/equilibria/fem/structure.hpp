@@ -9,7 +9,7 @@
 /// limited, and K is symmetric and exact.
 ///
 /// Lengths of increments are root mean squares over the nodes: of displacements over `length`, and of rotations in
-/// radians.
+/// radians; multipliers hardly count.
 #pragma once
 
 #include <algorithm>
@@ -262,7 +262,9 @@ private:
         }
         require(options_.length > 0 && std::isfinite(options_.length), "length", options_.length,
                 "must be 0 (chosen) or positive and finite");
-        weights_ = Eigen::VectorXd::Constant(size_, 1.0 / model_->nodes());
+        // multipliers next to none: then the weakest directions are motions, as of the energy under the constraints
+        weights_ = Eigen::VectorXd::Constant(size_, 1e-8 / model_->nodes());
+        weights_.head(size_ - multipliers_) *= 1e8;
         for (int k = 0; k < model_->nodes(); ++k)
             for (const Component c : positions)
                 if (const int i = unknown(k, c); i >= 0) weights_(i) /= options_.length * options_.length;

@@ -83,7 +83,7 @@ namespace equilibria::fem {
 
 /// How much of a text is taken.
 struct ParseLimits {
-    std::size_t bytes = std::size_t{64} << 20;  ///< of the text
+    std::size_t bytes = std::size_t{64} << 20;  ///< of the text, which takes up to 25 times its size while it is read
     std::size_t depth = 16;                     ///< of objects and lists in each other; the format has 4
     int elements = 100'000;                     ///< of the model, with joints; in a Structure each may take 70 kB
     int constraints = 2000;                     ///< see redundant_constraints: more of them are not looked at

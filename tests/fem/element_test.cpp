@@ -159,7 +159,7 @@ TEST_CASE("K is the derivative of the residual and symmetric: trusses and spring
     check("planar truss", Truss<2>(3, 1.3, Strain::engineering), flat);
     check("rotation spring", RotationSpring{2}, x, 0.1, 2.5);
     check("planar rotation spring", PlanarRotationSpring{2}, flat, 0.1, 2.5);
-    check("point spring", PointSpring{{1, 2, 3}, {0, 1, 0}}, x);
+    check("point spring", PointSpring<3>{{1, 2, 3}, {0, 1, 0}}, x);
 }
 
 TEST_CASE("K is the derivative of the residual and symmetric: rigid bodies and joints") {
@@ -172,6 +172,7 @@ TEST_CASE("K is the derivative of the residual and symmetric: rigid bodies and j
     check("prismatic joint", PrismaticJoint({0, 1, 2}, {1, 0.5, 0.2}), x);
     check("prescribed displacement", PrescribedDisplacement{{0, 0.6, 0.8}, {0, 0, 0}, 2, 0.1}, x);
     check("prescribed rotation", PrescribedRotation({0, 1, 2}, 3), x);
+    check("planar rotation drive", PlanarRotationDrive(3, 0.2), flat);
     check("rotation drive", RotationDrive({0, 1, 2}, 3, 0.2), x);
 }
 

@@ -276,7 +276,7 @@ TEST_CASE("What a structure refuses, it names") {
     const int c = twice.add_node({0, 0, 0}), d = twice.add_node({1, 0, 0}), e = twice.add_node({1, 0, 0});
     add_straight_beam<2>(twice, {10, 10, 10, 1, 1, 1}, c, d, Vector3d::UnitY(), 2);
     twice.fix(c, spatial);
-    twice.add(PointSpring{{1, 1, 1}, {1, 0, 0}}, {e});
+    twice.add(PointSpring<3>{{1, 1, 1}, {1, 0, 0}}, {e});
     twice.add(RotationSpring{1}, {c, e});
     twice.add(SphericalJoint{}, {d, e});
     CHECK_NOTHROW([&] { Structure s(twice); check_derivatives(s, s.initial(), 0.0); }());

@@ -170,4 +170,21 @@ private:
     double rate_, offset_;
 };
 
+/// The same in the x-y plane, about z.
+class PlanarRotationDrive {
+public:
+    static constexpr int n_nodes = 2, n_constraints = 1;
+    static constexpr std::array components{rz};
+
+    explicit PlanarRotationDrive(double rate = 1, double offset = 0) : drive_(Eigen::Vector3d::UnitZ(), rate, offset) {}
+
+    template <class T>
+    Eigen::Matrix<T, 1, 1> constraints(const std::array<Frame<T>, 2>& at, const T& p) const {
+        return drive_.constraints(at, p);
+    }
+
+private:
+    RotationDrive drive_;
+};
+
 }  // namespace equilibria::fem

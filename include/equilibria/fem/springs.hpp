@@ -37,16 +37,22 @@ struct PlanarRotationSpring {
     }
 };
 
-/// Holds a node at a place by a spring along each fixed axis.
+/// Holds a node at a place by a spring along each fixed axis, in space (Dimension 3) or in the plane (2).
+template <int Dimension>
 struct PointSpring {
     static constexpr int n_nodes = 1;
-    static constexpr auto components = positions;
+    static constexpr auto components = [] {
+        if constexpr (Dimension == 3)
+            return positions;
+        else
+            return planar_positions;
+    }();
     Eigen::Vector3d stiffness, origin;
 
     template <class T>
     T energy(const std::array<Frame<T>, 1>& at, const T&) const {
         T y(0.0);
-        for (int c = 0; c < 3; ++c) {
+        for (int c = 0; c < Dimension; ++c) {
             const T d = at[0].x(c) - T(origin(c));
             y = y + 0.5 * stiffness(c) * d * d;
         }

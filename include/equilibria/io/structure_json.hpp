@@ -370,7 +370,7 @@ private:
         if (!(stiffness.minCoeff() >= 0 && stiffness.maxCoeff() > 0))
             e.at("stiffness").refuse("must not be negative, nor 0 all over");
         count(e, 1);
-        y_.model.add(PointSpring{stiffness, at(k)}, {k});
+        y_.model.add(PointSpring<3>{stiffness, at(k)}, {k});
     }
     void add_body(const JsonPlace& e) {
         e.keys("a rigid body", {"type", "nodes"}, {"planar"});

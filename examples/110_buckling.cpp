@@ -4,6 +4,7 @@
 //   buckling --case right_angle_frame --elements 32 --json frame.json --svg frame.svg
 //   buckling --model frame.json --vtk shapes/frame
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <equilibria/io/structure_json.hpp>
 #include <equilibria/io/structure_output.hpp>
@@ -31,7 +32,8 @@ struct Shape {
 
 /// What the run leaves besides the branches.
 struct Run {
-    int elements = 0, dofs = 0, view = 0;
+    int elements = 0, dofs = 0;
+    int view = 0;  ///< 0: of the x-y plane, 1: in space
     double seconds = 0;
     std::vector<Shape> shapes;
 };
@@ -67,19 +69,15 @@ std::string csv(const support::Tracing<P>& t) {
     return out.str();
 }
 
-/// A place as it is drawn: from the z axis, or from the side and above.
-std::pair<double, double> drawn(const Vector3d& x, int view) {
-    if (view == 0) return {x(0), x(1)};
-    return {x(0) + 0.45 * x(2), x(1) + 0.35 * x(2)};
-}
-std::string lines_of(const Model& model, const StructureState& state, int view) {
+/// The elements as rows "x z y": figures in space have the y axis upright.
+std::string lines_of(const Model& model, const StructureState& state) {
     std::ostringstream out;
     for (const auto& line : equilibria::fem::element_lines(model)) {
         for (const int node : line) {
-            const auto [x, y] = drawn(state.frames[static_cast<std::size_t>(node)].x, view);
-            out << x << ' ' << y << '\n';
+            const Vector3d& x = state.frames[static_cast<std::size_t>(node)].x;
+            out << x(0) << ' ' << x(2) << ' ' << x(1) << '\n';
         }
-        out << '\n';
+        out << "\n\n";
     }
     return out.str();
 }
@@ -98,9 +96,10 @@ std::string script(const support::Tracing<P>& t, const P& structure, const Run& 
         if (high - low > widest) widest = high - low, most = c;
     }
     std::ostringstream out;
-    out << branch_blocks(t, most) << equilibria::gnuplot_block("initial", lines_of(structure.model(), structure.initial(), run.view));
+    out << branch_blocks(t, most) << equilibria::gnuplot_block("initial", lines_of(structure.model(), structure.initial()));
     // up to six shapes of the main branch and of the first that leaves it, equally spaced
     std::ostringstream plots;
+    const char* columns = run.view == 0 ? " using 1:3" : "";
     for (std::size_t b = 0; b < std::min<std::size_t>(2, t.branches.size()); ++b) {
         std::vector<const Shape*> own;
         for (const Shape& shape : run.shapes)
@@ -109,19 +108,28 @@ std::string script(const support::Tracing<P>& t, const P& structure, const Run& 
         const std::size_t count = std::min<std::size_t>(b == 0 && t.branches.size() > 1 ? 2 : 6, own.size() - 1);
         for (std::size_t k = 1; k <= count; ++k) {
             const std::string name = "shape" + std::to_string(b) + "x" + std::to_string(k);
-            out << equilibria::gnuplot_block(name, lines_of(structure.model(), own[k * (own.size() - 1) / count]->state, run.view));
-            plots << ", $" << name << " with lines lw 1.6 lc rgb '" << (b == 0 ? "#009e73" : "#e69f00") << "' "
+            out << equilibria::gnuplot_block(name, lines_of(structure.model(), own[k * (own.size() - 1) / count]->state));
+            plots << ", $" << name << columns << " with lines lw 1.6 lc rgb '" << (b == 0 ? "#009e73" : "#e69f00") << "' "
                   << (k == 1 ? (b == 0 ? "title 'main branch'" : "title 'side branch'") : "notitle");
         }
     }
+    // about three tics on the longest axis: 1, 2 or 5 times a power of 10
+    const double third = structure.length() / 3, power = std::pow(10, std::floor(std::log10(third)));
+    const double tic = power * (third < 2 * power ? 1 : third < 5 * power ? 2 : 5);
     out << "set multiplot title '" << support::title(t.name) << "'\nset tics out nomirror\nset border 31 lw 0.8\n"
-        << "set bmargin at screen 0.2\nset tmargin at screen 0.9\n"
-        << "set key at screen 0.5,0.02 center bottom horizontal maxrows 1 samplen 2\n"
-        << "set lmargin at screen 0.09\nset rmargin at screen 0.47\nset format x '%g'\nset xtics autofreq\n"
+        << "set bmargin at screen 0.22\nset tmargin at screen 0.9\nset lmargin at screen 0.09\nset rmargin at screen 0.47\n"
+        << "set key at screen 0.28,0.01 center bottom horizontal maxrows 2 samplen 2\n"
         << "set xlabel '{/:Italic " << t.measures[most] << "} of the watched node'\nset ylabel '" << t.parameter << "'\n"
-        << support::branch_plot() << "set key at screen 0.75,0.1 center top\nset lmargin at screen 0.56\nset rmargin at screen 0.97\n"
-        << "unset ylabel\nset xlabel ' '\nset size ratio -1\nset offsets graph 0.05, graph 0.05, graph 0.05, graph 0.05\n"
-        << "plot $initial with lines lw 2.4 lc rgb '#888888' title 'without load'" << plots.str() << "\nunset multiplot\n";
+        << support::branch_plot() << "set key at screen 0.77,0.03 center bottom horizontal maxrows 1\n"
+        << "set lmargin at screen 0.56\nset rmargin at screen 0.97\nunset ylabel\nunset xlabel\n";
+    if (run.view == 0)
+        out << "set size ratio -1\nset offsets graph 0.05, graph 0.05, graph 0.05, graph 0.05\nplot";
+    else
+        out << "set view 75,335\nset view equal xyz\nset xyplane relative 0\nset xlabel '{/:Italic x}'\n"
+            << "set ylabel '{/:Italic z}'\nset zlabel '{/:Italic y}'\nset xtics " << tic << " offset 0,-0.3\nset ytics "
+            << tic << "\nset ztics " << tic << "\nsplot";
+    out << " $initial" << columns << " with lines lw 2.4 lc rgb '#888888' title 'without load'" << plots.str()
+        << "\nunset multiplot\n";
     return out.str();
 }
 

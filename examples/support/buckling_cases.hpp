@@ -52,7 +52,7 @@ struct BucklingCase {
     equilibria::ContinuationOptions options;
     bool both_ways = false;  ///< to negative parameters as well
     double amplitude = 0.02;
-    int view = 0;  ///< figures: 0 from the z axis, 1 in space
+    int view = 0;  ///< of figures: 0 of the x-y plane, 1 in space
 };
 
 /// The tip's rotation in the plane, radians.

@@ -1,0 +1,102 @@
+// A shallow gridshell of beams under its nodes' loads, from rest through its first critical point. Arguments: bays along
+// an edge, 1e5 degrees of freedom with 129, and threads. Counters: unknowns, entries of the factor, shares of a step's
+// time, and the peak of the process's memory in GiB.
+#include <benchmark/benchmark.h>
+#include <sys/resource.h>
+
+#include <chrono>
+#include <equilibria/continuation/branch.hpp>
+#include <equilibria/continuation/sparse_ldlt.hpp>
+#include <equilibria/fem/mesh.hpp>
+#include <equilibria/fem/structure.hpp>
+
+using namespace equilibria;
+using namespace equilibria::fem;
+
+namespace {
+
+/// Square bays of edge 1 with one diagonal each, on a paraboloid whose rise is an eighth of the span; hinged along its
+/// boundary.
+Structure gridshell(int bays, unsigned threads) {
+    Model model;
+    const auto height = [&](int i, int j) {
+        const double x = 2.0 * i / bays - 1, y = 2.0 * j / bays - 1;
+        return bays / 8.0 * (1 - x * x) * (1 - y * y);
+    };
+    for (int j = 0; j <= bays; ++j)
+        for (int i = 0; i <= bays; ++i) {
+            const int node = model.add_node({double(i), double(j), height(i, j)});
+            if (i == 0 || j == 0 || i == bays || j == bays)
+                model.fix(node, positions);
+            else
+                model.load(node, {0, 0, -1});
+        }
+    const auto node = [&](int i, int j) { return j * (bays + 1) + i; };
+    const Section section{1000, 400, 400, 8, 10, 10};
+    const auto beam = [&](int a, int b) {
+        const Eigen::Vector3d axis = model.at(b) - model.at(a);
+        model.add(Beam<2>(section, {section_frame(model.at(a), axis, Eigen::Vector3d::UnitZ()),
+                                    section_frame(model.at(b), axis, Eigen::Vector3d::UnitZ())}),
+                  {a, b});
+    };
+    for (int j = 0; j <= bays; ++j)
+        for (int i = 0; i <= bays; ++i) {
+            if (i < bays) beam(node(i, j), node(i + 1, j));
+            if (j < bays) beam(node(i, j), node(i, j + 1));
+            if (i < bays && j < bays) beam(node(i, j), node(i + 1, j + 1));
+        }
+    return Structure(std::move(model), {.threads = threads});
+}
+
+double seconds(const auto& work) {
+    const auto begin = std::chrono::steady_clock::now();
+    work();
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
+
+void first_critical_point(benchmark::State& state) {
+    const Structure shell = gridshell(static_cast<int>(state.range(0)), static_cast<unsigned>(state.range(1)));
+    PathOptions options;
+    options.first_step = 0.002;
+    options.largest_step = 0.02;
+    std::size_t points = 0;
+    double critical = 0, total = 0;
+    int kind = -1;
+    for (auto _ : state) {
+        PathStepper<Structure> stepper(shell, options);
+        EventFinder<Structure> finder(stepper);
+        auto at = stepper.start(shell.initial(), 0, 1);
+        if (!at) return state.SkipWithError("no start");
+        for (points = 0; kind < 0 && points < 200; ++points) {
+            std::optional<BranchPoint<Structure>> next;
+            total += seconds([&] { next = stepper.advance(*at); });
+            if (!next) return state.SkipWithError("the branch was lost");
+            const auto events = finder.between(*at, *next);
+            if (!events.points.empty()) {
+                kind = static_cast<int>(events.points[0].kind);
+                critical = events.points[0].p;
+            }
+            at = std::move(next);
+        }
+    }
+    const auto q = shell.initial();
+    Eigen::SparseMatrix<double> k;
+    SparseLDLT ldlt;
+    ldlt.factor(shell.tangent(q, 0));
+    const double assembly = seconds([&] { k = shell.tangent(q, 0); }), factorization = seconds([&] { ldlt.factor(k); });
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    state.counters["unknowns"] = shell.size();
+    state.counters["factor_entries"] = static_cast<double>(ldlt.fill());
+    state.counters["steps"] = static_cast<double>(points);
+    state.counters["seconds_a_step"] = total / static_cast<double>(points);
+    state.counters["assembly_s"] = assembly;
+    state.counters["factorization_s"] = factorization;
+    state.counters["critical_load"] = critical;
+    state.counters["kind"] = kind;  // of CriticalKind
+    state.counters["peak_GiB"] = static_cast<double>(usage.ru_maxrss) / (1 << 20);
+}
+
+}  // namespace
+
+BENCHMARK(first_critical_point)->Args({16, 1})->Args({64, 1})->Args({129, 1})->Args({129, 2})->Unit(benchmark::kSecond)->Iterations(1);

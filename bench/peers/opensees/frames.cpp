@@ -28,6 +28,7 @@
 #include <SP_Constraint.h>
 #include <StandardStream.h>
 #include <StaticAnalysis.h>
+#include <elementAPI.h>
 
 #include <array>
 #include <chrono>
@@ -39,6 +40,12 @@
 
 StandardStream sserr;
 OPS_Stream* opserrPtr = &sserr;
+
+// what the interpreters provide and elementAPI_Dummy.cpp lacks; not called here
+extern "C" int OPS_GetDoubleListInput(int*, Vector*) { return -1; }
+extern "C" int OPS_SetDoubleDictListOutput(std::map<const char*, std::vector<double>>&) { return -1; }
+extern "C" const char* OPS_GetStringFromAll(char*, int) { return nullptr; }
+extern "C" AnalysisModel** OPS_GetAnalysisModel(void) { return nullptr; }
 
 int main(int argc, char** argv) {
     if (argc != 5) return 2;

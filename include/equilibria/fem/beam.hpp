@@ -33,12 +33,7 @@ template <class Geometry, class S>
 class BeamElement {
 public:
     static constexpr int n_nodes = Geometry::gauss_points + 1;
-    static constexpr auto components = [] {
-        if constexpr (Geometry::n_strains == 6)
-            return spatial;
-        else
-            return planar;
-    }();
+    static constexpr auto components = motion_components<Geometry::n_strains == 6 ? 3 : 2>();
     static constexpr int gauss_points = Geometry::gauss_points;
     using Frames = typename Geometry::Frames;
     using Strains = typename Geometry::Strains;
@@ -58,7 +53,7 @@ public:
     Strains stress(const Frames& at, int g) const { return stiffness_.cwiseProduct(strain(at, g)); }
     double energy(const Frames& at) const {
         double y = 0;
-        for (int g = 0; g < gauss_points; ++g) y += 0.5 * geometry_.weight(g) * strain(at, g).dot(stress(at, g));
+        for (int g = 0; g < gauss_points; ++g) y += 0.5 * geometry_.line().weight(g) * strain(at, g).dot(stress(at, g));
         return y;
     }
 
@@ -110,7 +105,7 @@ public:
         const Strains stiffness = section.stiffness();
         flexibility_ = stiffness.cwiseInverse();
         // as stiff as the softest bending over the element, and half of the stiffness at most: then n keeps its part
-        const double length = geometry_.length(), softest = stiffness.template tail<n - S::n_forces>().minCoeff();
+        const double length = geometry_.line().length(), softest = stiffness.template tail<n - S::n_forces>().minCoeff();
         for (int c = 0; c < n; ++c)
             penalty_(c) = std::min(c < S::n_forces ? softest / (length * length) : softest, 0.5 * stiffness(c));
     }

@@ -82,15 +82,13 @@ public:
 
     /// at: the nodes from one end to the other, equally spaced along the beam. Throws InvalidArgument for nodes at one
     /// place.
-    explicit BeamGeometry(const std::array<SectionFrame, count>& at) {
+    explicit BeamGeometry(const std::array<SectionFrame, count>& at) : line_(initial_places(at)) {
         Frames initial;
-        std::array<Eigen::Vector3d, count> x;
         for (std::size_t k = 0; k < count; ++k) {
             section_[k] = at[k].orientation.normalized();
             if (k > 0 && section_[k].dot(section_[0]) < 0) section_[k].coeffs() *= -1;
-            initial[k].x = x[k] = at[k].x;
+            initial[k].x = at[k].x;
         }
-        jacobian_ = jacobians<Nodes>(x);
         for (int g = 0; g < gauss_points; ++g) {
             Point y;
             interpolate(initial, g, y);
@@ -104,19 +102,13 @@ public:
         interpolate(at, g, y);
         return y.total - initial_strain_[place(g)];
     }
-    /// The element's length without load.
-    double length() const {
-        double y = 0;
-        for (int g = 0; g < gauss_points; ++g) y += weight(g);
-        return y;
-    }
-    double weight(int g) const { return gauss_rule<gauss_points>().weight[place(g)] * jacobian_[place(g)]; }
+    const GaussLine<Nodes>& line() const { return line_; }
 
     Point point(const Frames& at, int g) const {
         Point y;
         interpolate(at, g, y);
         y.strain = y.total - initial_strain_[place(g)];
-        y.weight = weight(g);
+        y.weight = line_.weight(g);
         // a node's quaternion p exp(dPsi) in its frame's axes: dp = turn dPsi - |dPsi|^2 p / 8
         for (std::size_t k = 0; k < count; ++k)
             for (int c = 0; c < 3; ++c)
@@ -177,10 +169,10 @@ private:
 
     /// Q, Q', x' and the strains with their initial values.
     void interpolate(const Frames& at, int g, Point& y) const {
-        const ShapeFunctions<Nodes> shape(gauss_rule<gauss_points>().point[place(g)]);
+        const ShapeFunctions<Nodes> shape = line_.shape(g);
         for (std::size_t k = 0; k < count; ++k) {
             y.n[k] = shape.value[k];
-            y.d[k] = shape.slope[k] / jacobian_[place(g)];
+            y.d[k] = shape.slope[k] / line_.jacobian(g);
             y.p[k] = (at[k].q * section_[k]).coeffs();
             y.q += y.n[k] * y.p[k];
             y.dq += y.d[k] * y.p[k];
@@ -192,7 +184,7 @@ private:
     }
 
     std::array<Eigen::Quaterniond, count> section_;  // of each node's cross-section
-    std::array<double, count - 1> jacobian_;
+    GaussLine<Nodes> line_;
     std::array<Strains, count - 1> initial_strain_;
 };
 

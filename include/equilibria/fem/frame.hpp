@@ -17,6 +17,24 @@ inline constexpr std::array positions{ux, uy, uz};
 inline constexpr std::array planar{ux, uy, rz};
 inline constexpr std::array planar_positions{ux, uy};
 
+/// The same by the dimension, 3 or 2.
+template <int Dimension>
+constexpr auto motion_components() {
+    static_assert(Dimension == 2 || Dimension == 3);
+    if constexpr (Dimension == 3)
+        return spatial;
+    else
+        return planar;
+}
+template <int Dimension>
+constexpr auto position_components() {
+    static_assert(Dimension == 2 || Dimension == 3);
+    if constexpr (Dimension == 3)
+        return positions;
+    else
+        return planar_positions;
+}
+
 /// A node: its position, and the rotation from its initial orientation, which is that of the fixed axes.
 template <class T>
 struct Frame {

@@ -61,21 +61,49 @@ const GaussRule<Points>& gauss_rule() {
     return rule;
 }
 
-/// |dx/dxi| at the Gauss points of a line of equally spaced nodes. Throws InvalidArgument where it has no length.
+/// A line of equally spaced nodes with its Gauss points, one less than nodes.
 template <int Nodes>
-std::array<double, static_cast<std::size_t>(Nodes - 1)> jacobians(
-    const std::array<Eigen::Vector3d, static_cast<std::size_t>(Nodes)>& x) {
-    std::array<double, static_cast<std::size_t>(Nodes - 1)> y{};
-    double size = 0;
-    for (const Eigen::Vector3d& at : x) size = std::max(size, (at - x[0]).norm());
-    for (std::size_t g = 0; g < y.size(); ++g) {
-        const ShapeFunctions<Nodes> n(gauss_rule<Nodes - 1>().point[g]);
-        Eigen::Vector3d speed = Eigen::Vector3d::Zero();
-        for (std::size_t k = 0; k < x.size(); ++k) speed += n.slope[k] * x[k];
-        y[g] = speed.norm();
-        require(y[g] > 1e-9 * size && std::isfinite(y[g]), "length of an element", y[g], "must be positive and finite");
+class GaussLine {
+public:
+    static constexpr int points = Nodes - 1;
+
+    /// Throws InvalidArgument where the line through the nodes x has no length at a Gauss point.
+    explicit GaussLine(const std::array<Eigen::Vector3d, static_cast<std::size_t>(Nodes)>& x) {
+        double size = 0;
+        for (const Eigen::Vector3d& at : x) size = std::max(size, (at - x[0]).norm());
+        for (int g = 0; g < points; ++g) {
+            const ShapeFunctions<Nodes> n = shape(g);
+            Eigen::Vector3d speed = Eigen::Vector3d::Zero();
+            for (std::size_t k = 0; k < x.size(); ++k) speed += n.slope[k] * x[k];
+            const double jacobian = speed.norm();
+            require(jacobian > 1e-9 * size && std::isfinite(jacobian), "length of an element", jacobian,
+                    "must be positive and finite");
+            jacobian_[static_cast<std::size_t>(g)] = jacobian;
+        }
     }
-    return y;
+    ShapeFunctions<Nodes> shape(int g) const {
+        return ShapeFunctions<Nodes>(gauss_rule<points>().point[static_cast<std::size_t>(g)]);
+    }
+    /// |dx/dxi| without load at Gauss point g.
+    double jacobian(int g) const { return jacobian_[static_cast<std::size_t>(g)]; }
+    /// The share of the length that Gauss point g stands for.
+    double weight(int g) const { return gauss_rule<points>().weight[static_cast<std::size_t>(g)] * jacobian(g); }
+    double length() const {
+        double y = 0;
+        for (int g = 0; g < points; ++g) y += weight(g);
+        return y;
+    }
+
+private:
+    std::array<double, static_cast<std::size_t>(points)> jacobian_{};
+};
+
+/// The places of a line's initial frames.
+template <class InitialFrame, std::size_t Nodes>
+std::array<Eigen::Vector3d, Nodes> initial_places(const std::array<InitialFrame, Nodes>& at) {
+    std::array<Eigen::Vector3d, Nodes> x;
+    for (std::size_t k = 0; k < Nodes; ++k) x[k] = at[k].x;
+    return x;
 }
 
 }  // namespace equilibria::fem

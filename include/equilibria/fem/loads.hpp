@@ -30,12 +30,7 @@ struct FollowerLoad {
 template <int Dimension>
 struct CentralLoad {
     static constexpr int n_nodes = 1;
-    static constexpr auto components = [] {
-        if constexpr (Dimension == 3)
-            return positions;
-        else
-            return planar_positions;
-    }();
+    static constexpr auto components = position_components<Dimension>();
     double force;
     Eigen::Vector3d center;
 

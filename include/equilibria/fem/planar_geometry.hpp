@@ -53,15 +53,13 @@ public:
 
     /// at: the nodes from one end to the other, equally spaced along the beam; angles of neighbours within pi of each
     /// other. Throws InvalidArgument for nodes at one place.
-    explicit PlanarGeometry(const std::array<PlanarSectionFrame, count>& at) {
+    explicit PlanarGeometry(const std::array<PlanarSectionFrame, count>& at) : line_(initial_places(at)) {
         Frames initial;
-        std::array<Eigen::Vector3d, count> x;
         for (std::size_t k = 0; k < count; ++k) {
             require(std::isfinite(at[k].angle), "angle", at[k].angle, "must be finite");
             angle_[k] = at[k].angle;
-            initial[k].x = x[k] = at[k].x;
+            initial[k].x = at[k].x;
         }
-        jacobian_ = jacobians<Nodes>(x);
         for (int g = 0; g < gauss_points; ++g) {
             Point y;
             interpolate(initial, g, y);
@@ -75,19 +73,13 @@ public:
         interpolate(at, g, y);
         return y.total - initial_strain_[place(g)];
     }
-    /// The element's length without load.
-    double length() const {
-        double y = 0;
-        for (int g = 0; g < gauss_points; ++g) y += weight(g);
-        return y;
-    }
-    double weight(int g) const { return gauss_rule<gauss_points>().weight[place(g)] * jacobian_[place(g)]; }
+    const GaussLine<Nodes>& line() const { return line_; }
 
     Point point(const Frames& at, int g) const {
         Point y;
         interpolate(at, g, y);
         y.strain = y.total - initial_strain_[place(g)];
-        y.weight = weight(g);
+        y.weight = line_.weight(g);
         // Gamma = A^T x': by theta it changes as -J Gamma, J = [0 -1; 1 0]
         const Eigen::Vector2d slope(y.total(1), -y.total(0));
         for (std::size_t k = 0; k < count; ++k) {
@@ -113,12 +105,12 @@ public:
 
 private:
     void interpolate(const Frames& at, int g, Point& y) const {
-        const ShapeFunctions<Nodes> shape(gauss_rule<gauss_points>().point[place(g)]);
+        const ShapeFunctions<Nodes> shape = line_.shape(g);
         Eigen::Vector2d dx = Eigen::Vector2d::Zero();
         double theta = 2 * std::atan2(at[0].q.z(), at[0].q.w()), kappa = 0;
         for (std::size_t k = 0; k < count; ++k) {
             y.n[k] = shape.value[k];
-            y.d[k] = shape.slope[k] / jacobian_[place(g)];
+            y.d[k] = shape.slope[k] / line_.jacobian(g);
             const Eigen::Quaterniond turned = at[0].q.conjugate() * at[k].q;
             const double angle = angle_[k] + 2 * std::atan2(turned.z(), turned.w());
             theta += y.n[k] * angle;
@@ -130,7 +122,7 @@ private:
     }
 
     std::array<double, count> angle_;  // of each node's cross-section
-    std::array<double, count - 1> jacobian_;
+    GaussLine<Nodes> line_;
     std::array<Strains, count - 1> initial_strain_;
 };
 

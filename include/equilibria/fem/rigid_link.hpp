@@ -16,12 +16,7 @@ namespace equilibria::fem {
 template <int Dimension>
 struct RigidLink {
     static constexpr int n_nodes = 2, n_constraints = Dimension;
-    static constexpr auto components = [] {
-        if constexpr (Dimension == 3)
-            return spatial;
-        else
-            return planar;
-    }();
+    static constexpr auto components = motion_components<Dimension>();
     Eigen::Vector3d offset;  ///< X, from A to B without load
 
     template <class T>

@@ -41,12 +41,7 @@ struct PlanarRotationSpring {
 template <int Dimension>
 struct PointSpring {
     static constexpr int n_nodes = 1;
-    static constexpr auto components = [] {
-        if constexpr (Dimension == 3)
-            return positions;
-        else
-            return planar_positions;
-    }();
+    static constexpr auto components = position_components<Dimension>();
     Eigen::Vector3d stiffness, origin;
 
     template <class T>

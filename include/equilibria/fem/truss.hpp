@@ -17,16 +17,9 @@ enum class Strain { green, engineering };
 /// A bar with energy EA L strain^2 / 2, in space (Dimension 3) or in the plane (2).
 template <int Dimension>
 class Truss {
-    static_assert(Dimension == 2 || Dimension == 3);
-
 public:
     static constexpr int n_nodes = 2;
-    static constexpr auto components = [] {
-        if constexpr (Dimension == 3)
-            return positions;
-        else
-            return planar_positions;
-    }();
+    static constexpr auto components = position_components<Dimension>();
 
     /// ea: axial stiffness; a and b: its ends, where it has no force.
     Truss(double ea, const Eigen::Vector3d& a, const Eigen::Vector3d& b, Strain strain = Strain::green)

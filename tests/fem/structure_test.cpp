@@ -271,6 +271,14 @@ TEST_CASE("What a structure refuses, it names") {
     model.share_rotation(b, a);
     CHECK_THROWS_WITH(model.share_rotation(a, b), Catch::Contains("with"));
 
+    // held about one axis of three: increments without it are no constraint on the rotation
+    Model half;
+    const int f = half.add_node({0, 0, 0}), g = half.add_node({1, 0, 0});
+    add_straight_beam<2>(half, {10, 10, 10, 1, 1, 1}, f, g, Vector3d::UnitY(), 2);
+    half.fix(f, spatial);
+    half.fix(g, {rx});
+    CHECK_THROWS_WITH(Structure(half), Catch::Contains("rotation of node 1") && Catch::Contains("two axes"));
+
     // the same joint twice
     Model twice;
     const int c = twice.add_node({0, 0, 0}), d = twice.add_node({1, 0, 0}), e = twice.add_node({1, 0, 0});

@@ -297,7 +297,8 @@ private:
             if (k == 0 && size > 0.5 * start + 1e3 * options_.tolerance) return std::nullopt;
             // with several weak directions rounding moves the iterates about in them
             const bool rounding = g.template lpNorm<Eigen::Infinity>() <=
-                                  64 * std::numeric_limits<double>::epsilon() * detail::largest_force(k_now, weights_, k_now.cols() - multipliers(*problem_));
+                                  64 * std::numeric_limits<double>::epsilon() *
+                                      detail::largest_force(k_now, weights_, k_now.cols() - multipliers(*problem_));
             if (k > 0 && contraction > 0.7 && size > 1e3 * tolerance(moved) && !rounding) return std::nullopt;
             q = retract(*problem_, q, correction.q);
             p += dp;

@@ -6,7 +6,7 @@
 #pragma once
 
 #include <algorithm>
-#include <numeric>
+#include <cstddef>
 #include <vector>
 
 #include <Eigen/OrderingMethods>

@@ -6,6 +6,8 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
+#include <vector>
 
 #include <equilibria/fem/model.hpp>
 
@@ -26,12 +28,14 @@ struct RigidLink {
     }
 };
 
-/// Makes one rigid body of nodes: the first one is its reference.
-inline void add_rigid_body(Model& model, const std::vector<int>& nodes) {
+/// Makes one rigid body of nodes, in space or in the plane: the first one is its reference. Throws InvalidArgument for
+/// fewer than 2 nodes.
+template <int Dimension = 3>
+void add_rigid_body(Model& model, const std::vector<int>& nodes) {
     require(nodes.size() >= 2, "nodes", nodes.size(), "must be at least 2 nodes");
     for (std::size_t k = 1; k < nodes.size(); ++k) {
         model.share_rotation(nodes[k], nodes[0]);
-        model.add(RigidLink<3>{model.at(nodes[k]) - model.at(nodes[0])}, {nodes[0], nodes[k]});
+        model.add(RigidLink<Dimension>{model.at(nodes[k]) - model.at(nodes[0])}, {nodes[0], nodes[k]});
     }
 }
 

@@ -47,7 +47,7 @@ public:
     using Configuration = StructureState;
     static constexpr bool symmetric = Conservative;
 
-    /// Throws InvalidArgument where nothing can move, where a load acts on a component that no element uses, and, for a
+    /// Throws InvalidArgument where nothing can move, where a node may turn about two axes alone, where a load acts on a component that no element uses, and, for a
     /// conservative structure, where an element has no energy or a moment acts on a node that turns about several axes.
     explicit BasicStructure(Model model, const StructureOptions& options = {})
         : model_(std::make_shared<const Model>(std::move(model))), options_(options) {
@@ -192,6 +192,11 @@ private:
             for (const Component c : spatial)
                 if (used[static_cast<std::size_t>(k)][c] && !held[static_cast<std::size_t>(k)][c])
                     unknowns_[static_cast<std::size_t>(k)][c] = size_++;
+        // right increments without one of their components do not add up to a rotation: such a hold has no energy
+        for (int k = 0; k < model_->nodes(); ++k)
+            require((unknown(k, rx) >= 0) + (unknown(k, ry) >= 0) + (unknown(k, rz) >= 0) != 2,
+                    "rotation of node " + std::to_string(k), "free about two axes",
+                    "must be free, free about one axis or fixed; two revolute joints leave two axes");
         for (int k = 0; k < model_->nodes(); ++k)
             for (const Component c : {rx, ry, rz})
                 unknowns_[static_cast<std::size_t>(k)][c] =

@@ -386,10 +386,7 @@ private:
         count(e, nodes.size() - 1);
         if (!planar_key(e)) return add_rigid_body(y_.model, nodes);
         check_planar(e, nodes);
-        for (std::size_t k = 1; k < nodes.size(); ++k) {
-            y_.model.share_rotation(nodes[k], nodes[0]);
-            y_.model.add(RigidLink<2>{at(nodes[k]) - at(nodes[0])}, {nodes[0], nodes[k]});
-        }
+        add_rigid_body<2>(y_.model, nodes);
     }
 
     void add_joint(const JsonPlace& j) {

@@ -1,11 +1,12 @@
-// Critical loads and post-critical paths of structures with large rotations: known cases, or a model of one's own from a
-// JSON file.
+// Critical loads and post-critical paths of structures with large rotations: known cases, or a model of one's own from
+// a JSON file.
 //
 //   buckling --case right_angle_frame --elements 32 --json frame.json --svg frame.svg
 //   buckling --model frame.json --vtk shapes/frame
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <equilibria/fem/loose_motion.hpp>
 #include <equilibria/io/structure_json.hpp>
 #include <equilibria/io/structure_output.hpp>
 #include <iomanip>
@@ -33,14 +34,14 @@ struct Shape {
 /// What the run leaves besides the branches.
 struct Run {
     int elements = 0, dofs = 0;
-    int view = 0;  ///< 0: of the x-y plane, 1: in space
+    bool in_space = false;  ///< else all moves in the x-y plane
     double seconds = 0;
     std::vector<Shape> shapes;
 };
 
 template <class P>
 std::string json(const support::Tracing<P>& t, const Run& run) {
-    Json out{{"case", t.name},       {"parameter", t.parameter},
+    Json out{{"case", t.name},           {"parameter", t.parameter},
              {"elements", run.elements}, {"dofs", run.dofs},
              {"seconds", run.seconds},   {"critical_points", critical_points_json(t)},
              {"branch", Json::array()},  {"branches", Json::array()},
@@ -67,6 +68,13 @@ std::string csv(const support::Tracing<P>& t) {
             out << b << ',' << point.parameter << ',' << point.measures[0] << ',' << point.measures[1] << ','
                 << point.measures[2] << ',' << point.stable << ',' << std::quoted(point.name) << '\n';
     return out.str();
+}
+
+/// A node of a model in words.
+std::string name_of(const equilibria::fem::StructureInput& input, int node) {
+    for (const auto& [name, number] : input.nodes)
+        if (number == node) return "node " + name;
+    return "a node within a beam";
 }
 
 /// The elements as rows "x z y": figures in space have the y axis upright.
@@ -96,10 +104,11 @@ std::string script(const support::Tracing<P>& t, const P& structure, const Run& 
         if (high - low > widest) widest = high - low, most = c;
     }
     std::ostringstream out;
-    out << branch_blocks(t, most) << equilibria::gnuplot_block("initial", lines_of(structure.model(), structure.initial()));
+    out << branch_blocks(t, most)
+        << equilibria::gnuplot_block("initial", lines_of(structure.model(), structure.initial()));
     // up to six shapes of the main branch and of the first that leaves it, equally spaced
     std::ostringstream plots;
-    const char* columns = run.view == 0 ? " using 1:3" : "";
+    const char* columns = run.in_space ? "" : " using 1:3";
     for (std::size_t b = 0; b < std::min<std::size_t>(2, t.branches.size()); ++b) {
         std::vector<const Shape*> own;
         for (const Shape& shape : run.shapes)
@@ -108,21 +117,24 @@ std::string script(const support::Tracing<P>& t, const P& structure, const Run& 
         const std::size_t count = std::min<std::size_t>(b == 0 && t.branches.size() > 1 ? 2 : 6, own.size() - 1);
         for (std::size_t k = 1; k <= count; ++k) {
             const std::string name = "shape" + std::to_string(b) + "x" + std::to_string(k);
-            out << equilibria::gnuplot_block(name, lines_of(structure.model(), own[k * (own.size() - 1) / count]->state));
-            plots << ", $" << name << columns << " with lines lw 1.6 lc rgb '" << (b == 0 ? "#009e73" : "#e69f00") << "' "
-                  << (k == 1 ? (b == 0 ? "title 'main branch'" : "title 'side branch'") : "notitle");
+            out << equilibria::gnuplot_block(name,
+                                             lines_of(structure.model(), own[k * (own.size() - 1) / count]->state));
+            plots << ", $" << name << columns << " with lines lw 1.6 lc rgb '" << (b == 0 ? "#009e73" : "#e69f00")
+                  << "' " << (k == 1 ? (b == 0 ? "title 'main branch'" : "title 'side branch'") : "notitle");
         }
     }
     // about three tics on the longest axis: 1, 2 or 5 times a power of 10
     const double third = structure.length() / 3, power = std::pow(10, std::floor(std::log10(third)));
     const double tic = power * (third < 2 * power ? 1 : third < 5 * power ? 2 : 5);
     out << "set multiplot title '" << support::title(t.name) << "'\nset tics out nomirror\nset border 31 lw 0.8\n"
-        << "set bmargin at screen 0.22\nset tmargin at screen 0.9\nset lmargin at screen 0.09\nset rmargin at screen 0.47\n"
+        << "set bmargin at screen 0.22\nset tmargin at screen 0.9\n"
+        << "set lmargin at screen 0.09\nset rmargin at screen 0.47\n"
         << "set key at screen 0.28,0.01 center bottom horizontal maxrows 2 samplen 2\n"
-        << "set xlabel '{/:Italic " << t.measures[most] << "} of the watched node'\nset ylabel '" << t.parameter << "'\n"
+        << "set xlabel '{/:Italic " << t.measures[most] << "} of the watched node'\n"
+        << "set ylabel '" << t.parameter << "'\n"
         << support::branch_plot() << "set key at screen 0.77,0.03 center bottom horizontal maxrows 1\n"
         << "set lmargin at screen 0.56\nset rmargin at screen 0.97\nunset ylabel\nunset xlabel\n";
-    if (run.view == 0)
+    if (!run.in_space)
         out << "set size ratio -1\nset offsets graph 0.05, graph 0.05, graph 0.05, graph 0.05\nplot";
     else
         out << "set view 75,335\nset view equal xyz\nset xyplane relative 0\nset xlabel '{/:Italic x}'\n"
@@ -161,7 +173,8 @@ int main(int argc, char** argv) {
     app.add_option("--links", links_text, "of the chain, 1 to 1000 (default 3)");
     app.add_option("--parameter", window_text, "the range LOW:HIGH of the parameter (default: the case's own)");
     app.add_option("--steps", steps_text, "of each branch at most, 1 to 100000 (default: the case's own)");
-    app.add_option("--threads", threads_text, "of assembly, 1 to 1024, 0 for one each core (default 1); does not change the result");
+    app.add_option("--threads", threads_text,
+                   "of assembly, 1 to 1024, 0 for one each core (default 1); does not change the result");
     app.add_option("--json", json_name, "write JSON to this file, or to stdout for -");
     app.add_option("--csv", csv_name, "write the branches as CSV to this file, or to stdout for -");
     app.add_option("--vtk", vtk_name, "write the deformed shapes to files NAME_branch_number.vtk");
@@ -183,11 +196,14 @@ int main(int argc, char** argv) {
     }
     for (const char* option : {"--ei2", "--ei3", "--gj", "--ea", "--ga", "--angle", "--load-direction", "--load",
                                "--ends", "--tension", "--rise", "--links"})
-        if (given(option) && (!entry || std::find(entry->options.begin(), entry->options.end(), option) == entry->options.end()))
-            support::fail(option, app.get_option(option)->as<std::string>(),
-                          entry ? "does not apply to " + std::string(entry->name) : "does not apply to a model from a file");
+        if (given(option) &&
+            (!entry || std::find(entry->options.begin(), entry->options.end(), option) == entry->options.end()))
+            support::fail(
+                option, app.get_option(option)->as<std::string>(),
+                entry ? "does not apply to " + std::string(entry->name) : "does not apply to a model from a file");
     const auto positive = [&](const char* option, const std::string& text, std::optional<double>& to) {
-        if (given(option)) to = support::number(option, text, "must be a positive number", [](double x) { return x > 0; });
+        if (given(option))
+            to = support::number(option, text, "must be a positive number", [](double x) { return x > 0; });
     };
     positive("--ei2", ei2, data.ei2);
     positive("--ei3", ei3, data.ei3);
@@ -233,7 +249,7 @@ int main(int argc, char** argv) {
     };
     const auto follow = [&](const auto& structure, const std::string& title, const std::string& parameter,
                             const auto& value, int tip, const std::vector<support::CasePoint>& points,
-                            equilibria::ContinuationOptions options, double amplitude, bool both_ways, int view) {
+                            equilibria::ContinuationOptions options, double amplitude, bool both_ways) {
         using Structure = std::remove_cvref_t<decltype(structure)>;
         change(options);
         support::Tracing<Structure> t;
@@ -250,7 +266,8 @@ int main(int argc, char** argv) {
                                        return f(at.q, at.p);
                                    }});
         Run run;
-        run.view = view;
+        for (int k = 0; k < structure.model().nodes(); ++k)
+            run.in_space = run.in_space || structure.unknown(k, equilibria::fem::uz) >= 0;
         run.dofs = structure.size() - structure.multipliers();
         for (const auto& group : structure.model().groups())
             if (group->n_nodes() > 1) run.elements += static_cast<int>(group->size());
@@ -290,8 +307,8 @@ int main(int argc, char** argv) {
     try {
         if (entry) {
             const support::BucklingCase c = entry->make(data);
-            follow(c.structure, entry->name, c.parameter, c.value, c.tip, c.points, c.options, c.amplitude, c.both_ways,
-                   c.view);
+            follow(c.structure, entry->name, c.parameter, c.value, c.tip, c.points, c.options, c.amplitude,
+                   c.both_ways);
         } else {
             auto input = equilibria::fem::read_structure(model_name);
             equilibria::ContinuationOptions options;
@@ -300,11 +317,12 @@ int main(int argc, char** argv) {
             options.path.first_step = input.first_step.value_or(0.01);
             options.path.largest_step = input.largest_step.value_or(0.1);
             const auto value = [](const StructureState&, double p) { return p; };
-            bool in_space = false;
-            for (int k = 1; k < input.model.nodes(); ++k) in_space |= input.model.at(k)(2) != input.model.at(0)(2);
             const auto run = [&](const auto& structure) {
+                if (const auto loose = equilibria::fem::loose_motion(structure, structure.initial(), 0))
+                    throw std::runtime_error("the structure moves without a force: " + name_of(input, loose->node) +
+                                             " along " + to_string(loose->component));
                 follow(structure, input.name.empty() ? model_name : input.name, input.parameter, value, input.measured,
-                       {}, options, 0.02, false, in_space ? 1 : 0);
+                       {}, options, 0.02, false);
             };
             const equilibria::fem::StructureOptions structure_options{.threads = data.threads};
             if (input.conservative)

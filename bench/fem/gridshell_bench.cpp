@@ -1,6 +1,6 @@
-// A shallow gridshell of beams under its nodes' loads, from rest through its first critical point. Arguments: bays along
-// an edge, 1e5 degrees of freedom with 129, and threads. Counters: unknowns, entries of the factor, shares of a step's
-// time, and the peak of the process's memory in GiB.
+// A shallow gridshell of beams under its nodes' loads, from rest through its first critical point. Arguments: bays
+// along an edge, 1e5 degrees of freedom with 129, and threads. Counters: unknowns, entries of the factor, shares of a
+// step's time, and the peak of the process's memory in GiB.
 #include <benchmark/benchmark.h>
 #include <sys/resource.h>
 
@@ -99,4 +99,10 @@ void first_critical_point(benchmark::State& state) {
 
 }  // namespace
 
-BENCHMARK(first_critical_point)->Args({16, 1})->Args({64, 1})->Args({129, 1})->Args({129, 2})->Unit(benchmark::kSecond)->Iterations(1);
+BENCHMARK(first_critical_point)
+    ->Args({16, 1})
+    ->Args({64, 1})
+    ->Args({129, 1})
+    ->Args({129, 2})
+    ->Unit(benchmark::kSecond)
+    ->Iterations(1);

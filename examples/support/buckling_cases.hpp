@@ -1,7 +1,9 @@
-// Structures with known critical points: the numbered cases of docs/finite-rotations.md. The tests of fem/ use them too.
+// Structures with known critical points: the numbered cases of docs/finite-rotations.md. The tests of fem/ use them
+// too.
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <equilibria/continuation/branch.hpp>
 #include <equilibria/fem/joints.hpp>
@@ -12,16 +14,19 @@
 #include <equilibria/fem/structure.hpp>
 #include <equilibria/fem/truss.hpp>
 #include <functional>
+#include <initializer_list>
 #include <numbers>
 #include <optional>
 #include <string>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace support {
 
+using Eigen::Vector3d;
 using equilibria::fem::Structure;
 using equilibria::fem::StructureState;
-using Eigen::Vector3d;
 
 /// Data of a case that may be changed; what is not given is the case's own.
 struct CaseData {
@@ -48,11 +53,10 @@ struct BucklingCase {
     std::string parameter;  ///< with its unit
     /// The parameter in that unit.
     std::function<double(const StructureState&, double)> value = [](const StructureState&, double p) { return p; };
-    std::vector<CasePoint> points;
-    equilibria::ContinuationOptions options;
+    std::vector<CasePoint> points{};
+    equilibria::ContinuationOptions options{};
     bool both_ways = false;  ///< to negative parameters as well
     double amplitude = 0.02;
-    int view = 0;  ///< of figures: 0 of the x-y plane, 1 in space
 };
 
 /// The tip's rotation in the plane, radians.
@@ -71,32 +75,47 @@ inline const double pi = std::numbers::pi;
 inline int elements_of(const CaseData& data, double share) {
     return std::max(1, static_cast<int>(std::lround(share * data.elements)));
 }
-/// A planar beam of elements with data.nodes nodes.
-inline std::vector<int> planar_beam(Model& model, const PlanarSection& section,
-                                    const std::function<PlanarSectionFrame(double)>& frame, const CaseData& data,
-                                    int elements, int first = -1, int last = -1) {
-    if (data.nodes == 2) return add_planar_beam<2>(model, section, frame, elements, first, last);
-    if (data.nodes == 3) return add_planar_beam<3>(model, section, frame, elements, first, last);
-    return add_planar_beam<4>(model, section, frame, elements, first, last);
+/// Calls add with the number of an element's nodes as a constant.
+auto with_nodes(const CaseData& data, const auto& add) {
+    if (data.nodes == 2) return add(std::integral_constant<int, 2>());
+    if (data.nodes == 3) return add(std::integral_constant<int, 3>());
+    return add(std::integral_constant<int, 4>());
 }
+
+/// A case's own cross-section, changed by the data.
+inline PlanarSection section_of(const CaseData& data, PlanarSection own = {rigid, rigid, 1}) {
+    own.ea = data.ea.value_or(own.ea);
+    own.ga = data.ga.value_or(own.ga);
+    own.ei = data.ei2.value_or(own.ei);
+    return own;
+}
+inline Section section_of(const CaseData& data, Section own) {
+    own.ea = data.ea.value_or(own.ea);
+    own.ga2 = own.ga3 = data.ga.value_or(own.ga2);
+    own.gj = data.gj.value_or(own.gj);
+    own.ei2 = data.ei2.value_or(own.ei2);
+    own.ei3 = data.ei3.value_or(own.ei3);
+    return own;
+}
+/// Of Argyris' frames: 30 x 0.6, E = 71240, Poisson's ratio 0.31.
+inline Section argyris_section(const CaseData& data) {
+    const double e = 71240, g = e / (2 * 1.31);
+    return section_of(data, Section{18 * e, 18 * g, 18 * g, 2.16 * g, .54 * e, 1350 * e});
+}
+
+/// A straight planar beam that makes a share of the structure's length; all nodes.
 inline std::vector<int> planar_beam(Model& model, const PlanarSection& section, int first, int last,
-                                    const CaseData& data, int elements) {
-    const Vector3d a = model.at(first), d = model.at(last) - a;
-    const auto frame = [=](double t) { return PlanarSectionFrame{a + t * d, std::atan2(d(1), d(0))}; };
-    return planar_beam(model, section, frame, data, elements, first, last);
+                                    const CaseData& data, double share = 1) {
+    return with_nodes(data, [&](auto n) {
+        return add_straight_planar_beam<n>(model, section, first, last, elements_of(data, share));
+    });
 }
 /// The same in space.
-inline std::vector<int> beam(Model& model, const Section& section, const std::function<SectionFrame(double)>& frame,
-                             const CaseData& data, int elements, int first = -1, int last = -1) {
-    if (data.nodes == 2) return add_beam<2>(model, section, frame, elements, first, last);
-    if (data.nodes == 3) return add_beam<3>(model, section, frame, elements, first, last);
-    return add_beam<4>(model, section, frame, elements, first, last);
-}
 inline std::vector<int> beam(Model& model, const Section& section, int first, int last, const Vector3d& second,
-                             const CaseData& data, int elements) {
-    const Vector3d a = model.at(first), d = model.at(last) - a;
-    const auto frame = [=](double t) { return section_frame(a + t * d, d, second); };
-    return beam(model, section, frame, data, elements, first, last);
+                             const CaseData& data, double share = 1) {
+    return with_nodes(data, [&](auto n) {
+        return add_straight_beam<n>(model, section, first, last, second, elements_of(data, share));
+    });
 }
 /// A planar arc of radius r around the origin, from angle `from` to `to`.
 inline std::vector<int> arc(Model& model, const PlanarSection& section, double r, double from, double to,
@@ -105,7 +124,7 @@ inline std::vector<int> arc(Model& model, const PlanarSection& section, double r
         const double angle = from + (to - from) * t;
         return PlanarSectionFrame{{r * std::cos(angle), r * std::sin(angle), 0}, angle + (to > from ? pi : -pi) / 2};
     };
-    return planar_beam(model, section, frame, data, elements);
+    return with_nodes(data, [&](auto n) { return add_planar_beam<n>(model, section, frame, elements); });
 }
 
 inline CasePoint at_coordinate(int node, int c, double x) {
@@ -116,15 +135,30 @@ inline CasePoint at_parameter(double at) {
     return {"at " + equilibria::to_text(at), [=](const StructureState&, double p) { return p - at; }};
 }
 
-inline BucklingCase make(Model model, const CaseData& data, int tip, const char* parameter, double low, double high, double first_step) {
-    BucklingCase y{Structure(std::move(model), {.threads = data.threads}), tip, parameter, {}, {}, {}, false, 0.02, 0};
-    y.value = [](const StructureState&, double p) { return p; };
-    y.options.low = low;
-    y.options.high = high;
+inline BucklingCase make(Model model, const CaseData& data, int tip, const char* parameter, double low, double high,
+                         double first_step) {
+    BucklingCase y{.structure = Structure(std::move(model), {.threads = data.threads}),
+                   .tip = tip,
+                   .parameter = parameter,
+                   .options = {.low = low, .high = high, .most_steps = 2000}};
     y.options.path.first_step = first_step;
     y.options.path.largest_step = 0.1;
-    y.options.most_steps = 2000;
     return y;
+}
+
+/// A circular arch with a load on its crown, its ends held by these components.
+inline BucklingCase crown_loaded_arch(const CaseData& data, double radius, double degrees, double ei,
+                                      std::initializer_list<Component> left, std::initializer_list<Component> right,
+                                      const char* parameter, double low, double high) {
+    const double half = data.angle.value_or(degrees) * pi / 360;
+    Model model;
+    const auto nodes = arc(model, section_of(data, PlanarSection{rigid, rigid, ei}), radius, pi / 2 + half,
+                           pi / 2 - half, data, 2 * ((data.elements + 1) / 2));
+    const int crown = nodes[nodes.size() / 2];
+    model.fix(nodes.front(), left);
+    model.fix(nodes.back(), right);
+    model.load(crown, {0, -1, 0});
+    return make(std::move(model), data, crown, parameter, low, high, 0.01);
 }
 
 }  // namespace detail
@@ -134,27 +168,23 @@ inline BucklingCase euler_column(const CaseData& data) {
     using namespace detail;
     Model model;
     const int a = model.add_node({0, 0, 0}), b = model.add_node({1, 0, 0});
-    const auto nodes =
-        planar_beam(model, {data.ea.value_or(rigid), data.ga.value_or(rigid), data.ei2.value_or(1)}, a, b, data, data.elements);
+    const auto nodes = planar_beam(model, section_of(data), a, b, data);
     model.load(b, {-1, 0, 0});
-    const bool clamped = data.ends == "clamped";
-    if (data.ends == "hinged")
-        model.fix(a, {ux, uy});
-    else
-        model.fix(a, {ux, uy, rz});
-    if (data.ends != "cantilever") model.fix(b, {uy});
+    const bool cantilever = data.ends == "cantilever", clamped = data.ends == "clamped";
+    model.fix(a, {ux, uy});
+    if (data.ends != "hinged") model.fix(a, {rz});
+    if (!cantilever) model.fix(b, {uy});
     if (clamped) model.fix(b, {rz});
-    const int watched = data.ends == "cantilever" ? b : nodes[nodes.size() / 2];
+    const int watched = cantilever ? b : nodes[nodes.size() / 2];
     // the first three critical loads of the chosen ends
-    const double most = data.ends == "cantilever" ? 25 : clamped ? 90 : 45;
+    const double most = cantilever ? 25 : clamped ? 90 : 45;
     BucklingCase y = make(std::move(model), data, watched, "P L^2 / EI", -1, most, 0.05);
     y.options.path.parameter_weight = 0.1;
-    if (data.ends == "cantilever")
+    if (cantilever)
         for (const double degrees : {20, 60, 120})
-            y.points.push_back({"angle of the tip = " + equilibria::to_text(degrees) + " degrees",
-                                [=](const StructureState& q, double) {
-                                    return std::abs(planar_angle(q, b)) - degrees * pi / 180;
-                                }});
+            y.points.push_back(
+                {"angle of the tip = " + equilibria::to_text(degrees) + " degrees",
+                 [=](const StructureState& q, double) { return std::abs(planar_angle(q, b)) - degrees * pi / 180; }});
     return y;
 }
 
@@ -163,10 +193,10 @@ inline BucklingCase roll_up(const CaseData& data) {
     using namespace detail;
     Model model;
     const int a = model.add_node({0, 0, 0}), b = model.add_node({1, 0, 0});
-    const double ei = data.ei2.value_or(1);
-    planar_beam(model, {data.ea.value_or(rigid), data.ga.value_or(rigid), ei}, a, b, data, data.elements);
+    const PlanarSection section = section_of(data);
+    planar_beam(model, section, a, b, data);
     model.fix(a, planar);
-    model.load(b, {0, 0, 0}, {0, 0, 2 * pi * ei});
+    model.load(b, {0, 0, 0}, {0, 0, 2 * pi * section.ei});
     BucklingCase y = make(std::move(model), data, b, "M L / (2 pi EI)", -0.01, 4.2, 0.02);
     for (const int n : {1, 2, 3, 4}) y.points.push_back(at_parameter(n));
     return y;
@@ -177,14 +207,11 @@ inline BucklingCase lateral_cantilever(const CaseData& data) {
     using namespace detail;
     Model model;
     const int a = model.add_node({0, 0, 0}), b = model.add_node({1, 0, 0});
-    const double ga = data.ga.value_or(rigid);
-    beam(model, {data.ea.value_or(rigid), ga, ga, data.gj.value_or(1.343), data.ei2.value_or(1), data.ei3.value_or(25)},
-         a, b, Vector3d::UnitY(), data, data.elements);
+    beam(model, section_of(data, Section{rigid, rigid, rigid, 1.343, 1, 25}), a, b, Vector3d::UnitY(), data);
     model.fix(a, spatial);
     model.load(b, {0, -1, 0});
     BucklingCase y = make(std::move(model), data, b, "P L^2 (EI2 = 1)", -0.1, 7, 0.02);
     for (const double z : {.1, .2, .4}) y.points.push_back(at_coordinate(b, 2, z));
-    y.view = 1;
     return y;
 }
 
@@ -195,99 +222,73 @@ inline BucklingCase lateral_strip(const CaseData& data) {
     Model model;
     const int a = model.add_node({0, 0, 0}), b = model.add_node({1, 0, 0}), fork_a = model.add_node({0, 0, 0}),
               fork_b = model.add_node({1, 0, 0});
-    const double ga = data.ga.value_or(rigid);
-    const auto nodes = beam(model,
-                            {data.ea.value_or(rigid), ga, ga, data.gj.value_or(1.343), data.ei2.value_or(1),
-                             data.ei3.value_or(25)},
-                            a, b, Vector3d::UnitY(), data, data.elements);
+    const Section section = section_of(data, Section{rigid, rigid, rigid, 1.343, 1, 25});
+    const auto nodes = beam(model, section, a, b, Vector3d::UnitY(), data);
     model.fix(fork_a, {ux, uy, uz, rx, ry});
     model.fix(fork_b, {uy, uz, rx, ry});
     model.add(RevoluteJoint(Vector3d::UnitY()), {fork_a, a});
     model.add(RevoluteJoint(Vector3d::UnitY()), {fork_b, b});
     model.load(fork_a, {0, 0, 0}, {0, 0, -1});
     model.load(fork_b, {0, 0, 0}, {0, 0, 1});
-    BucklingCase y = make(std::move(model), data, nodes[nodes.size() / 2], "M L (EI2 = 1)", -0.1, 8, 0.02);
-    y.view = 1;
-    return y;
+    return make(std::move(model), data, nodes[nodes.size() / 2], "M L (EI2 = 1)", -0.1, 8, 0.02);
 }
 
 /// 5: Argyris' right-angle cantilever frame.
 inline BucklingCase right_angle_frame(const CaseData& data) {
     using namespace detail;
-    const double e = 71240, g = e / (2 * 1.31);
-    const double ga = data.ga.value_or(18 * g);
-    const Section section{data.ea.value_or(18 * e), ga, ga, data.gj.value_or(2.16 * g), data.ei2.value_or(.54 * e),
-                          data.ei3.value_or(1350 * e)};
+    const Section section = argyris_section(data);
     Model model;
     const int a = model.add_node({0, 0, 0}), b = model.add_node({240, 0, 0}), c = model.add_node({240, -240, 0});
-    beam(model, section, a, b, Vector3d::UnitY(), data, elements_of(data, 0.5));
-    beam(model, section, b, c, Vector3d::UnitX(), data, elements_of(data, 0.5));
+    beam(model, section, a, b, Vector3d::UnitY(), data, 0.5);
+    beam(model, section, b, c, Vector3d::UnitX(), data, 0.5);
     model.fix(a, spatial);
     const double sign = data.load_direction[0] == '-' ? -1 : 1;
     model.load(c, data.load_direction[1] == 'x' ? Vector3d(sign, 0, 0) : Vector3d(0, sign, 0));
     BucklingCase y = make(std::move(model), data, c, "P", -0.05, 2, 0.005);
     for (const double z : {10, 20, 40, 60}) y.points.push_back(at_coordinate(c, 2, z));
-    y.view = 1;
     return y;
 }
 
 /// 6: the hinged right-angle frame under equal and opposite end moments.
 inline BucklingCase hinged_frame(const CaseData& data) {
     using namespace detail;
-    const double e = 71240, g = e / (2 * 1.31), h = 240 / std::sqrt(2.0);
-    const double ga = data.ga.value_or(18 * g);
-    const Section section{data.ea.value_or(18 * e), ga, ga, data.gj.value_or(2.16 * g), data.ei2.value_or(.54 * e),
-                          data.ei3.value_or(1350 * e)};
+    const Section section = argyris_section(data);
+    const double h = 240 / std::sqrt(2.0);
     Model model;
     const int a = model.add_node({-h, 0, 0}), b = model.add_node({0, h, 0}), c = model.add_node({h, 0, 0});
-    beam(model, section, a, b, Vector3d(-1, 1, 0), data, elements_of(data, 0.5));
-    beam(model, section, b, c, Vector3d(1, 1, 0), data, elements_of(data, 0.5));
+    beam(model, section, a, b, Vector3d(-1, 1, 0), data, 0.5);
+    beam(model, section, b, c, Vector3d(1, 1, 0), data, 0.5);
     model.fix(a, {ux, uy, uz, rx, ry});
     model.fix(c, {uy, uz, rx, ry});
     model.load(a, {0, 0, 0}, {0, 0, 1});
     model.load(c, {0, 0, 0}, {0, 0, -1});
     BucklingCase y = make(std::move(model), data, b, "M", -700, 700, 0.002);
     y.both_ways = true;
-    y.view = 1;
     return y;
 }
 
 /// 7: the deep arch, clamped and hinged, under a crown load.
 inline BucklingCase deep_arch(const CaseData& data) {
     using namespace detail;
-    const double opening = data.angle.value_or(215) * pi / 180;
-    Model model;
-    const auto nodes = arc(model, {data.ea.value_or(rigid), data.ga.value_or(rigid), data.ei2.value_or(1e6)}, 100,
-                           pi / 2 + opening / 2, pi / 2 - opening / 2, data, 2 * ((data.elements + 1) / 2));
-    model.fix(nodes.front(), planar);
-    model.fix(nodes.back(), {ux, uy});
-    model.load(nodes[nodes.size() / 2], {0, -1, 0});
-    return make(std::move(model), data, nodes[nodes.size() / 2], "P", -200, 2000, 0.01);
+    return crown_loaded_arch(data, 100, 215, 1e6, {ux, uy, rz}, {ux, uy}, "P", -200, 2000);
 }
 
 /// 8: the hinged arch under a crown load, R = EI = 1.
 inline BucklingCase hinged_arch(const CaseData& data) {
     using namespace detail;
-    const double opening = data.angle.value_or(180) * pi / 180;
-    Model model;
-    const auto nodes = arc(model, {data.ea.value_or(rigid), data.ga.value_or(rigid), data.ei2.value_or(1)}, 1,
-                           pi / 2 + opening / 2, pi / 2 - opening / 2, data, 2 * ((data.elements + 1) / 2));
-    model.fix(nodes.front(), {ux, uy});
-    model.fix(nodes.back(), {ux, uy});
-    model.load(nodes[nodes.size() / 2], {0, -1, 0});
-    return make(std::move(model), data, nodes[nodes.size() / 2], "P R^2 / EI", -2, 20, 0.01);
+    return crown_loaded_arch(data, 1, 180, 1, {ux, uy}, {ux, uy}, "P R^2 / EI", -2, 20);
 }
 
 /// 10: Lee's frame: its whole snap-back path.
 inline BucklingCase lee_frame(const CaseData& data) {
     using namespace detail;
-    const PlanarSection section{data.ea.value_or(720 * 6), data.ga.value_or(rigid), data.ei2.value_or(720 * 2)};
+    const PlanarSection section = section_of(data, PlanarSection{720 * 6, rigid, 720 * 2});
     Model model;
-    const int foot = model.add_node({0, 0, 0}), corner = model.add_node({0, 120, 0}), loaded = model.add_node({24, 120, 0}),
-              end = model.add_node({120, 120, 0});
-    planar_beam(model, section, foot, corner, data, elements_of(data, 0.5));
-    planar_beam(model, section, corner, loaded, data, elements_of(data, 0.1));
-    planar_beam(model, section, loaded, end, data, elements_of(data, 0.4));
+    const int foot = model.add_node({0, 0, 0}), corner = model.add_node({0, 120, 0}),
+              loaded = model.add_node({24, 120, 0}), end = model.add_node({120, 120, 0});
+    planar_beam(model, section, foot, corner, data, 0.5);
+    planar_beam(model, section, corner, loaded, data, 0.1);
+    planar_beam(model, section, loaded, end, data, 0.4);
     model.fix(foot, {ux, uy});
     model.fix(end, {ux, uy});
     model.load(loaded, {0, -1, 0});
@@ -297,12 +298,12 @@ inline BucklingCase lee_frame(const CaseData& data) {
 /// 11: Williams' toggle.
 inline BucklingCase williams_toggle(const CaseData& data) {
     using namespace detail;
-    const PlanarSection section{data.ea.value_or(1.885e6), data.ga.value_or(rigid), data.ei2.value_or(9.27e3)};
+    const PlanarSection section = section_of(data, PlanarSection{1.885e6, rigid, 9.27e3});
     Model model;
     const int a = model.add_node({-12.943, 0, 0}), apex = model.add_node({0, data.rise.value_or(.386), 0}),
               b = model.add_node({12.943, 0, 0});
-    planar_beam(model, section, a, apex, data, elements_of(data, 0.5));
-    planar_beam(model, section, apex, b, data, elements_of(data, 0.5));
+    planar_beam(model, section, a, apex, data, 0.5);
+    planar_beam(model, section, apex, b, data, 0.5);
     model.fix(a, planar);
     model.fix(b, planar);
     model.load(apex, {0, -1, 0});
@@ -352,7 +353,6 @@ inline BucklingCase star_dome(const CaseData& data) {
     BucklingCase y = make(std::move(model), data, apex, "P / EA", -1e-3, all ? 2e-3 : 1e-3, 0.001);
     y.options.path.largest_step = 0.005;
     y.amplitude = 0.003;
-    y.view = 1;
     return y;
 }
 
@@ -360,8 +360,7 @@ inline BucklingCase star_dome(const CaseData& data) {
 inline BucklingCase pressed_ring(const CaseData& data) {
     using namespace detail;
     Model model;
-    const auto nodes = arc(model, {data.ea.value_or(rigid), data.ga.value_or(rigid), data.ei2.value_or(1)}, 1, 0,
-                           pi / 2, data, data.elements);
+    const auto nodes = arc(model, section_of(data), 1, 0, pi / 2, data, data.elements);
     model.fix(nodes.front(), {uy, rz});
     model.fix(nodes.back(), {ux, rz});
     const int each = data.nodes - 1;
@@ -370,7 +369,8 @@ inline BucklingCase pressed_ring(const CaseData& data) {
         if (data.load == "fixed" || data.load == "central") {
             // Newton-Cotes weights: trapezoidal, Simpson's and 3/8 rule
             const double length = pi / 2 / data.elements;
-            static const double weights[3][4] = {{1 / 2., 1 / 2.}, {1 / 6., 4 / 6., 1 / 6.}, {1 / 8., 3 / 8., 3 / 8., 1 / 8.}};
+            static const double weights[3][4] = {
+                {1 / 2., 1 / 2.}, {1 / 6., 4 / 6., 1 / 6.}, {1 / 8., 3 / 8., 3 / 8., 1 / 8.}};
             for (int k = 0; k <= each; ++k) {
                 const double force = length * weights[each - 1][k];
                 if (data.load == "fixed")
@@ -378,12 +378,12 @@ inline BucklingCase pressed_ring(const CaseData& data) {
                 else
                     model.add(CentralLoad<2>{force, {0, 0, 0}}, {node(k)});
             }
-        } else if (each == 1) {
-            model.add(PlanarPressure<2>{1}, {node(0), node(1)});
-        } else if (each == 2) {
-            model.add(PlanarPressure<3>{1}, {node(0), node(1), node(2)});
         } else {
-            model.add(PlanarPressure<4>{1}, {node(0), node(1), node(2), node(3)});
+            with_nodes(data, [&](auto n) {
+                std::array<int, static_cast<std::size_t>(n())> own;
+                std::copy_n(nodes.begin() + e * each, n(), own.begin());
+                model.add(PlanarPressure<n>{1}, own);
+            });
         }
     }
     BucklingCase y = make(std::move(model), data, nodes.front(), "q R^3 / EI", -0.5, 10, 0.05);
@@ -396,42 +396,37 @@ inline BucklingCase twisted_rod(const CaseData& data) {
     using namespace detail;
     Model model;
     const int a = model.add_node({0, 0, 0}), b = model.add_node({1, 0, 0});
-    const double ei = data.ei2.value_or(1), ga = data.ga.value_or(rigid);
-    const auto nodes = beam(model, {data.ea.value_or(rigid), ga, ga, data.gj.value_or(1), ei, data.ei3.value_or(ei)}, a,
-                            b, Vector3d::UnitY(), data, data.elements);
+    const double ei = data.ei2.value_or(1);
+    const Section section = section_of(data, Section{rigid, rigid, rigid, 1, ei, ei});
+    const auto nodes = beam(model, section, a, b, Vector3d::UnitY(), data);
     model.fix(a, spatial);
     model.fix(b, {uy, uz});
     model.add(PrescribedRotation(Vector3d::UnitX()), {b});
     if (data.tension) model.load(b, {*data.tension, 0, 0}, {0, 0, 0}, LoadKind::constant);
-    BucklingCase y = make(std::move(model), data, nodes[nodes.size() / 2], "M L / EI2", -0.2, 20 / data.gj.value_or(1), 0.05);
+    BucklingCase y = make(std::move(model), data, nodes[nodes.size() / 2], "M L / EI2", -0.2, 20 / section.gj, 0.05);
     // the last element added is the drive: its moment about x
     const double k = y.structure.scale().multiplier;
     const int drive = y.structure.multipliers() - 3;
     y.value = [=](const StructureState& q, double) { return -k * q.multipliers(drive) / ei; };
     y.options.path.largest_step = 0.2;
-    y.view = 1;
     return y;
 }
 
 /// 18: the 45 degree bend.
 inline BucklingCase bend(const CaseData& data) {
     using namespace detail;
-    const double ga = data.ga.value_or(5e6), ei = 1e7 / 12, r = 100;
+    const double ei = 1e7 / 12, r = 100;
+    const Section section = section_of(data, Section{1e7, 5e6, 5e6, ei, ei, ei});
+    const auto frame = [&](double t) {
+        const double angle = t * pi / 4, c = std::cos(angle), s = std::sin(angle);
+        return section_frame({r * s, r * (1 - c), 0}, {c, s, 0}, Vector3d::UnitZ());
+    };
     Model model;
-    const auto nodes =
-        beam(model,
-             {data.ea.value_or(1e7), ga, ga, data.gj.value_or(ei), data.ei2.value_or(ei), data.ei3.value_or(ei)},
-             [=](double t) {
-                 const double angle = t * pi / 4;
-                 return section_frame({r * std::sin(angle), r * (1 - std::cos(angle)), 0},
-                                      {std::cos(angle), std::sin(angle), 0}, Vector3d::UnitZ());
-             },
-             data, data.elements);
+    const auto nodes = with_nodes(data, [&](auto n) { return add_beam<n>(model, section, frame, data.elements); });
     model.fix(nodes.front(), spatial);
     model.load(nodes.back(), {0, 0, 1});
     BucklingCase y = make(std::move(model), data, nodes.back(), "P", -1, 620, 0.02);
     for (const double p : {300, 450, 600}) y.points.push_back(at_parameter(p));
-    y.view = 1;
     return y;
 }
 

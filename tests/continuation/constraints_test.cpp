@@ -80,3 +80,47 @@ TEST_CASE("redundant constraints are refused by name") {
     CHECK_THROWS_WITH(check_derivatives(twice, start, -1.1),
                       Catch::Contains("problem.multipliers") && Catch::Contains("rank is 2"));
 }
+
+TEST_CASE("redundant constraints among many are counted, and named up to some thousands") {
+    // a ring of n bars that hold x_i - x_{i+1}, the last one redundant, whatever their units
+    for (const bool closed : {false, true})
+        for (const int n : {3, 400, 1900, 20'000}) {
+            const int bars = closed ? n : n - 1, size = n + bars;
+            std::vector<Eigen::Triplet<double>> entries;
+            for (int i = 0; i < bars; ++i)
+                for (const auto& [node, value] : {std::pair(i, 1.0 + i), std::pair((i + 1) % n, -1.0 - i)}) {
+                    entries.emplace_back(n + i, node, value);
+                    entries.emplace_back(node, n + i, value);
+                }
+            Eigen::SparseMatrix<double> k(size, size);
+            k.setFromTriplets(entries.begin(), entries.end());
+            const ConstraintGradients constraints(k, bars, VectorXd::Constant(size, 1e-6));
+            INFO(n << " bars, closed: " << closed);
+            CHECK(constraints.count() == bars);
+            CHECK(constraints.redundant_count() == (closed ? 1 : 0));
+            if (n < 2000) CHECK(constraints.redundant() == (closed ? std::vector{n - 1} : std::vector<int>{}));
+            // a bar with a flexibility of its own is independent
+            k.coeffRef(n, n) = -1;
+            const ConstraintGradients others(k, bars, VectorXd::Constant(size, 1e-6));
+            CHECK(others.count() == bars - 1);
+            CHECK(others.redundant_count() == 0);
+        }
+}
+
+TEST_CASE("A sparse matrix may change its pattern between factorisations") {
+    SparseLDLT ldlt(1);
+    // x^2 + y^2 + 2 z^2 with x + y = 0, then coupled and with x + z = 0 instead
+    for (const bool coupled : {false, true, false}) {
+        MatrixXd k = MatrixXd::Zero(4, 4);
+        k.diagonal() << 1, 1, 2, 0;
+        k(3, 0) = k(0, 3) = 1;
+        if (coupled)
+            k(0, 1) = k(1, 0) = -0.5, k(3, 2) = k(2, 3) = 1;
+        else
+            k(3, 1) = k(1, 3) = 1;
+        REQUIRE(ldlt.factor(k.sparseView()));
+        CHECK(ldlt.negative() == 1);
+        const VectorXd f = VectorXd::LinSpaced(4, 1, 4);
+        CHECK((k * ldlt.solve(f) - f).norm() < 1e-14);
+    }
+}

@@ -2,6 +2,7 @@
 #include <map>
 
 #include "../examples/support/buckling_cases.hpp"
+#include "fem/reference_paths.hpp"
 #include "support/catch.hpp"
 #include "support/rod_shooting.hpp"
 
@@ -14,10 +15,10 @@ using support::CaseData;
 namespace {
 
 struct Traced {
-    std::vector<CriticalPoint<Structure>> points;     // of the main branch, in both directions
-    std::vector<double> values;                       // their parameters in the case's unit
+    std::vector<CriticalPoint<Structure>> points;              // of the main branch, in both directions
+    std::vector<double> values;                                // their parameters in the case's unit
     std::map<std::string, std::pair<double, Vector3d>> named;  // parameter and tip at the first place of each name
-    std::vector<Branch<Structure>> sides;             // from the first bifurcation
+    std::vector<Branch<Structure>> sides;                      // from the first bifurcation
     bool explained = true;
 };
 
@@ -26,7 +27,8 @@ Traced trace(const BucklingCase& c, bool sides = false, int most_steps = 400) {
     PathStepper<Structure> stepper(c.structure, c.options.path);
     std::vector<EventFunction<Structure>> functions;
     for (const auto& point : c.points)
-        functions.push_back({point.name, [f = point.value](const BranchPoint<Structure>& at) { return f(at.q, at.p); }});
+        functions.push_back(
+            {point.name, [f = point.value](const BranchPoint<Structure>& at) { return f(at.q, at.p); }});
     const auto enter = [&](const Branch<Structure>& branch) {
         y.explained = y.explained && branch.unexplained.empty();
         for (const auto& crossing : branch.crossings)
@@ -90,20 +92,14 @@ TEST_CASE("1: Euler's column with all ends, sheared and stretched, and the elast
     auto data = with(32);
     const auto y = trace(support::euler_column(data), true);
     check(y, {{pi * pi / 4, pitchfork}, {9 * pi * pi / 4, pitchfork}}, 1e-8);
-    const struct {
-        const char* name;
-        double load, x, y;
-    } elastica[] = {{"20", 1.01539686554, .969730907364, .219413042396},
-                    {"60", 1.15171962047, .741019606076, .593207646165},
-                    {"120", 1.88480086898, .123159972405, .803170990007}};
-    for (const auto& e : elastica) {
-        const auto& [load, tip] = y.named.at("angle of the tip = " + std::string(e.name) + " degrees");
-        CHECK(load / (pi * pi / 4) == Approx(e.load).epsilon(1e-8));
-        CHECK((tip - Vector3d(e.x, std::copysign(e.y, tip(1)), 0)).norm() < 2e-8);
+    for (const auto& e : references::elastica) {
+        const auto& [load, tip] = y.named.at("angle of the tip = " + to_text(e[0]) + " degrees");
+        CHECK(load / (pi * pi / 4) == Approx(e[1]).epsilon(1e-8));
+        CHECK((tip - Vector3d(e[2], std::copysign(e[3], tip(1)), 0)).norm() < 2e-8);
     }
     // p = p_c (1 + angle^2 / 8): the pitchfork's curvature
     const auto& point = y.points[0];
-    const auto& angle = point.null_vector(support::euler_column(data).structure.unknown(1, rz));
+    const double angle = point.null_vector(support::euler_column(data).structure.unknown(1, rz));
     CHECK(point.curvature / (angle * angle) == Approx(pi * pi / 16).epsilon(1e-5));
 
     data.ends = "hinged";
@@ -134,13 +130,11 @@ TEST_CASE("2: a cantilever rolled up to four full circles") {
 
 TEST_CASE("3: lateral buckling of a cantilever") {
     const auto y = trace(support::lateral_cantilever(with(16)), true, 40);
-    check(y, {{4.9375453396, pitchfork}}, 1e-8);
-    for (const auto& [z, ratio, tip] : {std::tuple{.1, 1.010293788, Vector3d(.9895564, -.0747452, .1)},
-                                        std::tuple{.2, 1.044597780, Vector3d(.9644797, -.1039196, .2)},
-                                        std::tuple{.4, 1.300753866, Vector3d(.8189963, -.2674014, .4)}}) {
-        const auto& [load, at] = y.named.at("z of the tip = " + to_text(z));
-        CHECK(load / 4.9375453396 == Approx(ratio).epsilon(1e-7));
-        CHECK((at - tip).norm() < 2e-7);
+    check(y, {{references::lateral_critical_load, pitchfork}}, 1e-8);
+    for (const auto& e : references::lateral_cantilever) {
+        const auto& [load, tip] = y.named.at("z of the tip = " + to_text(e[0]));
+        CHECK(load / references::lateral_critical_load == Approx(e[1]).epsilon(1e-7));
+        CHECK((tip - Vector3d(e[2], e[3], e[0])).norm() < 2e-7);
     }
     auto stiff = with(16);
     stiff.ei3 = rigid;
@@ -149,8 +143,8 @@ TEST_CASE("3: lateral buckling of a cantilever") {
 
 TEST_CASE("4: lateral buckling of a strip") {
     const double plain = pi * std::sqrt(1.343);
-    check(trace(support::lateral_strip(with(16))),
-          {{plain / std::sqrt((1 - 1. / 25) * (1 - 1.343 / 25)), pitchfork}}, 1e-7);
+    check(trace(support::lateral_strip(with(16))), {{plain / std::sqrt((1 - 1. / 25) * (1 - 1.343 / 25)), pitchfork}},
+          1e-7);
     auto stiff = with(16);
     stiff.ei3 = rigid;
     check(trace(support::lateral_strip(stiff)), {{plain, pitchfork}}, 1e-7);
@@ -158,9 +152,8 @@ TEST_CASE("4: lateral buckling of a strip") {
 
 TEST_CASE("5: the right-angle frame and its post-critical path") {
     const auto y = trace(support::right_angle_frame(with(16)), true, 60);
-    check(y, {{1.0875179377, pitchfork}}, 1e-7);
-    for (const auto& [z, load] : {std::pair{10., 1.091579938}, std::pair{20., 1.104364521}, std::pair{40., 1.167728430},
-                                  std::pair{60., 1.437891246}})
+    check(y, {{references::right_angle_critical_load, pitchfork}}, 1e-7);
+    for (const auto& [z, load] : references::right_angle_frame)
         CHECK(y.named.at("z of the tip = " + to_text(z)).first == Approx(load).epsilon(1e-7));
 }
 
@@ -205,7 +198,8 @@ TEST_CASE("12 and 13: trusses") {
 }
 
 TEST_CASE("14: rings under pressure") {
-    for (const auto& [load, expected] : {std::pair{"hydrostatic", 3.0}, std::pair{"fixed", 4.0}, std::pair{"central", 4.5}}) {
+    for (const auto& [load, expected] :
+         {std::pair{"hydrostatic", 3.0}, std::pair{"fixed", 4.0}, std::pair{"central", 4.5}}) {
         auto data = with(32, 3);
         data.load = load;
         CAPTURE(load);
@@ -228,10 +222,8 @@ TEST_CASE("15: a twisted rod has two null vectors") {
 TEST_CASE("18: the 45 degree bend") {
     const auto y = trace(support::bend(with(16)));
     CHECK(y.points.empty());
-    for (const auto& [load, tip] : {std::pair{"300", Vector3d(58.77912249, 22.24478095, 40.19189167)},
-                                    std::pair{"450", Vector3d(52.23855801, 18.50817893, 48.50292734)},
-                                    std::pair{"600", Vector3d(47.15043857, 15.68480053, 53.47485879)}})
-        CHECK((y.named.at("at " + std::string(load)).second - tip).norm() < 1e-6);
+    for (const auto& e : references::bend)
+        CHECK((y.named.at("at " + to_text(e[0])).second - Vector3d(e[1], e[2], e[3])).norm() < 1e-6);
 }
 
 TEST_CASE("19: chains of rigid links, by the augmented Lagrangian") {
@@ -257,15 +249,11 @@ TEST_CASE("20: the shallow arch of two modes, an element of the example's own") 
 }
 
 TEST_CASE("Orders of convergence: 2, 4 and 6 with 2, 3 and 4 nodes") {
-    const double e = 71240, g = e / 2.62;
-    const rods::Section section{18 * e, 18 * g, 18 * g, 2.16 * g, .54 * e, 1350 * e};
-    rods::Leg leg{240, section}, second = leg;
-    second.corner = rods::rotation(Vector3d::UnitZ().eval(), -pi / 2);
-    const double frame = rods::cantilever({leg, second}, Vector3d::UnitX()).first_bifurcation(1.3, 6).at.p();
+    const double frame =
+        rods::cantilever(rods::right_angle_frame(), Vector3d::UnitX()).first_bifurcation(1.3, 6).at.p();
 
-    const rods::Shooting rods_arch =
-        rods::arch({rods::rigid, rods::rigid, rods::rigid, 1, 1, 1e6}, 100, 215 * pi / 180, rods::Support::clamped,
-                   rods::Support::hinged);
+    const rods::Shooting rods_arch = rods::arch({rods::rigid, rods::rigid, rods::rigid, 1, 1, 1e6}, 100, 215 * pi / 180,
+                                                rods::Support::clamped, rods::Support::hinged);
     const auto crossing = rods_arch.crossings(rods_arch.follow(rods_arch.unloaded(), rods::position(1, 0), 14, 30));
     const double arch = rods_arch.fold(crossing.at(0)).at.p();
 

@@ -7,12 +7,13 @@
 #include <equilibria/fem/springs.hpp>
 #include <equilibria/fem/truss.hpp>
 
+#include "fem/charted_structure.hpp"
 #include "fem/random_states.hpp"
 #include "support/catch.hpp"
 
 using namespace equilibria;
 using namespace equilibria::fem;
-using Eigen::Vector3d;
+using Eigen::MatrixXd, Eigen::Vector3d, Eigen::VectorXd;
 
 namespace {
 
@@ -33,7 +34,8 @@ std::array<SectionFrame, static_cast<std::size_t>(Nodes)> helix() {
 template <int Nodes>
 std::array<PlanarSectionFrame, static_cast<std::size_t>(Nodes)> arc() {
     std::array<PlanarSectionFrame, static_cast<std::size_t>(Nodes)> at;
-    for (int k = 0; k < Nodes; ++k) at[static_cast<std::size_t>(k)] = {{std::sin(0.4 * k), 1 - std::cos(0.4 * k), 0}, 0.4 * k};
+    for (int k = 0; k < Nodes; ++k)
+        at[static_cast<std::size_t>(k)] = {{std::sin(0.4 * k), 1 - std::cos(0.4 * k), 0}, 0.4 * k};
     return at;
 }
 template <class Initial>
@@ -43,44 +45,60 @@ std::vector<Vector3d> places(const Initial& at) {
     return y;
 }
 
+/// A structure of one element, between the first of the nodes.
 template <class E>
-void check(const char* name, const E& element, const std::vector<Vector3d>& x, double size = 0.1, double apart = 0.5) {
-    std::mt19937 draw(17);
-    for (int k = 0; k < 20; ++k) {
-        const auto at = states::random_frames<E>(draw, x, size, apart);
-        const auto errors = states::derivative_errors(element, at, draw);
-        INFO(name << ", state " << k);
-        CHECK(errors.tangent < 1e-9);
-        CHECK(errors.parameter < 1e-9);
-        if (is_conservative<E>) CHECK(errors.symmetry < 1e-14);
-    }
+NonconservativeStructure structure_of(E element, const std::vector<Vector3d>& x) {
+    Model model;
+    std::array<int, static_cast<std::size_t>(E::n_nodes)> nodes;
+    for (std::size_t k = 0; k < nodes.size(); ++k) nodes[k] = model.add_node(x[k]);
+    model.add(std::move(element), nodes);
+    return NonconservativeStructure(std::move(model), {.scale = {3, 5}});
+}
+bool is_planar(const NonconservativeStructure& structure) {
+    return structure.unknown(0, uz) < 0 && structure.unknown(0, rx) < 0;
+}
+template <int Nodes>
+auto as_array(const std::vector<Frame<double>>& frames) {
+    std::array<Frame<double>, static_cast<std::size_t>(Nodes)> y;
+    std::copy_n(frames.begin(), Nodes, y.begin());
+    return y;
 }
 
-/// The nodes as they are without load, moved as a rigid body.
+void check_random_states(const char* name, const NonconservativeStructure& structure, bool symmetric, double apart) {
+    std::mt19937 draw(17);
+    const auto x = places(structure.initial().frames);
+    for (int k = 0; k < 20; ++k) {
+        INFO(name << ", state " << k);
+        const StructureState at{states::random_frames(draw, x, is_planar(structure), 0.1, apart),
+                                states::random_vector(draw, structure.multipliers(), 1)};
+        const VectorXd v = states::random_vector(draw, structure.size(), 1);
+        const auto errors = states::derivative_errors(structure, at, 0.7, v, 2e-3);
+        CHECK(errors.tangent < 1e-9);
+        CHECK(errors.parameter < 1e-9);
+        if (symmetric) CHECK(errors.symmetry < 1e-14);
+    }
+}
 template <class E>
-std::array<Frame<double>, static_cast<std::size_t>(E::n_nodes)> rigid_motion(std::mt19937& draw,
-                                                                             const std::vector<Vector3d>& x,
-                                                                             bool in_plane) {
-    std::array<Frame<double>, static_cast<std::size_t>(E::n_nodes)> y;
-    Vector3d psi = states::random_rotation(draw), shift = states::random_vector(draw, 10);
-    if (in_plane) psi(0) = psi(1) = shift(2) = 0;
-    const auto q = quaternion<double>(psi);
-    for (std::size_t k = 0; k < y.size(); ++k) y[k] = {shift + q * x[k], q};
-    return y;
+void check(const char* name, const E& element, const std::vector<Vector3d>& x, double apart = 0.5) {
+    check_random_states(name, structure_of(element, x), is_conservative<E>, apart);
 }
 
 template <class E>
 void check_rigid_motion(const char* name, const E& element, const std::vector<Vector3d>& x) {
     std::mt19937 draw(19);
-    constexpr bool in_plane = E::components.size() < 6 && E::components[E::components.size() - 1] != uz;
+    const auto structure = structure_of(element, x);
     for (int k = 0; k < 20; ++k) {
-        const auto at = rigid_motion<E>(draw, x, in_plane);
         INFO(name);
-        const auto values = states::values(element, at, std::vector<double>(multipliers_of<E>), 0, {1, 1});
-        CHECK(values.residual.norm() < 1e-12 * (1 + values.tangent.norm()));
+        StructureState at = structure.initial();
+        Vector3d psi = states::random_rotation(draw), shift = states::random_vector(draw, 10);
+        if (is_planar(structure)) psi(0) = psi(1) = shift(2) = 0;
+        const auto q = quaternion<double>(psi);
+        for (auto& frame : at.frames) frame = {shift + q * frame.x, q};
+        CHECK(structure.residual(at, 0).norm() < 1e-12 * (1 + structure.tangent(at, 0).norm()));
+        const auto frames = as_array<E::n_nodes>(at.frames);
         if constexpr (requires { element.geometry(); })
-            for (int g = 0; g < E::gauss_points; ++g) CHECK(element.strain(at, g).norm() < 1e-13);
-        if constexpr (requires { element.energy(at); }) CHECK(element.energy(at) < 1e-24);
+            for (int g = 0; g < E::gauss_points; ++g) CHECK(element.strain(frames, g).norm() < 1e-13);
+        if constexpr (requires { element.energy(frames); }) CHECK(element.energy(frames) < 1e-24);
     }
 }
 
@@ -116,7 +134,8 @@ struct PlainBeam {
             using std::sqrt;
             const Eigen::Quaternion<T> whole(q), slope_q(dq);
             const T s = q.dot(q);
-            y[g] << Vector3<T>((whole.conjugate() * Eigen::Quaternion<T>(T(0.0), dx(0), dx(1), dx(2)) * whole).vec() / s),
+            y[g] << Vector3<T>((whole.conjugate() * Eigen::Quaternion<T>(T(0.0), dx(0), dx(1), dx(2)) * whole).vec() /
+                               s),
                 Vector3<T>(T(2.0) * (whole.conjugate() * slope_q).vec() / s);
         }
         return y;
@@ -157,8 +176,8 @@ TEST_CASE("K is the derivative of the residual and symmetric: trusses and spring
     check("truss", Truss<3>(3, 1.3), x);
     check("truss, engineering strain", Truss<3>(3, 1.3, Strain::engineering), x);
     check("planar truss", Truss<2>(3, 1.3, Strain::engineering), flat);
-    check("rotation spring", RotationSpring{2}, x, 0.1, 2.5);
-    check("planar rotation spring", PlanarRotationSpring{2}, flat, 0.1, 2.5);
+    check("rotation spring", RotationSpring{2}, x, 2.5);
+    check("planar rotation spring", PlanarRotationSpring{2}, flat, 2.5);
     check("point spring", PointSpring<3>{{1, 2, 3}, {0, 1, 0}}, x);
 }
 
@@ -202,12 +221,15 @@ TEST_CASE("Beams derived by hand agree with dual numbers on their definition") {
     const auto compare = [&]<int Nodes>(std::integral_constant<int, Nodes>) {
         const Beam<Nodes> beam(section, helix<Nodes>());
         const PlainBeam<Nodes> plain{helix<Nodes>()};
+        const auto x = places(helix<Nodes>());
+        const auto a = structure_of(beam, x), b = structure_of(plain, x);
         for (int k = 0; k < 5; ++k) {
-            const auto at = states::random_frames<Beam<Nodes>>(draw, places(helix<Nodes>()), 0.1, 0.8);
-            const auto a = states::values(beam, at, {}, 0, {}), b = states::values(plain, at, {}, 0, {});
-            CHECK(beam.energy(at) == Approx(plain.energy(at, 0.0)).epsilon(1e-12));
-            CHECK((a.residual - b.residual).norm() < 1e-13 * a.tangent.norm());
-            CHECK((a.tangent - b.tangent).norm() < 1e-13 * a.tangent.norm());
+            const StructureState at{states::random_frames(draw, x, false, 0.1, 0.8), {}};
+            const auto frames = as_array<Nodes>(at.frames);
+            const MatrixXd tangent = a.tangent(at, 0);
+            CHECK(beam.energy(frames) == Approx(plain.energy(frames, 0.0)).epsilon(1e-12));
+            CHECK((a.residual(at, 0) - b.residual(at, 0)).norm() < 1e-13 * tangent.norm());
+            CHECK((tangent - b.tangent(at, 0)).norm() < 1e-13 * tangent.norm());
         }
     };
     compare(std::integral_constant<int, 2>());
@@ -218,7 +240,7 @@ TEST_CASE("Strains are objective: a rotation of the whole changes none") {
     std::mt19937 draw(29);
     const Beam<3> beam(section, helix<3>());
     for (int k = 0; k < 20; ++k) {
-        auto at = states::random_frames<Beam<3>>(draw, places(helix<3>()), 0.1, 0.8);
+        auto at = as_array<3>(states::random_frames(draw, places(helix<3>()), false, 0.1, 0.8));
         const auto before = beam.strain(at, 1);
         const auto q = quaternion<double>(states::random_rotation(draw));
         for (auto& frame : at) frame = {q * frame.x, q * frame.q};
@@ -229,21 +251,26 @@ TEST_CASE("Strains are objective: a rotation of the whole changes none") {
 TEST_CASE("The mixed beam's equilibrium forces are those of the beam") {
     std::mt19937 draw(31);
     const Beam<3> beam(section, helix<3>());
-    const MixedBeam<3> mixed(section, helix<3>());
+    const auto x = places(helix<3>());
+    const auto plain = structure_of(beam, x), mixed = structure_of(MixedBeam<3>(section, helix<3>()), x);
     for (int k = 0; k < 5; ++k) {
-        const auto at = states::random_frames<Beam<3>>(draw, places(helix<3>()), 0.1, 0.5);
-        std::vector<double> forces;
+        StructureState at{states::random_frames(draw, x, false, 0.1, 0.5), {}};
+        const VectorXd residual = plain.residual(at, 0);
+        const MatrixXd tangent = plain.tangent(at, 0);
+        at.multipliers.resize(12);
         for (int g = 0; g < 2; ++g)
-            for (int c = 0; c < 6; ++c) forces.push_back(beam.stress(at, g)(c) / 7);
-        const auto a = states::values(beam, at, {}, 0, {}), b = states::values(mixed, at, forces, 0, {7, 1});
-        CHECK((a.residual - b.residual.head(18)).norm() < 1e-13 * a.tangent.norm());
-        CHECK(b.residual.tail(12).norm() < 1e-13 * a.tangent.norm());
-        // condensed, K is the same
-        const Eigen::MatrixXd coupling = b.tangent.topRightCorner(18, 12);
-        const Eigen::MatrixXd condensed =
-            b.tangent.topLeftCorner(18, 18) -
-            coupling * b.tangent.bottomRightCorner(12, 12).inverse() * coupling.transpose();
-        CHECK((condensed - a.tangent).norm() < 1e-12 * a.tangent.norm());
+            at.multipliers.segment<6>(6 * g) = beam.stress(as_array<3>(at.frames), g) / mixed.scale().multiplier;
+        const VectorXd mixed_residual = mixed.residual(at, 0);
+        CHECK((residual - mixed_residual.head(18)).norm() < 1e-13 * tangent.norm());
+        CHECK(mixed_residual.tail(12).norm() < 1e-13 * tangent.norm());
+        // condensed, K is the same; its block of the forces is diagonal
+        MatrixXd condensed = mixed.tangent(at, 0);
+        for (int m = 18; m < 30; ++m) {
+            const VectorXd column = condensed.col(m).head(18);
+            CHECK(condensed.col(m).tail(12).cwiseAbs().sum() == std::abs(condensed(m, m)));
+            condensed.topLeftCorner(18, 18) -= column / condensed(m, m) * column.transpose();
+        }
+        CHECK((condensed.topLeftCorner(18, 18) - tangent).norm() < 1e-12 * tangent.norm());
     }
 }
 

@@ -1,15 +1,13 @@
-// Flexible mechanisms, driven and loaded: folds, bifurcations and kinematic dead points told apart, with rigid bodies and
-// joints in the loop.
+// Flexible mechanisms, driven and loaded: folds, bifurcations and kinematic dead points told apart, with rigid bodies
+// and joints in the loop.
 #include <boost/math/tools/minima.hpp>
-#include <equilibria/continuation/branch.hpp>
 #include <equilibria/fem/joints.hpp>
 #include <equilibria/fem/mesh.hpp>
 #include <equilibria/fem/rigid_link.hpp>
 #include <equilibria/fem/springs.hpp>
-#include <equilibria/fem/structure.hpp>
 #include <numbers>
 
-#include "support/catch.hpp"
+#include "fem/loaded.hpp"
 
 using namespace equilibria;
 using namespace equilibria::fem;
@@ -43,15 +41,6 @@ struct SliderCrank {
     }
 };
 
-ContinuationOptions window(double low, double high) {
-    ContinuationOptions y;
-    y.low = low;
-    y.high = high;
-    y.path.first_step = 0.02;
-    y.path.largest_step = 0.1;
-    return y;
-}
-
 /// A four-bar linkage whose ground and coupler have the length 3, crank and rocker 1; the crank is driven from -0.6 on,
 /// the rocker has a weak spring. A flexible coupler is a beam.
 Structure parallelogram(bool flexible) {
@@ -83,17 +72,15 @@ TEST_CASE("The coupler of a slider-crank buckles: a pitchfork at Euler's load") 
     mechanism.model.add(PlanarRotationDrive(0), {mechanism.ground, mechanism.pivot});  // the crank is held
     mechanism.model.load(mechanism.slider, {-1, 0, 0});
     const Structure structure(std::move(mechanism.model));
-    auto options = window(-0.1, 2);
-    options.path.parameter_weight = 1;
-    const auto branch = continue_branch(structure, structure.initial(), 0, 1, options);
-    CHECK(branch.unexplained.empty());
+    const auto branch = states::loaded(structure, -0.1, 2, {.first_step = 0.02, .parameter_weight = 1});
     REQUIRE(branch.events.size() == 1);
-    CHECK(branch.events[0].point.kind == CriticalKind::pitchfork);
-    CHECK(branch.events[0].point.negative_before == 0);
-    CHECK(branch.events[0].point.negative_after == 1);
+    const auto& point = branch.events[0].point;
+    CHECK(point.kind == CriticalKind::pitchfork);
+    CHECK(point.negative_before == 0);
+    CHECK(point.negative_after == 1);
     const double slope = std::asin(crank * std::sin(start) / coupler);
     const double expected = std::pow(std::numbers::pi / coupler, 2) * ei * std::cos(slope);
-    CHECK(branch.events[0].point.p == Approx(expected).epsilon(1e-8));
+    CHECK(point.p == Approx(expected).epsilon(1e-8));
 }
 
 TEST_CASE("A slider-crank against a spring has a largest moment: a fold, and passes its dead centre without an event") {
@@ -103,15 +90,14 @@ TEST_CASE("A slider-crank against a spring has a largest moment: a fold, and pas
     mechanism.model.load(mechanism.pivot, {0, 0, 0}, {0, 0, 1});
     const int pivot = mechanism.pivot;
     const Structure structure(std::move(mechanism.model));
-    const auto branch = continue_branch(structure, structure.initial(), 0, 1, window(-3, 10));
-    CHECK(branch.unexplained.empty());
+    const auto branch = states::loaded(structure, -3, 10);
 
     // M = -k (x - x0) dx/dangle with a straight coupler
     const auto moment = [&](double angle) {
         const double s = std::sin(angle), c = std::cos(angle), root = std::sqrt(coupler * coupler - s * s);
         return -stiffness * (SliderCrank::slider_at(angle) - SliderCrank::slider_at(start)) * (-s - s * c / root);
     };
-    const auto largest = boost::math::tools::brent_find_minima([&](double angle) { return moment(angle); }, start, 3.1, 50);
+    const auto largest = boost::math::tools::brent_find_minima(moment, start, 3.1, 50);
     REQUIRE(branch.events.size() >= 1);
     const auto& fold = branch.events[0].point;
     CHECK(fold.kind == CriticalKind::fold);
@@ -126,27 +112,15 @@ TEST_CASE("A slider-crank against a spring has a largest moment: a fold, and pas
     CHECK(passed);
 }
 
-TEST_CASE("A parallelogram linkage at its dead point: kinematic with a rigid coupler, a bifurcation with a flexible one") {
-    {
-        const Structure structure = parallelogram(false);
-        const auto branch = continue_branch(structure, structure.initial(), 0, 1, window(-0.1, 1.3));
-        CHECK(branch.end == BranchEnd::window);
-        CHECK(branch.unexplained.empty());
-        REQUIRE(branch.events.size() == 1);
-        const auto& point = branch.events[0].point;
-        CHECK(point.kind == CriticalKind::kinematic);
-        CHECK(point.p == Approx(0.6).epsilon(1e-5));
-    }
-    {
-        const Structure structure = parallelogram(true);
-        const auto branch = continue_branch(structure, structure.initial(), 0, 1, window(-0.1, 1.3));
-        CHECK(branch.end == BranchEnd::window);
-        CHECK(branch.unexplained.empty());
+TEST_CASE("A parallelogram linkage at its dead point: kinematic with a rigid coupler, else a bifurcation") {
+    for (const bool flexible : {false, true}) {
+        CAPTURE(flexible);
+        const auto branch = states::loaded(parallelogram(flexible), -0.1, 1.3);
         REQUIRE(branch.events.size() == 1);
         const auto& point = branch.events[0].point;
         INFO(to_string(point.kind));
         CHECK(is_bifurcation(point.kind));
-        CHECK(point.kind != CriticalKind::kinematic);
+        CHECK((point.kind == CriticalKind::kinematic) == !flexible);
         CHECK(point.p == Approx(0.6).epsilon(1e-5));
     }
 }
@@ -157,13 +131,9 @@ TEST_CASE("A drive turns a mechanism through many turns") {
     mechanism.model.add(PointSpring<2>{{1, 0, 0}, {2, 0, 0}}, {mechanism.slider});
     const int slider = mechanism.slider;
     const Structure structure(std::move(mechanism.model));
-    auto options = window(-0.1, 8 * std::numbers::pi);
-    options.path.largest_step = 0.5;
-    options.path.parameter_weight = 1;
-    const auto branch = continue_branch(structure, structure.initial(), 0, 1, options);
-    CHECK(branch.end == BranchEnd::window);
+    const PathOptions path{.first_step = 0.02, .largest_step = 0.5, .parameter_weight = 1};
+    const auto branch = states::loaded(structure, -0.1, 8 * std::numbers::pi, path);
     CHECK(branch.events.empty());
-    CHECK(branch.unexplained.empty());
     for (const auto& at : branch.points) {
         const double x = at.q.frames[static_cast<std::size_t>(slider)].x(0);
         CHECK(x == Approx(SliderCrank::slider_at(0.5 + at.p)).margin(0.1));  // the spring stretches the coupler

@@ -2,6 +2,7 @@
 #include <numbers>
 #include <vector>
 
+#include "fem/reference_paths.hpp"
 #include "support/catch.hpp"
 #include "support/rod_shooting.hpp"
 
@@ -22,16 +23,6 @@ Shooting column(const Section& section, Support first, bool guided) {
     return {3, {Leg{1, section}}, planar_start(first, 0), [=](const State<Number>& end, const Number& p) -> Numbers {
                 return {end.n(0) + p, guided ? end.r(1) : end.n(1), end.m(2)};
             }};
-}
-
-/// The right-angle frame of Argyris: section 30 x 0.6, legs of 240.
-std::vector<Leg> frame(int steps = 32) {
-    const double e = 71240, g = e / 2.62;
-    Leg first{240, {e * 18, g * 18, g * 18, g * 2.16, e * 0.54, e * 1350}};
-    first.steps = steps;
-    Leg second = first;
-    second.corner = rotation(e3, -pi / 2);
-    return {first, second};
 }
 
 void check_position(const Shooting& rod, const Point& at, const Vector3d& expected, double tolerance) {
@@ -69,10 +60,7 @@ TEST_CASE("shooting: the elastica") {
     };
     const Critical euler = rod.first_bifurcation(4, 8);
     Point at = rod.leave(euler, angle, 20 * degree);
-    const double expected[][4] = {{20, 1.01539686554, .969730907364, .219413042396},
-                                  {60, 1.15171962047, .741019606076, .593207646165},
-                                  {120, 1.88480086898, .123159972405, .803170990007}};
-    for (const auto& y : expected) {
+    for (const auto& y : references::elastica) {
         at = rod.follow(at, angle, y[0] * degree, 4).back();
         CHECK(at.p() / euler.at.p() == Approx(y[1]).epsilon(1e-11));
         check_position(rod, at, {y[2], y[3], 0}, 1e-11);
@@ -87,12 +75,9 @@ TEST_CASE("shooting: lateral buckling of a cantilever, and its post-critical bra
 
     const Shooting strip = rod(25);
     const Critical critical = strip.first_bifurcation(6, 6);
-    CHECK(critical.at.p() == Approx(4.9375453396).epsilon(1e-11));
+    CHECK(critical.at.p() == Approx(references::lateral_critical_load).epsilon(1e-11));
     Point at = strip.leave(critical, position(2, 0), .1);
-    const double expected[][4] = {{.1, 1.010293788, .9895564, -.0747452},
-                                  {.2, 1.044597780, .9644797, -.1039196},
-                                  {.4, 1.300753866, .8189963, -.2674014}};
-    for (const auto& y : expected) {
+    for (const auto& y : references::lateral_cantilever) {
         at = strip.solve(at, position(2, 0), y[0]);
         CHECK(at.p() / critical.at.p() == Approx(y[1]).epsilon(1e-9));
         check_position(strip, at, {y[2], y[3], y[0]}, 6e-8);
@@ -100,23 +85,22 @@ TEST_CASE("shooting: lateral buckling of a cantilever, and its post-critical bra
 }
 
 TEST_CASE("shooting: right-angle frame, and its post-critical branch") {
-    const Shooting rod = cantilever(frame(), e1);
+    const Shooting rod = cantilever(right_angle_frame(), e1);
     const Critical critical = rod.first_bifurcation(1.2, 6);
-    CHECK(critical.at.p() == Approx(1.0875179377).epsilon(1e-10));
+    CHECK(critical.at.p() == Approx(references::right_angle_critical_load).epsilon(1e-10));
     Point at = rod.leave(critical, position(2, 1), 10);
-    const double expected[][2] = {{10, 1.091579938}, {20, 1.104364521}, {40, 1.167728430}, {60, 1.437891246}};
-    for (const auto& y : expected) {
+    for (const auto& y : references::right_angle_frame) {
         at = rod.follow(at, position(2, 1), y[0], 2).back();
         CHECK(at.p() == Approx(y[1]).epsilon(1e-9));
     }
-    const Shooting coarse = cantilever(frame(16), e1);
+    const Shooting coarse = cantilever(right_angle_frame(16), e1);
     CHECK(coarse.first_bifurcation(1.2, 6).at.p() == Approx(critical.at.p()).epsilon(1e-11));
 }
 
 TEST_CASE("shooting: hinged right-angle frame under end moments") {
     const auto rod = [](double sign) {
         return Shooting(
-            6, frame(),
+            6, right_angle_frame(),
             [=](const Numbers& u, const Number& p) {
                 State<Number> y;
                 y.q = rotation<Number>(e3, pi / 4 + u[3]);
@@ -176,10 +160,7 @@ TEST_CASE("shooting: 45-degree bend") {
     const Leg leg{100 * pi / 4, {e, e / 2, e / 2, e / 12, e / 12, e / 12}, {0, 0, .01}};
     const Shooting rod = cantilever({leg}, e3);
     Point at = rod.unloaded();
-    const double expected[][4] = {{300, 58.77912249, 22.24478095, 40.19189167},
-                                  {450, 52.23855801, 18.50817893, 48.50292734},
-                                  {600, 47.15043857, 15.68480053, 53.47485879}};
-    for (const auto& y : expected) {
+    for (const auto& y : references::bend) {
         at = rod.follow(at, load(), y[0], 3).back();
         check_position(rod, at, {y[1], y[2], y[3]}, 6e-9);
     }

@@ -1,10 +1,11 @@
 // Structures as continuation problems: derivatives, rigid turns, charts, multipliers, threads, and what is refused.
+#include <equilibria/fem/loose_motion.hpp>
 #include <equilibria/fem/structure.hpp>
 
 #include "../examples/support/buckling_cases.hpp"
 #include "fem/charted_structure.hpp"
+#include "fem/loaded.hpp"
 #include "fem/random_states.hpp"
-#include "support/catch.hpp"
 
 using namespace equilibria;
 using namespace equilibria::fem;
@@ -13,8 +14,8 @@ using Eigen::VectorXd;
 
 namespace {
 
-/// Roorda's frame in space, turned by `turn`: two inextensible bars at a right angle, hinged at their ends, which move in
-/// the frame's plane alone; load on the corner, along the column. Its bifurcation is transcritical.
+/// Roorda's frame in space, turned by `turn`: two inextensible bars at a right angle, hinged at their ends, which move
+/// in the frame's plane alone; load on the corner, along the column. Its bifurcation is transcritical.
 Structure roorda(const Eigen::Quaterniond& turn) {
     Model model;
     const int foot = model.add_node({0, 0, 0}), corner = model.add_node(turn * Vector3d(0, 1, 0)),
@@ -31,22 +32,9 @@ Structure roorda(const Eigen::Quaterniond& turn) {
     return Structure(std::move(model));
 }
 
-ContinuationOptions window(double low, double high) {
-    ContinuationOptions y;
-    y.low = low;
-    y.high = high;
-    y.path.first_step = 0.02;
-    y.path.parameter_weight = 0.1;
-    return y;
-}
-
-/// A state some way along the frame's side branch, with all kinds of rotations.
-template <class S>
-StructureState random_state(const S& structure, std::mt19937& draw, double size) {
-    std::normal_distribution<double> normal;
-    VectorXd v(structure.size());
-    for (double& x : v) x = size * normal(draw);
-    return structure.retract(structure.initial(), v);
+/// Increments of the given size at the unloaded state, of multipliers too.
+StructureState random_state(const Structure& structure, std::mt19937& draw, double size) {
+    return structure.retract(structure.initial(), states::random_vector(draw, structure.size(), size));
 }
 
 }  // namespace
@@ -59,37 +47,12 @@ TEST_CASE("K of whole structures is dR/dq and symmetric in random states") {
     for (const auto& entry : support::buckling_cases()) {
         CAPTURE(entry.name);
         const auto c = entry.make(data);
-        const double size = 0.2;
+        const VectorXd v = equilibria::detail::generic_vector(c.structure.size());
         for (int k = 0; k < 3; ++k) {
-            const auto q = random_state(c.structure, draw, size);
-            // redundancy is for the unloaded state
-            const auto errors = [&] {
-                const VectorXd v = equilibria::detail::generic_vector(c.structure.size());
-                const double h = 1e-4;
-                const auto g = [&](double by) -> VectorXd {
-                    const VectorXd u = by * v;
-                    const auto there = c.structure.retract(q, u);
-                    VectorXd r = c.structure.residual(there, 0.7);
-                    for (int node = 0; node < c.structure.model().nodes(); ++node) {
-                        Vector3d psi = Vector3d::Zero(), m = psi;
-                        if (c.structure.model().rotates_with(node) != node) continue;
-                        for (int i = 0; i < 3; ++i)
-                            if (const int at = c.structure.unknown(node, Component(rx + i)); at >= 0)
-                                psi(i) = u(at), m(i) = r(at);
-                        m = tangent_map(psi).transposed().value() * m;
-                        for (int i = 0; i < 3; ++i)
-                            if (const int at = c.structure.unknown(node, Component(rx + i)); at >= 0) r(at) = m(i);
-                    }
-                    return r;
-                };
-                const VectorXd slope = (45 * (g(h) - g(-h)) - 9 * (g(2 * h) - g(-2 * h)) + g(3 * h) - g(-3 * h)) / (60 * h);
-                const Eigen::SparseMatrix<double> tangent = c.structure.tangent(q, 0.7);
-                const Eigen::SparseMatrix<double> transposed = tangent.transpose();
-                return std::pair{(tangent * v - slope).norm() / tangent.norm() / v.norm(),
-                                 (tangent - transposed).norm() / tangent.norm()};
-            }();
-            CHECK(errors.first < 1e-9);
-            CHECK(errors.second < 1e-14);
+            const auto q = random_state(c.structure, draw, 0.2);
+            const auto errors = states::derivative_errors(c.structure, q, 0.7, v, 1e-4);
+            CHECK(errors.tangent < 1e-9);
+            CHECK(errors.symmetry < 1e-14);
         }
     }
 }
@@ -97,7 +60,7 @@ TEST_CASE("K of whole structures is dR/dq and symmetric in random states") {
 TEST_CASE("The whole problem turned by a rotation has the same critical loads to 10 digits") {
     std::mt19937 draw(41);
     const Structure plain = roorda(Eigen::Quaterniond::Identity());
-    const auto branch = continue_branch(plain, plain.initial(), 0, 1, window(-1, 20));
+    const auto branch = states::loaded(plain, -1, 20);
     REQUIRE(branch.events.size() >= 1);
     CHECK(branch.events[0].point.kind == CriticalKind::transcritical);
     // sqrt(P / EI) = 3.7279...: tan k = 3 k / (3 + k^2)
@@ -105,7 +68,7 @@ TEST_CASE("The whole problem turned by a rotation has the same critical loads to
     CHECK(std::tan(k) == Approx(3 * k / (3 + k * k)).epsilon(1e-2));
     for (int n = 0; n < 3; ++n) {
         const Structure turned = roorda(quaternion<double>(states::random_rotation(draw)));
-        const auto other = continue_branch(turned, turned.initial(), 0, 1, window(-1, 20));
+        const auto other = states::loaded(turned, -1, 20);
         REQUIRE(other.events.size() == branch.events.size());
         for (std::size_t e = 0; e < branch.events.size(); ++e) {
             CHECK(other.events[e].point.p == Approx(branch.events[e].point.p).epsilon(1e-10));
@@ -117,7 +80,7 @@ TEST_CASE("The whole problem turned by a rotation has the same critical loads to
 TEST_CASE("a, b and c do not depend on the chart, null vectors are transported by T") {
     std::mt19937 draw(43);
     const Structure structure = roorda(quaternion<double>(Vector3d(0.3, -0.7, 0.4)));
-    const auto branch = continue_branch(structure, structure.initial(), 0, 1, window(-1, 20));
+    const auto branch = states::loaded(structure, -1, 20);
     REQUIRE(branch.events.size() >= 1);
     const auto& point = branch.events[0].point;
     REQUIRE(point.kind == CriticalKind::transcritical);
@@ -125,18 +88,18 @@ TEST_CASE("a, b and c do not depend on the chart, null vectors are transported b
     const auto charts = [&] {
         std::vector<std::vector<Eigen::Quaterniond>> y(4);
         for (const auto& frame : point.q.frames) {
-            y[0].push_back(frame.q);                            // the present configuration
-            y[1].push_back(Eigen::Quaterniond::Identity());     // the unloaded one: total rotations
+            y[0].push_back(frame.q);                         // the present configuration
+            y[1].push_back(Eigen::Quaterniond::Identity());  // the unloaded one: total rotations
             y[2].push_back(frame.q * quaternion<double>(Vector3d(0.5, 0, 0.2)));
             y[3].push_back(frame.q * quaternion<double>(states::random_rotation(draw, 0.8)));
         }
         return y;
     }();
     for (const auto& reference : charts) {
-        const states::ChartedStructure charted(structure, reference);
+        const states::ChartedStructure<Structure> charted(structure, reference);
         const VectorXd q = charted.coordinates(point.q);
         CHECK(check_derivatives(charted, q, point.p, 1e-7).symmetry < 1e-12);
-        CriticalPointSolver<states::ChartedStructure> solver(charted);
+        CriticalPointSolver<states::ChartedStructure<Structure>> solver(charted);
         const auto there = solver.solve(q, point.p * 1.001);
         REQUIRE(there);
         CHECK(there->p == Approx(point.p).epsilon(1e-12));
@@ -164,14 +127,12 @@ TEST_CASE("Transport moves tangent vectors along with their frames") {
     const auto c = support::right_angle_frame(data);
     const Structure& s = c.structure;
     const auto q = random_state(s, draw, 0.3);
-    std::normal_distribution<double> normal;
-    VectorXd step(s.size()), v(s.size());
-    for (double& x : step) x = 0.5 * normal(draw);
-    for (double& x : v) x = normal(draw);
+    const VectorXd step = states::random_vector(draw, s.size(), 0.5), v = states::random_vector(draw, s.size(), 1);
     const auto there = s.retract(q, step);
     CHECK((s.difference(q, there) - step).norm() < 1e-12);
     const double h = 1e-6;
-    const VectorXd moved = (s.difference(there, s.retract(q, step + h * v)) - s.difference(there, s.retract(q, step - h * v))) / (2 * h);
+    const auto off = [&](double by) { return s.difference(there, s.retract(q, step + by * v)); };
+    const VectorXd moved = (off(h) - off(-h)) / (2 * h);
     CHECK((s.transport(q, step, v) - moved).norm() < 1e-8 * v.norm());
 }
 
@@ -242,8 +203,7 @@ TEST_CASE("Dead moments, and loads that follow, on nodes that turn freely") {
                 model.load(b, {0, 0, 0}, moment);
             CHECK_THROWS_WITH(Structure(model), Catch::Contains("NonconservativeStructure"));
             const NonconservativeStructure structure(model);
-            const auto branch = continue_branch(structure, structure.initial(), 0.0, 1, window(-0.1, 0.8));
-            CHECK(branch.end == BranchEnd::window);
+            const auto branch = states::loaded(structure, -0.1, 0.8, {.first_step = 0.02, .parameter_weight = 0.1});
             // an arc of radius 1 / (2 pi p)
             const auto& last = branch.points.back();
             const double angle = 2 * std::numbers::pi * last.p;
@@ -254,6 +214,48 @@ TEST_CASE("Dead moments, and loads that follow, on nodes that turn freely") {
             before = error;
         }
     }
+}
+
+TEST_CASE("A node that moves without a force is named") {
+    // a cantilever; its foot free along x; free to turn
+    for (const auto& [held, loose] :
+         {std::pair{std::vector{ux, uy, rz}, false}, std::pair{std::vector{uy, rz}, true},
+          std::pair{std::vector{ux, uy}, true}, std::pair{std::vector<Component>{}, true}}) {
+        Model model;
+        const int foot = model.add_node({0, 0, 0}), head = model.add_node({0, 2, 0});
+        add_straight_planar_beam<3>(model, {rigid, rigid, 4}, foot, head, 50);
+        model.fix(foot, held);
+        model.load(head, {0, -1, 0});
+        const Structure column(std::move(model));
+        const auto found = loose_motion(column, column.initial(), 0);
+        REQUIRE(found.has_value() == loose);
+        if (held.size() == 2 && held[0] == uy) CHECK(found->component == ux);
+    }
+    // nor does what only the load holds
+    Model model;
+    const int pivot = model.add_node({0, 0, 0}), weight = model.add_node({0, -1, 0});
+    model.add(Truss<2>(100, model.at(pivot), model.at(weight)), {pivot, weight});
+    model.fix(pivot, planar_positions);
+    model.load(weight, {0, -1, 0});
+    const Structure pendulum(std::move(model));
+    const auto found = loose_motion(pendulum, pendulum.initial(), 0);
+    REQUIRE(found);
+    CHECK(found->node == weight);
+    CHECK(found->component == ux);
+    auto hanging = pendulum.initial();
+    hanging.frames[1].x(1) = -1.01;
+    CHECK_FALSE(loose_motion(pendulum, hanging, 1));
+}
+
+TEST_CASE("Nodes that share a rotation with several others are one body") {
+    Model model;
+    for (int k = 0; k < 4; ++k) model.add_node({1.0 * k, 0, 0});
+    model.share_rotation(1, 0);
+    model.share_rotation(3, 2);
+    model.share_rotation(1, 3);
+    for (int k = 0; k < 4; ++k) CHECK(model.rotates_with(k) == 2);
+    model.share_rotation(0, 3);
+    for (int k = 0; k < 4; ++k) CHECK(model.rotates_with(k) == 2);
 }
 
 TEST_CASE("What a structure refuses, it names") {
@@ -287,7 +289,10 @@ TEST_CASE("What a structure refuses, it names") {
     twice.add(PointSpring<3>{{1, 1, 1}, {1, 0, 0}}, {e});
     twice.add(RotationSpring{1}, {c, e});
     twice.add(SphericalJoint{}, {d, e});
-    CHECK_NOTHROW([&] { Structure s(twice); check_derivatives(s, s.initial(), 0.0); }());
+    CHECK_NOTHROW([&] {
+        Structure s(twice);
+        check_derivatives(s, s.initial(), 0.0);
+    }());
     twice.add(SphericalJoint{}, {d, e});
     const Structure redundant(twice);
     CHECK_THROWS_WITH(check_derivatives(redundant, redundant.initial(), 0.0), Catch::Contains("independent"));

@@ -20,6 +20,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <numbers>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -341,6 +342,16 @@ inline Shooting cantilever(std::vector<Leg> legs, const Eigen::Vector3d& force) 
                 const State<Number>::Vector n = end.n - p * force.cast<Number>();
                 return {n(0), n(1), n(2), end.m(0), end.m(1), end.m(2)};
             }};
+}
+
+/// The right-angle frame of Argyris: section 30 x 0.6, legs of 240.
+inline std::vector<Leg> right_angle_frame(int steps = 32) {
+    const double e = 71240, g = e / 2.62;
+    Leg first{240, {e * 18, g * 18, g * 18, g * 2.16, e * 0.54, e * 1350}};
+    first.steps = steps;
+    Leg second = first;
+    second.corner = rotation<double>(Eigen::Vector3d::UnitZ(), -std::numbers::pi / 2);
+    return {first, second};
 }
 
 enum class Support { clamped, hinged };

@@ -36,7 +36,7 @@
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 
-#include <equilibria/continuation/constraint_rank.hpp>
+#include <equilibria/continuation/redundant_constraints.hpp>
 #include <equilibria/core/error.hpp>
 
 namespace equilibria {
@@ -329,10 +329,12 @@ DerivativeErrors check_derivatives(const P& problem, const Configuration<P>& q, 
         const Eigen::Index m = problem.multipliers();
         require(m >= 0 && m < g.size(), "problem.multipliers", m,
                 "must be 0 to " + std::to_string(g.size() - 1) + ", below the number of unknowns");
-        const Eigen::Index rank = m > 0 ? detail::constraint_rank(k, m) : 0;
-        require(rank == m, "problem.multipliers", m,
+        const ConstraintGradients constraints(k, static_cast<int>(m), weights(problem, q, g.size()));
+        const std::size_t redundant =
+            constraints.count() <= 2000 ? constraints.redundant().size() : constraints.redundant_count();
+        require(redundant == 0, "problem.multipliers", m,
                 "must be the number of independent constraints: redundant ones, or a dead point, at the start, where "
-                "the rank is " + std::to_string(rank));
+                "the rank is " + std::to_string(static_cast<std::size_t>(m) - redundant));
     }
     return y;
 }

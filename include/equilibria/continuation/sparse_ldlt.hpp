@@ -21,11 +21,12 @@ public:
 
     explicit SparseLDLT(int multipliers = 0) : multipliers_(multipliers) {}
 
-    /// Matrices after the first one must have its pattern. False where a pivot is 0.
+    /// Quicker where k has the pattern of the one before it. False where a pivot is 0.
     bool factor(const Matrix& k) {
-        if (!analysed_) order(k);
+        const bool known = has_pattern(k);
+        if (!known) order(k);
         permuted_.selfadjointView<Eigen::Upper>() = k.selfadjointView<Eigen::Lower>().twistedBy(order_);
-        if (!analysed_) ldlt_.analyzePattern(permuted_), analysed_ = true;
+        if (!known) ldlt_.analyzePattern(permuted_);
         ldlt_.factorize(permuted_);
         return ldlt_.info() == Eigen::Success;
     }
@@ -44,7 +45,17 @@ public:
 private:
     using Permutation = Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int>;
 
+    bool has_pattern(const Matrix& k) const {
+        return k.isCompressed() && k.outerSize() + 1 == static_cast<Eigen::Index>(columns_.size()) &&
+               std::equal(columns_.begin(), columns_.end(), k.outerIndexPtr()) &&
+               std::equal(rows_.begin(), rows_.end(), k.innerIndexPtr());
+    }
     void order(const Matrix& k) {
+        columns_.clear();
+        if (k.isCompressed()) {
+            columns_.assign(k.outerIndexPtr(), k.outerIndexPtr() + k.outerSize() + 1);
+            rows_.assign(k.innerIndexPtr(), k.innerIndexPtr() + k.nonZeros());
+        }
         const int size = static_cast<int>(k.rows()), own = size - multipliers_;
         Matrix block = k.topLeftCorner(own, own);
         Permutation inverse(own);  // place -> unknown
@@ -68,7 +79,7 @@ private:
     }
 
     int multipliers_;
-    bool analysed_ = false;
+    std::vector<int> columns_, rows_;  // the pattern of the matrices that order_ is for
     Permutation order_;  // unknown -> place
     Matrix permuted_;
     Eigen::SimplicialLDLT<Matrix, Eigen::Upper, Eigen::NaturalOrdering<int>> ldlt_;

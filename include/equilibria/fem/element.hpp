@@ -218,7 +218,8 @@ void add_chart_term(const auto& residual, Eigen::MatrixXd& tangent) {
     for (int k = 0; k < E::n_nodes; ++k) {
         Vector3<double> moment = Vector3<double>::Zero();
         for (int c = 0; c < each; ++c)
-            if (E::components[c] >= rx) moment(E::components[c] - rx) = equilibria::detail::without_derivatives(residual(each * k + c));
+            if (E::components[c] >= rx)
+                moment(E::components[c] - rx) = equilibria::detail::without_derivatives(residual(each * k + c));
         const Matrix3<double> s = skew(moment);
         for (int r = 0; r < each; ++r)
             for (int c = 0; c < each; ++c)

@@ -10,6 +10,10 @@ namespace equilibria::fem {
 
 /// A node's unknowns: its position in fixed axes, and right (material) increments of its rotation, radians.
 enum Component { ux, uy, uz, rx, ry, rz };
+constexpr const char* to_string(Component c) {
+    constexpr const char* names[] = {"ux", "uy", "uz", "rx", "ry", "rz"};
+    return names[c];
+}
 
 /// What elements use of their nodes.
 inline constexpr std::array spatial{ux, uy, uz, rx, ry, rz};

@@ -84,13 +84,14 @@ public:
     }
     bool fixed(int node, Component c) const { return fixed_[checked(node, "node")][c]; }
 
-    /// The node turns as another one does, as points of one rigid body do: Boolean assignment of rotations (18).
+    /// The node turns as another one does, as points of one rigid body do: Boolean assignment of rotations (18). So do
+    /// all nodes that turn with either of them.
     void share_rotation(int node, int with) {
         checked(node, "node");
         checked(with, "with");
         const int root = rotates_with(with);
         require(root != node, "with", with, "must not itself turn with node " + std::to_string(node));
-        rotates_with_[static_cast<std::size_t>(node)] = root;
+        rotates_with_[static_cast<std::size_t>(rotates_with(node))] = root;
     }
     /// The node whose rotation this one has: itself, if it has its own.
     int rotates_with(int node) const {
@@ -112,6 +113,24 @@ public:
     const std::vector<NodalLoad>& loads() const { return loads_; }
     /// Elements by their types, in the order in which the types were first added.
     const std::vector<std::unique_ptr<ElementGroup>>& groups() const { return groups_; }
+    /// Which components of each node elements use; a rotation that several nodes share counts for the one that has it.
+    std::vector<std::array<bool, 6>> used() const {
+        std::vector<std::array<bool, 6>> y(x_.size());
+        for (const auto& group : groups_)
+            for (std::size_t e = 0; e < group->size(); ++e)
+                for (int k = 0; k < group->n_nodes(); ++k)
+                    for (int c = 0; c < group->n_components(); ++c)
+                        mark(y, group->nodes(e)[k], group->components()[c]);
+        return y;
+    }
+    /// Which components are fixed, counted likewise: a rotation is where it is fixed at one of the nodes that share it.
+    std::vector<std::array<bool, 6>> held() const {
+        std::vector<std::array<bool, 6>> y(x_.size());
+        for (int k = 0; k < nodes(); ++k)
+            for (const Component c : spatial)
+                if (fixed_[static_cast<std::size_t>(k)][c]) mark(y, k, c);
+        return y;
+    }
     /// The elements of one type; nothing if there is none.
     template <Element E>
     const ElementGroupOf<E>* group() const {
@@ -120,6 +139,9 @@ public:
     }
 
 private:
+    void mark(std::vector<std::array<bool, 6>>& of, int node, Component c) const {
+        of[static_cast<std::size_t>(c < rx ? node : rotates_with(node))][c] = true;
+    }
     std::size_t checked(int node, std::string_view argument) const {
         require(node >= 0 && node < nodes(), argument, node,
                 nodes() > 0 ? "must be a node, from 0 to " + std::to_string(nodes() - 1) : "there are no nodes yet");

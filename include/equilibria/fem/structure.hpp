@@ -47,8 +47,9 @@ public:
     using Configuration = StructureState;
     static constexpr bool symmetric = Conservative;
 
-    /// Throws InvalidArgument where nothing can move, where a node may turn about two axes alone, where a load acts on a component that no element uses, and, for a
-    /// conservative structure, where an element has no energy or a moment acts on a node that turns about several axes.
+    /// Throws InvalidArgument where nothing can move, where a node may turn about two axes alone, where a load acts on a
+    /// component that no element uses, and, for a conservative structure, where an element has no energy or a moment acts
+    /// on a node that turns about several axes.
     explicit BasicStructure(Model model, const StructureOptions& options = {})
         : model_(std::make_shared<const Model>(std::move(model))), options_(options) {
         number();
@@ -170,27 +171,15 @@ private:
 
     void number() {
         const std::size_t nodes = static_cast<std::size_t>(model_->nodes());
-        std::vector<std::array<bool, 6>> used(nodes);
-        for (const auto& group : model_->groups()) {
+        for (const auto& group : model_->groups())
             require(!Conservative || group->conservative(), "model", "an element without energy",
                     "must be given to NonconservativeStructure");
-            for (std::size_t e = 0; e < group->size(); ++e)
-                for (int k = 0; k < group->n_nodes(); ++k)
-                    for (int c = 0; c < group->n_components(); ++c) {
-                        const Component component = group->components()[c];
-                        const int node = group->nodes(e)[k];
-                        used[static_cast<std::size_t>(component < rx ? node : model_->rotates_with(node))][component] = true;
-                    }
-        }
+        used_ = model_->used();
+        const auto held = model_->held();
         unknowns_.assign(nodes, {-1, -1, -1, -1, -1, -1});
-        // a rotation that is fixed at one of the nodes which share it is fixed
-        std::vector<std::array<bool, 6>> held(nodes);
         for (int k = 0; k < model_->nodes(); ++k)
             for (const Component c : spatial)
-                if (model_->fixed(k, c)) held[static_cast<std::size_t>(c < rx ? k : model_->rotates_with(k))][c] = true;
-        for (int k = 0; k < model_->nodes(); ++k)
-            for (const Component c : spatial)
-                if (used[static_cast<std::size_t>(k)][c] && !held[static_cast<std::size_t>(k)][c])
+                if (used_[static_cast<std::size_t>(k)][c] && !held[static_cast<std::size_t>(k)][c])
                     unknowns_[static_cast<std::size_t>(k)][c] = size_++;
         // right increments without one of their components do not add up to a rotation: such a hold has no energy
         for (int k = 0; k < model_->nodes(); ++k)
@@ -202,7 +191,6 @@ private:
                 unknowns_[static_cast<std::size_t>(k)][c] =
                     unknowns_[static_cast<std::size_t>(model_->rotates_with(k))][c];
         require(size_ > 0, "model", std::to_string(nodes) + " nodes", "must have a component that can move");
-        used_ = std::move(used);
         for (const auto& group : model_->groups()) {
             std::vector<int> places;
             for (std::size_t e = 0; e < group->size(); ++e) {

@@ -15,6 +15,8 @@
 #include <optional>
 #include <sstream>
 
+#include "instances/locus/two_link_locus.hpp"
+#include "instances/locus/two_link_proofs.hpp"
 #include "support/command_line.hpp"
 #include "support/locus_figure.hpp"
 #include "support/numbers.hpp"

@@ -10,6 +10,7 @@
 #include <optional>
 #include <sstream>
 
+#include "instances/locus/chain_events.hpp"
 #include "support/command_line.hpp"
 #include "support/numbers.hpp"
 #include "support/output_file.hpp"

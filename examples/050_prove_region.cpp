@@ -15,6 +15,8 @@
 #include <sstream>
 #include <tuple>
 
+#include "instances/locus/two_link_locus.hpp"
+#include "instances/locus/two_link_proofs.hpp"
 #include "support/command_line.hpp"
 #include "support/numbers.hpp"
 #include "support/output_file.hpp"

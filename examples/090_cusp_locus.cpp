@@ -18,6 +18,7 @@
 #include <equilibria/mechanisms/rotating_chain.hpp>
 #include <nlohmann/json.hpp>
 
+#include "instances/locus/two_link_cusps.hpp"
 #include "support/command_line.hpp"
 #include "support/numbers.hpp"
 #include "support/output_file.hpp"

@@ -29,6 +29,7 @@
 #include <equilibria/mechanisms/rotating_chain.hpp>
 #include <nlohmann/json.hpp>
 
+#include "instances/locus/two_link_locus.hpp"
 #include "support/command_line.hpp"
 #include "support/locus_figure.hpp"
 #include "support/numbers.hpp"

@@ -11,6 +11,7 @@
 #include <equilibria/io/structure_output.hpp>
 #include <iomanip>
 
+#include "instances/fem/structure_branches.hpp"
 #include "support/buckling_cases.hpp"
 #include "support/command_line.hpp"
 #include "support/numbers.hpp"

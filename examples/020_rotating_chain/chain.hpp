@@ -1,5 +1,5 @@
-// The enumeration for a number of links that is known at run time. Each number has its own unit, so that they compile
-// side by side: chain.cpp.in.
+// The enumeration for a number of links that is known at run time. Two units have half of the numbers each, so that they
+// compile side by side: chain.cpp.in.
 #pragma once
 
 #include <atomic>

@@ -1,5 +1,5 @@
-// The events for a number of links that is known at run time. Each number has its own unit, so that they compile side
-// by side: events.cpp.in.
+// The events for a number of links that is known at run time. Two units have two numbers each, so that they compile
+// side by side: events.cpp.in.
 #pragma once
 
 #include <cstddef>

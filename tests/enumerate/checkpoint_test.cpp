@@ -13,7 +13,7 @@
 
 #include <equilibria/enumerate/stream.hpp>
 
-#include "enumerate/instances.hpp"
+#include "support/enumeration.hpp"
 #include "support/models.hpp"
 #include "support/scratch_file.hpp"
 

@@ -1,8 +1,9 @@
 // Plain coordinates, beside angles and alone.
 #include <numbers>
 
-#include "support/enumeration.hpp"
-#include "support/models.hpp"
+#include "enumerate/model_enumerations.hpp"
+
+template INSTANCES_ENUMERATION(models::ElasticPendulum, general);
 
 using namespace equilibria;
 using std::numbers::pi;

@@ -3,8 +3,9 @@
 #include <complex>
 #include <sstream>
 
-#include "support/enumeration.hpp"
-#include "support/models.hpp"
+#include "enumerate/model_enumerations.hpp"
+
+template INSTANCES_ENUMERATION(models::EqualAngles<4>, reflected);
 
 using namespace equilibria;
 

@@ -3,8 +3,7 @@
 #include <equilibria/enumerate/multiprecision.hpp>
 #include <equilibria/mechanisms/rotating_chain.hpp>
 
-#include "support/enumeration.hpp"
-#include "support/models.hpp"
+#include "enumerate/model_enumerations.hpp"
 
 using namespace equilibria;
 

@@ -2,7 +2,7 @@
 #include <mutex>
 #include <vector>
 
-#include "enumerate/instances.hpp"
+#include "support/enumeration.hpp"
 
 using namespace equilibria;
 using mechanisms::TwoLinkChain;

@@ -1,4 +1,4 @@
-#include "enumerate/instances.hpp"
+#include "support/enumeration.hpp"
 
 using namespace equilibria;
 using tests::Chain;

@@ -2,8 +2,8 @@
 
 #include <equilibria/enumerate/prove.hpp>
 
-#include "enumerate/instances.hpp"
-#include "support/models.hpp"
+#include "enumerate/model_enumerations.hpp"
+#include "instances/enumerate/chain_proofs.hpp"
 
 using namespace tests;
 

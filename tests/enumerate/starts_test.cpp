@@ -1,5 +1,5 @@
 // The start system is a means: the roots do not depend on it. Symmetries of the set of roots.
-#include "enumerate/instances.hpp"
+#include "support/enumeration.hpp"
 
 using namespace equilibria;
 using tests::Chain;

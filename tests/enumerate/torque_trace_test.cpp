@@ -5,8 +5,7 @@
 
 #include <equilibria/enumerate/torque_trace.hpp>
 
-#include "enumerate/instances.hpp"
-#include "support/models.hpp"
+#include "enumerate/model_enumerations.hpp"
 
 using namespace equilibria;
 

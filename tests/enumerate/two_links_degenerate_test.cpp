@@ -1,9 +1,7 @@
 // Parameters at which the count of equilibria is in question: the answer must say so, or be right.
 #include <string>
 
-#include "enumerate/instances.hpp"
-
-template TESTS_ENUMERATION_OF(equilibria::mechanisms::TwoLinkChain);
+#include "support/enumeration.hpp"
 
 using namespace equilibria;
 using mechanisms::TwoLinkChain;

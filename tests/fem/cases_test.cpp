@@ -1,8 +1,10 @@
 // The numbered cases against their references, and orders of convergence against shooting.
+#include <equilibria/fem/section.hpp>
 #include <map>
 
 #include "../examples/support/buckling_cases.hpp"
 #include "fem/reference_paths.hpp"
+#include "instances/fem/structure_branches.hpp"
 #include "support/catch.hpp"
 #include "support/rod_shooting.hpp"
 

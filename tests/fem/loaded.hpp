@@ -1,9 +1,7 @@
 // Structures loaded, or driven, from their unloaded state on.
 #pragma once
 
-#include <equilibria/continuation/branch.hpp>
-#include <equilibria/fem/structure.hpp>
-
+#include "instances/fem/structure_branches.hpp"
 #include "support/catch.hpp"
 
 namespace states {

@@ -1,6 +1,12 @@
 // Structures as continuation problems: derivatives, rigid turns, charts, multipliers, threads, and what is refused.
+#include <equilibria/fem/joints.hpp>
+#include <equilibria/fem/loads.hpp>
 #include <equilibria/fem/loose_motion.hpp>
+#include <equilibria/fem/mesh.hpp>
+#include <equilibria/fem/rigid_link.hpp>
+#include <equilibria/fem/springs.hpp>
 #include <equilibria/fem/structure.hpp>
+#include <equilibria/fem/truss.hpp>
 
 #include "../examples/support/buckling_cases.hpp"
 #include "fem/charted_structure.hpp"

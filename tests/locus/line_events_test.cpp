@@ -12,6 +12,7 @@
 #include <equilibria/mechanisms/rotating_chain.hpp>
 #include <equilibria/stability/morse.hpp>
 
+#include "instances/locus/chain_events.hpp"
 #include "support/catch.hpp"
 #include "support/enumeration.hpp"
 #include "support/models.hpp"
@@ -150,7 +151,7 @@ TEST_CASE("Random three-link chains: every event, the tables those of other enum
 TEST_CASE("A pendulum under a torque: two folds, without a symmetry") {
     constexpr int torque = TorquePendulum::torque;
     for (const double stiffness : {0.3, 1.0, 2.5}) {
-        const auto found = find_events<TorquePendulum, torque>({0, stiffness}, -3, 3);
+        const auto found = find_events<TorquePendulum, torque>({0, stiffness}, -4, 3);
         check_accounts(found);
         REQUIRE(found.events.size() == 2);
         for (int k = 0; k < 2; ++k) {

@@ -1,16 +1,14 @@
 // Reduced coefficients and line events on models whose bifurcations are known in closed form.
 #include <cmath>
-#include <numbers>
 #include <vector>
 #include <equilibria/locus/reduced_coefficients.hpp>
 #include <equilibria/locus/line_events.hpp>
 #include <equilibria/mechanisms/rotating_chain.hpp>
 
+#include "instances/locus/chain_events.hpp"
 #include "support/catch.hpp"
-#include "support/models.hpp"
 
 using namespace equilibria;
-using models::TorquePendulum;
 
 TEST_CASE("Polynomial roots by Chebyshev interpolation, also where the degree is only a bound") {
     const auto roots = polynomial_roots([](double x) { return (x - 0.25) * (x - 1) * (x - 3.5) * (x - 7); }, 9, 0, 5);
@@ -19,25 +17,6 @@ TEST_CASE("Polynomial roots by Chebyshev interpolation, also where the degree is
     CHECK(roots[1] == Approx(1).margin(1e-12));
     CHECK(roots[2] == Approx(3.5).margin(1e-12));
     CHECK(polynomial_roots([](double) { return 2.0; }, 3, 0, 1).empty());
-}
-
-TEST_CASE("The folds of a pendulum under a torque: all of them, and nothing else") {
-    for (const double stiffness : {0.3, 1.0, 2.5}) {
-        const auto found = find_events<TorquePendulum, TorquePendulum::torque>({0, stiffness}, -4, 3);
-        CHECK(found.complete());
-        REQUIRE(found.events.size() == 2);
-        for (int k = 0; k < 2; ++k) {
-            const double sign = k == 0 ? -1 : 1;
-            const auto& event = found.events[static_cast<std::size_t>(k)];
-            CHECK(event.kind == CriticalKind::fold);
-            CHECK(event.value == Approx(sign * stiffness).margin(1e-12));
-            CHECK(event.q[0] == Approx(sign * std::numbers::pi / 2).margin(1e-12));
-        }
-        REQUIRE(found.intervals.size() == 3);
-        CHECK(found.intervals[0].count == 0);
-        CHECK(found.intervals[1].count == 2);
-        CHECK(found.intervals[2].count == 0);
-    }
 }
 
 TEST_CASE("Folds and pitchforks of the two-link chain on lines alpha = const (facts.md)") {

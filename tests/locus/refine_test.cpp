@@ -5,6 +5,7 @@
 #include <equilibria/locus/refine.hpp>
 #include <equilibria/mechanisms/rotating_chain.hpp>
 
+#include "instances/enumerate/chain_enumerations.hpp"
 #include "support/catch.hpp"
 #include "support/models.hpp"
 

@@ -5,9 +5,8 @@
 
 #include <equilibria/locus/line_events.hpp>
 #include <equilibria/locus/locus.hpp>
-#include <equilibria/mechanisms/holonomic_mechanism.hpp>
 
-#include "support/catch.hpp"
+#include "mechanisms/holonomic_enumeration.hpp"
 
 using namespace equilibria;
 using M = mechanisms::HolonomicMechanism;

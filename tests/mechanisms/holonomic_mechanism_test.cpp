@@ -9,9 +9,10 @@
 #include <equilibria/certify/refine.hpp>
 #include <equilibria/enumerate/prove.hpp>
 #include <equilibria/enumerate/torque_trace.hpp>
-#include <equilibria/mechanisms/holonomic_mechanism.hpp>
 
-#include "support/enumeration.hpp"
+#include "mechanisms/holonomic_enumeration.hpp"
+
+template INSTANCES_ENUMERATION(equilibria::mechanisms::HolonomicMechanism, general);
 
 using namespace equilibria;
 using M = mechanisms::HolonomicMechanism;

@@ -14,6 +14,7 @@
 #include <equilibria/mechanisms/rotating_chain.hpp>
 #include <equilibria/model/derivatives.hpp>
 
+#include "instances/enumerate/chain_enumerations.hpp"
 #include "support/catch.hpp"
 
 namespace tests {

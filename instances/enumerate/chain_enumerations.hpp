@@ -9,6 +9,7 @@
     equilibria::RootSet<Model> equilibria::enumerate<Model, equilibria::StartKind::Start>( \
         const equilibria::Parameters<Model>&, const equilibria::EnumerateOptions&)
 
+#ifdef EQUILIBRIA_SHARED_INSTANCES
 extern template INSTANCES_ENUMERATION(equilibria::mechanisms::TwoLinkChain, reflected);
 extern template INSTANCES_ENUMERATION(equilibria::mechanisms::RotatingChain<1>, reflected);
 extern template INSTANCES_ENUMERATION(equilibria::mechanisms::RotatingChain<2>, reflected);
@@ -18,3 +19,4 @@ extern template INSTANCES_ENUMERATION(equilibria::mechanisms::RotatingChain<5>, 
 extern template INSTANCES_ENUMERATION(equilibria::mechanisms::RotatingChain<6>, reflected);
 extern template INSTANCES_ENUMERATION(equilibria::mechanisms::RotatingChain<7>, reflected);
 extern template INSTANCES_ENUMERATION(equilibria::mechanisms::RotatingChain<8>, reflected);
+#endif

@@ -8,6 +8,7 @@
     equilibria::Proof<Model> equilibria::prove<Model>(const equilibria::RootSet<Model>&, \
                                                       const equilibria::ProveOptions&)
 
+#ifdef EQUILIBRIA_SHARED_INSTANCES
 extern template INSTANCES_PROOF(equilibria::mechanisms::TwoLinkChain);
 extern template INSTANCES_PROOF(equilibria::mechanisms::RotatingChain<1>);
 extern template INSTANCES_PROOF(equilibria::mechanisms::RotatingChain<2>);
@@ -17,3 +18,4 @@ extern template INSTANCES_PROOF(equilibria::mechanisms::RotatingChain<5>);
 extern template INSTANCES_PROOF(equilibria::mechanisms::RotatingChain<6>);
 extern template INSTANCES_PROOF(equilibria::mechanisms::RotatingChain<7>);
 extern template INSTANCES_PROOF(equilibria::mechanisms::RotatingChain<8>);
+#endif

@@ -18,6 +18,8 @@
         const equilibria::ContinuationOptions&,                                                                     \
         const std::vector<equilibria::EventFunction<equilibria::fem::Structure>>&)
 
+#ifdef EQUILIBRIA_SHARED_INSTANCES
 extern template INSTANCES_STRUCTURE_STEPPER;
 extern template INSTANCES_STRUCTURE_FOLLOW;
 extern template INSTANCES_STRUCTURE_BRANCH;
+#endif

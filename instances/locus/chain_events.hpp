@@ -9,5 +9,7 @@
     equilibria::LineEvents<Model> equilibria::find_events<Model, Model::omega>( \
         const equilibria::Parameters<Model>&, double, double, const equilibria::EnumerateOptions&)
 
+#ifdef EQUILIBRIA_SHARED_INSTANCES
 extern template INSTANCES_EVENTS(equilibria::mechanisms::TwoLinkChain);
 extern template INSTANCES_EVENTS(equilibria::mechanisms::RotatingChain<3>);
+#endif

@@ -11,4 +11,6 @@
         const equilibria::Parameters<equilibria::mechanisms::TwoLinkChain>&, const equilibria::CuspBox&, \
         const equilibria::CuspLocusOptions&)
 
+#ifdef EQUILIBRIA_SHARED_INSTANCES
 extern template INSTANCES_TWO_LINK_CUSPS;
+#endif

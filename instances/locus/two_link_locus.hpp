@@ -15,4 +15,6 @@
                                                           equilibria::mechanisms::TwoLinkChain::alpha,         \
                                                           equilibria::mechanisms::TwoLinkChain::omega>>)
 
+#ifdef EQUILIBRIA_SHARED_INSTANCES
 extern template INSTANCES_TWO_LINK_LOCUS;
+#endif

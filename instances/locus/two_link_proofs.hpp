@@ -21,5 +21,7 @@
         const equilibria::Parameters<equilibria::mechanisms::TwoLinkChain>&, const equilibria::PlaneWindow&,    \
         const equilibria::ProveRegionOptions&)
 
+#ifdef EQUILIBRIA_SHARED_INSTANCES
 extern template INSTANCES_TWO_LINK_LOCUS_PROOF;
 extern template INSTANCES_TWO_LINK_REGION_PROOF;
+#endif

@@ -321,7 +321,7 @@ int main(int argc, char** argv) {
             const auto run = [&](const auto& structure) {
                 if (const auto loose = equilibria::fem::loose_motion(structure, structure.initial(), 0))
                     throw std::runtime_error("the structure moves without a force: " + name_of(input, loose->node) +
-                                             " along " + to_string(loose->component));
+                                             ", " + to_string(loose->component));
                 follow(structure, input.name.empty() ? model_name : input.name, input.parameter, value, input.measured,
                        {}, options, 0.02, false);
             };

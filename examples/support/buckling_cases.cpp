@@ -11,7 +11,6 @@
 #include <equilibria/fem/truss.hpp>
 #include <initializer_list>
 #include <numbers>
-#include <type_traits>
 #include <utility>
 
 namespace support {
@@ -32,12 +31,6 @@ double planar_angle(const StructureState& q, int node) {
 /// The elements of a member that makes a share of the structure's length.
 int elements_of(const CaseData& data, double share) {
     return std::max(1, static_cast<int>(std::lround(share * data.elements)));
-}
-/// Calls add with the number of an element's nodes as a constant.
-auto with_nodes(const CaseData& data, const auto& add) {
-    if (data.nodes == 2) return add(std::integral_constant<int, 2>());
-    if (data.nodes == 3) return add(std::integral_constant<int, 3>());
-    return add(std::integral_constant<int, 4>());
 }
 
 /// A case's own cross-section, changed by the data.
@@ -62,27 +55,27 @@ Section argyris_section(const CaseData& data) {
 }
 
 /// A straight planar beam that makes a share of the structure's length; all nodes.
-std::vector<int> planar_beam(Model& model, const PlanarSection& section, int first, int last,
-                                    const CaseData& data, double share = 1) {
-    return with_nodes(data, [&](auto n) {
+std::vector<int> planar_beam(Model& model, const PlanarSection& section, int first, int last, const CaseData& data,
+                             double share = 1) {
+    return with_beam_nodes(data.nodes, [&](auto n) {
         return add_straight_planar_beam<n>(model, section, first, last, elements_of(data, share));
     });
 }
 /// The same in space.
 std::vector<int> beam(Model& model, const Section& section, int first, int last, const Vector3d& second,
-                             const CaseData& data, double share = 1) {
-    return with_nodes(data, [&](auto n) {
+                      const CaseData& data, double share = 1) {
+    return with_beam_nodes(data.nodes, [&](auto n) {
         return add_straight_beam<n>(model, section, first, last, second, elements_of(data, share));
     });
 }
 /// A planar arc of radius r around the origin, from angle `from` to `to`.
-std::vector<int> arc(Model& model, const PlanarSection& section, double r, double from, double to,
-                            const CaseData& data, int elements) {
+std::vector<int> arc(Model& model, const PlanarSection& section, double r, double from, double to, const CaseData& data,
+                     int elements) {
     const auto frame = [=](double t) {
         const double angle = from + (to - from) * t;
         return PlanarSectionFrame{{r * std::cos(angle), r * std::sin(angle), 0}, angle + (to > from ? pi : -pi) / 2};
     };
-    return with_nodes(data, [&](auto n) { return add_planar_beam<n>(model, section, frame, elements); });
+    return with_beam_nodes(data.nodes, [&](auto n) { return add_planar_beam<n>(model, section, frame, elements); });
 }
 
 CasePoint at_coordinate(int node, int c, double x) {
@@ -94,7 +87,7 @@ CasePoint at_parameter(double at) {
 }
 
 BucklingCase make(Model model, const CaseData& data, int tip, const char* parameter, double low, double high,
-                         double first_step) {
+                  double first_step) {
     BucklingCase y{.structure = Structure(std::move(model), {.threads = data.threads}),
                    .tip = tip,
                    .parameter = parameter,
@@ -106,8 +99,8 @@ BucklingCase make(Model model, const CaseData& data, int tip, const char* parame
 
 /// A circular arch with a load on its crown, its ends held by these components.
 BucklingCase crown_loaded_arch(const CaseData& data, double radius, double degrees, double ei,
-                                      std::initializer_list<Component> left, std::initializer_list<Component> right,
-                                      const char* parameter, double low, double high) {
+                               std::initializer_list<Component> left, std::initializer_list<Component> right,
+                               const char* parameter, double low, double high) {
     const double half = data.angle.value_or(degrees) * pi / 360;
     Model model;
     const auto nodes = arc(model, section_of(data, PlanarSection{rigid, rigid, ei}), radius, pi / 2 + half,
@@ -322,7 +315,7 @@ BucklingCase pressed_ring(const CaseData& data) {
                     model.add(CentralLoad<2>{force, {0, 0, 0}}, {node(k)});
             }
         } else {
-            with_nodes(data, [&](auto n) {
+            with_beam_nodes(data.nodes, [&](auto n) {
                 std::array<int, static_cast<std::size_t>(n())> own;
                 std::copy_n(nodes.begin() + e * each, n(), own.begin());
                 model.add(PlanarPressure<n>{1}, own);
@@ -361,7 +354,8 @@ BucklingCase bend(const CaseData& data) {
         return section_frame({r * s, r * (1 - c), 0}, {c, s, 0}, Vector3d::UnitZ());
     };
     Model model;
-    const auto nodes = with_nodes(data, [&](auto n) { return add_beam<n>(model, section, frame, data.elements); });
+    const auto nodes =
+        with_beam_nodes(data.nodes, [&](auto n) { return add_beam<n>(model, section, frame, data.elements); });
     model.fix(nodes.front(), spatial);
     model.load(nodes.back(), {0, 0, 1});
     BucklingCase y = make(std::move(model), data, nodes.back(), "P", -1, 620, 0.02);

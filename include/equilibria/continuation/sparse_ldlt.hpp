@@ -80,7 +80,7 @@ private:
 
     int multipliers_;
     std::vector<int> columns_, rows_;  // the pattern of the matrices that order_ is for
-    Permutation order_;  // unknown -> place
+    Permutation order_;                // unknown -> place
     Matrix permuted_;
     Eigen::SimplicialLDLT<Matrix, Eigen::Upper, Eigen::NaturalOrdering<int>> ldlt_;
 };

@@ -14,6 +14,15 @@
 
 namespace equilibria::fem {
 
+/// Calls add(std::integral_constant<int, N>()), N the number of nodes of a beam element: 2, 3 or 4. Throws
+/// InvalidArgument for others.
+auto with_beam_nodes(int nodes, const auto& add) {
+    require(nodes >= 2 && nodes <= 4, "nodes", nodes, "must be 2, 3 or 4");
+    if (nodes == 2) return add(std::integral_constant<int, 2>());
+    if (nodes == 3) return add(std::integral_constant<int, 3>());
+    return add(std::integral_constant<int, 4>());
+}
+
 /// Whether some stiffnesses of a section are far above others over this length, so that MixedBeam is better.
 bool unequal_stiffness(const auto& section, double length) {
     constexpr int f = std::remove_cvref_t<decltype(section)>::n_forces;

@@ -132,32 +132,23 @@ private:
             turn = arc->normal(2) > 0 ? arc->angle : -arc->angle;
         }
         const auto frame = [&](double t) { return PlanarSectionFrame{arc->at(t), first + turn * t}; };
-        with_nodes(line.nodes_each, [&]<int N>() {
+        with_beam_nodes(line.nodes_each, [&](auto n) {
             if (arc)
-                add_planar_beam<N>(draft_.model(), section, frame, line.elements, line.ends[0], line.ends[1]);
+                add_planar_beam<n>(draft_.model(), section, frame, line.elements, line.ends[0], line.ends[1]);
             else
-                add_straight_planar_beam<N>(draft_.model(), section, line.ends[0], line.ends[1], line.elements);
+                add_straight_planar_beam<n>(draft_.model(), section, line.ends[0], line.ends[1], line.elements);
         });
     }
     void add_spatial(const Line& line, const Section& section, const Eigen::Vector3d& second) {
         const auto& arc = line.arc;
         const auto frame = [&](double t) { return section_frame(arc->at(t), arc->direction(t), second); };
-        with_nodes(line.nodes_each, [&]<int N>() {
+        with_beam_nodes(line.nodes_each, [&](auto n) {
             if (arc)
-                add_beam<N>(draft_.model(), section, frame, line.elements, line.ends[0], line.ends[1]);
+                add_beam<n>(draft_.model(), section, frame, line.elements, line.ends[0], line.ends[1]);
             else
-                add_straight_beam<N>(draft_.model(), section, line.ends[0], line.ends[1], second, line.elements);
+                add_straight_beam<n>(draft_.model(), section, line.ends[0], line.ends[1], second, line.elements);
         });
     }
-    static void with_nodes(int each, const auto& add) {
-        if (each == 2)
-            add.template operator()<2>();
-        else if (each == 3)
-            add.template operator()<3>();
-        else
-            add.template operator()<4>();
-    }
-
     StructureDraft& draft_;
     SectionTable sections_;
 };

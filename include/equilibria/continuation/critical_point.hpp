@@ -127,10 +127,12 @@ private:
             const bool done = size <= options_.tolerance || (size < 1e-9 && size > 0.2 * before);
             if (!done) continue;
             if (!evaluate(point.q, point.p)) return std::nullopt;
-            // dg/dp itself may vanish there
-            if (bifurcation && transversality() > options_.bifurcation &&
-                std::abs(left_.x.dot(g_p_)) > 1e-9 * (std::abs(b_) + std::abs(c_)))
-                return std::nullopt;
+            if (bifurcation && transversality() > options_.bifurcation && !load_vanishes()) return std::nullopt;
+            if (!bifurcation && switches < 2 && (bifurcation_step(), load_vanishes())) {
+                bifurcation = true;
+                switches = 2;
+                continue;
+            }
             if (bifurcation && std::abs(gamma) > 1e3 * rounding()) {
                 // not on the branch: an imperfect bifurcation; its folds are limit points
                 bifurcation = false;
@@ -201,6 +203,9 @@ private:
         const double phi = (left_.x.array() * root).matrix().norm(), load = (g_p_.array() / root).matrix().norm();
         return load > 0 ? std::abs(left_.x.dot(g_p_)) / (phi * load) : 0;  // 0: a load that does no work here
     }
+
+    /// Whether dg/dp itself vanishes, so that `transversality` means nothing; after bifurcation_step.
+    bool load_vanishes() const { return std::abs(left_.x.dot(g_p_)) <= 1e-9 * (std::abs(b_) + std::abs(c_)); }
 
     struct Step {
         Direction d;

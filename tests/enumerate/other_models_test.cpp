@@ -72,15 +72,8 @@ TEST_CASE("harmonics of one angle") {
 }
 
 TEST_CASE("the holonomic mechanism at 100 N: four equilibria of six roots") {
-    // the data of the third seed: g = 9.80665, c_2 = 1100/3; kg, m, N/m, N
     using M = models::TwoAngleMechanism;
-    Parameters<M> p;
-    p[M::mass] = 10;
-    p[M::gravity] = 9.80665;
-    p[M::length] = 1.25;
-    p[M::stiffness_1] = 162.5;
-    p[M::stiffness_2] = 1100.0 / 3;
-    p[M::force] = 100;
+    const auto p = M::paper_parameters(100);
     const auto r = enumerate<M>(p);
     check_accounts(r);
     CHECK(r.paths.total == 16);

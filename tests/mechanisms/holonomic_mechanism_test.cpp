@@ -71,7 +71,8 @@ TEST_CASE("the potential is (1.14) at the points (1.10), less F x2") {
         const double l = p[M::length];
         const double x1 = l * std::cos(q[0]), y1 = l * std::sin(q[0]);
         const double x2 = x1 - l * std::sin(q[1]), y2 = y1 - l * std::cos(q[1]);
-        const double energy = p[M::mass] * p[M::gravity] * (y1 + y2) + p[M::stiffness_1] / 2 * (x2 * x2 + y2 * y2) +
+        const double energy = p[M::gravity] * (p[M::mass_1] * y1 + p[M::mass_2] * y2) +
+                              p[M::stiffness_1] / 2 * (x2 * x2 + y2 * y2) +
                               p[M::stiffness_2] / 2 * (x1 * x1 + (l - y1) * (l - y1));
         CHECK(potential<M, double>(q, p) == Approx(energy - p[M::force] * x2).epsilon(1e-13).margin(1e-13));
         // both rods are of length l
@@ -85,12 +86,12 @@ TEST_CASE("the gradient is the printed equilibrium conditions (2.3)") {
     for (int k = 0; k < 50; ++k) {
         const auto p = random_parameters(generator);
         const auto q = random_angles(generator);
-        const double l = p[M::length], weight = p[M::mass] * p[M::gravity], c1 = p[M::stiffness_1], F = p[M::force];
+        const double l = p[M::length], weight = p[M::mass_2] * p[M::gravity], c1 = p[M::stiffness_1], F = p[M::force];
         const double together = c1 * l * std::cos(q[0] + q[1]);
         const auto f = equations<M, double>(q, p);
-        CHECK(-f[0] ==
-              Approx(l * ((p[M::stiffness_2] * l - 2 * weight) * std::cos(q[0]) + together - F * std::sin(q[0])))
-                  .margin(1e-13));
+        CHECK(-f[0] == Approx(l * ((p[M::stiffness_2] * l - p[M::mass_1] * p[M::gravity] - weight) * std::cos(q[0]) +
+                                   together - F * std::sin(q[0])))
+                           .margin(1e-13));
         CHECK(-f[1] == Approx(l * (-F * std::cos(q[1]) + together - weight * std::sin(q[1]))).margin(1e-13));
     }
 }
@@ -108,7 +109,7 @@ TEST_CASE("the reflection leaves the potential as it is") {
 
 TEST_CASE("the paper's data, and the path counts of its formulations") {
     const auto p = M::paper_parameters(100);
-    CHECK(p[M::mass] == 10);
+    for (const int mass : {M::mass_1, M::mass_2, M::mass_3}) CHECK(p[mass] == 10);
     CHECK(p[M::length] == 1.25);
     CHECK(p[M::stiffness_1] == 162.5);
     CHECK(p[M::stiffness_2] == Approx(366.67).margin(0.005));
@@ -208,8 +209,9 @@ TEST_CASE("without a force: q1 = +-pi/2 with q2 = 0 or pi, and a pair more where
     for (int k = 0; k < 60; ++k) {
         auto p = random_parameters(generator);
         p[M::force] = 0;
-        const double l = p[M::length], weight = p[M::mass] * p[M::gravity];
-        const double a = (2 * weight - p[M::stiffness_2] * l) * l, b = weight * l, c = p[M::stiffness_1] * l * l;
+        const double l = p[M::length], weight = p[M::mass_2] * p[M::gravity];
+        const double a = (p[M::mass_1] * p[M::gravity] + weight - p[M::stiffness_2] * l) * l, b = weight * l,
+                     c = p[M::stiffness_1] * l * l;
         double sides[] = {1 / std::abs(a), 1 / b, 1 / c};
         std::sort(std::begin(sides), std::end(sides));
         const double slack = (sides[0] + sides[1]) / sides[2] - 1;
@@ -245,7 +247,7 @@ TEST_CASE("without a force: q1 = +-pi/2 with q2 = 0 or pi, and a pair more where
 TEST_CASE("without a force, the pair comes and goes at four pitchforks with c2 in closed form") {
     // at q1 = up pi/2, cos q2 = down: det Hess V = 0 where a = b c up down / (b up + c)
     auto p = M::paper_parameters(0);
-    const double l = p[M::length], weight = p[M::mass] * p[M::gravity];
+    const double l = p[M::length], weight = p[M::mass_2] * p[M::gravity];
     const double b = weight * l, c = p[M::stiffness_1] * l * l;
     for (const double up : {1, -1})
         for (const double down : {1, -1}) {

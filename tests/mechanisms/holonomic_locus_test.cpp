@@ -18,7 +18,7 @@ namespace {
 /// V11 = -2 a s + l (c1 s t + c2 s), V12 = l c1 s t, V22 = a t + l c1 s t.
 std::vector<double> symmetric_cusps() {
     const auto p = M::paper_parameters(0);
-    const double a = p[M::mass] * p[M::gravity], l = p[M::length], c1 = l * p[M::stiffness_1];
+    const double a = p[M::mass_1] * p[M::gravity], l = p[M::length], c1 = l * p[M::stiffness_1];
     std::vector<double> y;
     for (const double s : {1.0, -1.0})
         for (const double t : {1.0, -1.0}) {
@@ -72,5 +72,26 @@ TEST_CASE("Every event of the mechanism as the force grows, folds one and all") 
         const auto &event = found.events[k], &mirror = found.events[found.events.size() - 1 - k];
         CHECK(event.kind == CriticalKind::fold);
         CHECK(std::abs(event.value + mirror.value) < 1e-9);
+    }
+}
+
+TEST_CASE("Without a force the equilibria change their number at four pitchforks as c2 grows, to 10 digits") {
+    const auto found = find_events<M, M::stiffness_2>(M::paper_parameters(0), 0, 400);
+    CAPTURE(found.argument());
+    CHECK(found.complete());
+    const auto expected = symmetric_cusps();  // the cusps of the plane: there the line F = 0 has pitchforks
+    REQUIRE(found.events.size() == expected.size());
+    for (std::size_t k = 0; k < expected.size(); ++k) {
+        const auto& event = found.events[k];
+        CHECK(std::abs(event.value - expected[k]) < 1e-10 * expected[k]);
+        CHECK(event.kind == CriticalKind::pitchfork);
+        CHECK(std::abs(std::cos(event.q[0])) < 1e-12);
+        CHECK(std::abs(std::sin(event.q[1])) < 1e-12);
+    }
+    REQUIRE(found.intervals.size() == 5);
+    const std::vector<std::int64_t> tables[] = {{1, 2, 1}, {2, 3, 1}, {1, 2, 1}, {1, 3, 2}, {1, 2, 1}};
+    for (std::size_t k = 0; k < 5; ++k) {
+        CHECK(found.intervals[k].by_index == tables[k]);
+        CHECK(found.intervals[k].clean);
     }
 }

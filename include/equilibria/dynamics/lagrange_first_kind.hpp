@@ -1,0 +1,163 @@
+/// \file
+/// Lagrange's equations of the first kind, with multipliers. Sources: the third seed, (1.7) and (1.8); index reduction
+/// and projection as in Hairer and Wanner, Solving Ordinary Differential Equations II, section VII.2.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+#include <Eigen/Cholesky>
+#include <Eigen/Core>
+
+#include <equilibria/core/error.hpp>
+#include <equilibria/dynamics/christoffel.hpp>
+#include <equilibria/dynamics/motion_formulation.hpp>
+
+namespace equilibria {
+
+/// What keeps the constraints, of which the equations know the second derivative alone.
+enum class Stabilisation {
+    projection,  ///< after each step, the nearest state (in the metric of the masses) that obeys them
+    none,        ///< they drift away: to see how fast
+};
+
+/// The motion of a model with holonomic constraints f(q) = 0, in q and v: M a + Gamma v v = Q + J^T lambda with J a =
+/// -v^T f'' v, the constraints' second derivative in time (index 1).
+template <DynamicModel M>
+class LagrangeFirstKind : public detail::ModelMotion<M> {
+    using Base = detail::ModelMotion<M>;
+    using typename Base::Vector;
+    static constexpr int m = n_constraints<M>;
+    using Values = Eigen::Vector<double, m>;
+    static_assert(m > 0, "equilibria: Lagrange's equations of the first kind need a model with constraints");
+
+public:
+    using typename Base::State;
+
+    explicit LagrangeFirstKind(const Parameters<M>& p, Stabilisation stabilisation = Stabilisation::projection)
+        : Base(p), stabilisation_(stabilisation) {}
+
+    /// Throws InvalidArgument where q or the velocity breaks the constraints by more than 1e-6 of their size; less is
+    /// put right.
+    State start(const MotionState<M>& at) const {
+        this->check(at);
+        State given = Base::joined(at.q, at.velocity), y = given;
+        require(projected(y) == MotionStatus::finished, "start.q", constraint_error(at.q),
+                "must be near a place where the constraints hold and are independent; this is by how much they fail");
+        const auto moved = [&](std::size_t from) {
+            double most = 0, size = 1;
+            for (std::size_t i = from; i < from + Base::n; ++i)
+                most = std::max(most, std::abs(y[i] - given[i])), size = std::max(size, std::abs(given[i]));
+            return most / size;
+        };
+        require(moved(0) <= 1e-6, "start.q", constraint_error(at.q),
+                "must obey the constraints; this is by how much they fail");
+        require(moved(Base::n) <= 1e-6, "start.velocity", velocity_error(at.q, at.velocity),
+                "must obey the constraints' derivative; this is by how much it fails");
+        return y;
+    }
+
+    MotionRates<Base::n_states> rates(double t, const State& y) const {
+        const auto q = Base::first_half(y), v = Base::second_half(y);
+        const auto solved = solve(t, q, v);
+        if (solved.status != MotionStatus::finished) return {solved.status};
+        return {MotionStatus::finished, Base::joined(v, detail::unknowns_of<M>(solved.acceleration)),
+                solved.forces.power, solved.forces.loss};
+    }
+
+    MotionPoint<M> point(double t, const State& y) const {
+        const auto q = Base::first_half(y), v = Base::second_half(y);
+        auto point = this->point_at(t, q, v);
+        const auto solved = solve(t, q, v);
+        for (int i = 0; i < m; ++i) point.multipliers[i] = solved.multipliers[i];
+        point.constraint_forces =
+            detail::unknowns_of<M>(constraint_jacobian<M>(q, this->p_).transpose() * solved.multipliers);
+        point.drift = constraint_error(q);
+        point.velocity_drift = velocity_error(q, v);
+        return point;
+    }
+
+    MotionStatus project(State& y) const {
+        return stabilisation_ == Stabilisation::projection ? projected(y) : MotionStatus::finished;
+    }
+
+private:
+    struct Solved {
+        MotionStatus status = MotionStatus::finished;
+        Vector acceleration = Vector::Zero();
+        Values multipliers = Values::Zero();
+        detail::AppliedForces<M> forces;
+    };
+    /// The factors of M and of J M^-1 J^T.
+    struct Metric {
+        MotionStatus status = MotionStatus::finished;
+        ConstraintJacobian<M> jacobian;
+        Eigen::LLT<UnknownMatrix<M>> mass;
+        Eigen::Matrix<double, Base::n, m> spread;  // M^-1 J^T
+        Eigen::LLT<Eigen::Matrix<double, m, m>> gram;
+    };
+
+    Metric metric(const Unknowns<M>& q) const {
+        Metric y;
+        y.jacobian = constraint_jacobian<M>(q, this->p_);
+        y.mass.compute(mass_matrix<M>(q, this->p_));
+        if (y.mass.info() != Eigen::Success) {
+            y.status = MotionStatus::singular_mass_matrix;
+            return y;
+        }
+        y.spread = y.mass.solve(y.jacobian.transpose());
+        y.gram.compute(y.jacobian * y.spread);
+        if (y.gram.info() != Eigen::Success || !(y.gram.rcond() > 1e-13)) y.status = MotionStatus::singular_constraints;
+        return y;
+    }
+
+    Solved solve(double t, const Unknowns<M>& q, const Unknowns<M>& v) const {
+        Solved y;
+        const auto at = metric(q);
+        y.status = at.status;
+        if (y.status != MotionStatus::finished) return y;
+        y.forces = detail::applied_forces<M>(t, q, v, this->p_);
+        const Vector inertial = contracted<M>(christoffel_first_kind<M>(q, this->p_), detail::vector_of<M>(v));
+        const Vector free = at.mass.solve(y.forces.total - inertial);
+        const auto curvature = constraint_curvature<M>(q, v, this->p_);
+        y.multipliers = at.gram.solve(-values(curvature) - at.jacobian * free);
+        y.acceleration = free + at.spread * y.multipliers;
+        return y;
+    }
+
+    /// Newton's method for the nearest place that obeys the constraints, then the nearest velocity there.
+    MotionStatus projected(State& y) const {
+        auto q = detail::vector_of<M>(Base::first_half(y)), v = detail::vector_of<M>(Base::second_half(y));
+        double before = std::numeric_limits<double>::infinity();
+        for (int iteration = 0; iteration < 20; ++iteration) {
+            const auto place = detail::unknowns_of<M>(q);
+            const auto at = metric(place);
+            if (at.status != MotionStatus::finished) return at.status;
+            const Vector step = at.spread * at.gram.solve(values(constraints<M>(place, this->p_)));
+            q -= step;
+            const double size = step.norm();
+            if (!std::isfinite(size)) return MotionStatus::not_finite;
+            if (size <= 1e-15 * (1 + q.norm()) || size >= before) {
+                v -= at.spread * at.gram.solve(at.jacobian * v);
+                y = Base::joined(detail::unknowns_of<M>(q), detail::unknowns_of<M>(v));
+                return size <= 1e-9 * (1 + q.norm()) ? MotionStatus::finished : MotionStatus::singular_constraints;
+            }
+            before = size;
+        }
+        return MotionStatus::singular_constraints;
+    }
+
+    static Values values(const ConstraintValues<M>& f) { return Eigen::Map<const Values>(f.begin()); }
+    double constraint_error(const Unknowns<M>& q) const {
+        return values(constraints<M>(q, this->p_)).cwiseAbs().maxCoeff();
+    }
+    double velocity_error(const Unknowns<M>& q, const Unknowns<M>& v) const {
+        return (constraint_jacobian<M>(q, this->p_) * detail::vector_of<M>(v)).cwiseAbs().maxCoeff();
+    }
+
+    Stabilisation stabilisation_;
+};
+
+}  // namespace equilibria

@@ -1,0 +1,65 @@
+/// \file
+/// Lagrange's equations of the second kind, in covariant or contravariant form. Source: the third seed, section 1.5.
+#pragma once
+
+#include <optional>
+
+#include <Eigen/Cholesky>
+
+#include <equilibria/dynamics/christoffel.hpp>
+#include <equilibria/dynamics/motion_formulation.hpp>
+
+namespace equilibria {
+
+enum class LagrangeForm {
+    covariant,      ///< M_kj a_j + Gamma_ij,k v_i v_j = Q_k, solved for a
+    contravariant,  ///< a_k + Gamma^k_ij v_i v_j = Q^k, with the forces' indices raised
+};
+
+/// The motion of a model without constraints, in q and v.
+template <DynamicModel M>
+class LagrangeSecondKind : public detail::ModelMotion<M> {
+    using Base = detail::ModelMotion<M>;
+    using typename Base::Vector;
+
+public:
+    using typename Base::State;
+    static_assert(
+        n_constraints<M> == 0,
+        "equilibria: Lagrange's equations of the second kind are for models without constraints; those of the "
+        "first kind, LagrangeFirstKind, take them");
+
+    explicit LagrangeSecondKind(const Parameters<M>& p, LagrangeForm form = LagrangeForm::covariant)
+        : Base(p), form_(form) {}
+
+    State start(const MotionState<M>& at) const {
+        this->check(at);
+        return Base::joined(at.q, at.velocity);
+    }
+
+    MotionRates<Base::n_states> rates(double t, const State& y) const {
+        const auto q = Base::first_half(y), v = Base::second_half(y);
+        const auto forces = detail::applied_forces<M>(t, q, v, this->p_);
+        const auto a = acceleration(q, detail::vector_of<M>(v), forces.total);
+        if (!a) return {MotionStatus::singular_mass_matrix};
+        return {MotionStatus::finished, Base::joined(v, detail::unknowns_of<M>(*a)), forces.power, forces.loss};
+    }
+
+    MotionPoint<M> point(double t, const State& y) const {
+        return this->point_at(t, Base::first_half(y), Base::second_half(y));
+    }
+    MotionStatus project(State&) const { return MotionStatus::finished; }
+
+private:
+    std::optional<Vector> acceleration(const Unknowns<M>& q, const Vector& v, const Vector& force) const {
+        const Eigen::LLT<UnknownMatrix<M>> mass(mass_matrix<M>(q, this->p_));
+        if (mass.info() != Eigen::Success) return {};
+        if (form_ == LagrangeForm::contravariant)
+            return mass.solve(force) - contracted<M>(christoffel_second_kind<M>(q, this->p_), v);
+        return mass.solve(force - contracted<M>(christoffel_first_kind<M>(q, this->p_), v));
+    }
+
+    LagrangeForm form_;
+};
+
+}  // namespace equilibria

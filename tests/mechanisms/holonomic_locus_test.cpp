@@ -6,7 +6,8 @@
 #include <equilibria/locus/line_events.hpp>
 #include <equilibria/locus/locus.hpp>
 
-#include "mechanisms/holonomic_enumeration.hpp"
+#include "instances/locus/holonomic_events.hpp"
+#include "support/catch.hpp"
 
 using namespace equilibria;
 using M = mechanisms::HolonomicMechanism;

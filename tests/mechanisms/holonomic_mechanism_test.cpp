@@ -10,9 +10,8 @@
 #include <equilibria/enumerate/prove.hpp>
 #include <equilibria/enumerate/torque_trace.hpp>
 
-#include "mechanisms/holonomic_enumeration.hpp"
-
-template INSTANCES_ENUMERATION(equilibria::mechanisms::HolonomicMechanism, general);
+#include "instances/enumerate/holonomic_enumeration.hpp"
+#include "support/enumeration.hpp"
 
 using namespace equilibria;
 using M = mechanisms::HolonomicMechanism;
@@ -151,6 +150,7 @@ TEST_CASE("the six roots at 100 N are proved, the four real ones to 30 digits, a
     CHECK(proof.real == 4);
     CHECK(proof.non_real == 2);
     CHECK(proof.contradictions == 0);
+    CHECK(proof.complete);  // by Bernstein's theorem
     CHECK(proof.by_index == std::vector<std::int64_t>{1, 2, 1});
     for (const auto& row : printed) {
         const auto root = refine<M>({row.q1, row.q2}, p, 30);

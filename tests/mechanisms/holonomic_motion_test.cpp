@@ -13,7 +13,8 @@
 #include <equilibria/stability/linearise.hpp>
 #include <equilibria/stability/pole_count.hpp>
 
-#include "mechanisms/holonomic_enumeration.hpp"
+#include "instances/enumerate/holonomic_enumeration.hpp"
+#include "support/catch.hpp"
 
 using namespace equilibria;
 using M = mechanisms::HolonomicMechanism;

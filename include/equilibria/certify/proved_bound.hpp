@@ -10,13 +10,15 @@
 #include <string>
 
 #include <equilibria/algebra/bounds.hpp>
+#include <equilibria/certify/bernstein_bound.hpp>
 #include <equilibria/certify/exact_system.hpp>
 
 namespace equilibria {
 
 struct ProvedBound {
     std::uint64_t value;
-    std::string name;  ///< of the theorem's number
+    std::string name;     ///< of the theorem's number
+    std::string theorem;  ///< that it is a bound
 };
 
 /// The total degree of the equations in (cos, sin) with the circle equations: by Bezout's theorem the number of roots
@@ -31,17 +33,23 @@ std::optional<ProvedBound> total_degree_bound(const ExactSystem<M>& system) {
         bound = bound * PathCount{static_cast<std::int64_t>(degrees[i]) * (i < n_angles<M> ? 2 : 1), false};
     }
     if (bound.saturated) return {};
-    return ProvedBound{static_cast<std::uint64_t>(bound.value), "total degree"};
+    return ProvedBound{static_cast<std::uint64_t>(bound.value), "total degree", "Bezout's"};
 }
 
-/// The smallest bound that the library knows: the total degree, or a multihomogeneous Bezout number.
+/// The smallest bound that the library knows: the total degree, a multihomogeneous Bezout number, or, of one or two
+/// angles, Bernstein's mixed volume.
 template <Model M>
 std::optional<ProvedBound> smallest_proved_bound(const ExactSystem<M>& system) {
     auto bound = total_degree_bound(system);
-    if (!bound || !system.within_support()) return bound;
-    const auto other = smallest_multihomogeneous_number<M>().number;
-    const auto value = static_cast<std::uint64_t>(other.value);
-    if (!other.saturated && value < bound->value) bound = {value, "multihomogeneous Bezout number"};
+    if (!bound) return bound;
+    if (system.within_support()) {
+        const auto other = smallest_multihomogeneous_number<M>().number;
+        const auto value = static_cast<std::uint64_t>(other.value);
+        if (!other.saturated && value < bound->value) bound = {value, "multihomogeneous Bezout number", "Bezout's"};
+    }
+    if constexpr (n_coordinates<M> == 0 && n_angles<M> <= 2)
+        if (const auto other = bernstein_bound<M>(system); other && *other < bound->value)
+            bound = {*other, "Laurent mixed volume", "Bernstein's"};
     return bound;
 }
 

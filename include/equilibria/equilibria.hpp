@@ -1,5 +1,6 @@
 /// \file
-/// Everything, for programs and experiments; a library's own headers include what they use.
+/// Everything but motion (dynamics/) and structures (fem/), whose headers take as long again; for programs and experiments. A
+/// library's own headers include what they use.
 #pragma once
 
 #include <equilibria/algebra/bounds.hpp>
@@ -25,5 +26,8 @@
 #include <equilibria/mechanisms/rotating_chain.hpp>
 #include <equilibria/model/derivatives.hpp>
 #include <equilibria/stability/inertia.hpp>
+#include <equilibria/stability/lagrange_dirichlet.hpp>
+#include <equilibria/stability/linearise.hpp>
 #include <equilibria/stability/morse.hpp>
+#include <equilibria/stability/pole_count.hpp>
 #include <equilibria/version.hpp>

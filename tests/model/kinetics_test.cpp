@@ -104,7 +104,7 @@ TEST_CASE("Derivatives of the mass matrix, of the constraints and of the dissipa
     }
 }
 
-TEST_CASE("Models without damping, forces and constraints have none; coordinates come after angles") {
+TEST_CASE("Models without damping, forces and constraints have none, and coordinates come after angles") {
     using E = models::ElasticPendulumInMotion;
     const Parameters<E> p{2.0, 30.0, 9.81};
     const Unknowns<E> q{0.4, 1.3}, v{-0.7, 0.2};

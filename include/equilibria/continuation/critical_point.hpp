@@ -148,11 +148,13 @@ private:
     double length(const Direction& d) const {
         return std::sqrt(d.q.dot(weights_.cwiseProduct(d.q))) + std::abs(d.p) / scale_p_;
     }
-    /// Newton's method converges linearly, by 1/2: a limit point's system at a bifurcation.
+    /// Newton's method converges linearly, by 1/2, or wanders about near by: a limit point's system at a bifurcation.
     static bool linear(const std::vector<CriticalIteration>& history) {
         const std::size_t n = history.size();
+        if (n < 4) return false;
         const auto ratio = [&](std::size_t k) { return history[k].step / history[k - 1].step; };
-        return n >= 4 && ratio(n - 1) > 0.3 && ratio(n - 1) < 0.7 && ratio(n - 2) > 0.3 && ratio(n - 2) < 0.7;
+        const double most = history[n - 1].step < 1e-5 ? std::numeric_limits<double>::infinity() : 0.7;
+        return ratio(n - 1) > 0.3 && ratio(n - 1) < most && ratio(n - 2) > 0.3 && ratio(n - 2) < most;
     }
     /// What rounding leaves of g, for unknowns of size 1.
     double rounding() const {

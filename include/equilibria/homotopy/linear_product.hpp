@@ -13,6 +13,7 @@
 #include <cmath>
 #include <complex>
 #include <cstdint>
+#include <type_traits>
 #include <vector>
 
 #include <equilibria/algebra/formulation.hpp>
@@ -20,6 +21,7 @@
 #include <equilibria/core/linear_solve.hpp>
 #include <equilibria/core/random.hpp>
 #include <equilibria/core/static_for.hpp>
+#include <equilibria/model/derivatives.hpp>
 
 namespace equilibria {
 
@@ -78,10 +80,17 @@ struct LinearProduct {
         return q;
     }
     constexpr auto equations(const auto& theta, const auto& p) const requires(n_coordinates == 0) {
-        return M{}.equations(theta, own(p));
+        using S = scalar_of<decltype(theta)>;
+        if constexpr (PotentialModel<M>)
+            return detail::equations_at<M, S>(theta, detail::CoordinatesOf<M, S>(), own(p));
+        else
+            return M{}.equations(theta, own(p));
     }
     constexpr auto equations(const auto& theta, const auto& x, const auto& p) const requires(n_coordinates != 0) {
-        return M{}.equations(theta, x, own(p));
+        if constexpr (PotentialModel<M>)
+            return detail::equations_at<M, std::remove_cvref_t<decltype(x[0])>>(theta, x, own(p));
+        else
+            return M{}.equations(theta, x, own(p));
     }
 
     template <class C>

@@ -132,7 +132,8 @@ TEST_CASE("the system vanishes at known roots") {
             for (double f : evaluate(system, point)) CHECK(std::abs(f) < 1e-14);
     }
     SECTION("the holonomic mechanism at F = 100 N, the four real equilibria as given to 12 digits") {
-        const auto system = polynomial_system<models::TwoAngleMechanism>({{10, 9.80665, 1.25, 162.5, 1100. / 3, 100}});
+        const auto system =
+            polynomial_system<models::TwoAngleMechanism>(models::TwoAngleMechanism::paper_parameters(100));
         const double q[4][2] = {{0.779776976161, -2.95917510938},
                                 {1.46544020854, -0.25630918245},
                                 {-1.42175799139, -2.54488196512},

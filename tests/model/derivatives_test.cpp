@@ -207,7 +207,7 @@ TEST_CASE("closed forms: pendulum and elastic pendulum") {
 
 TEST_CASE("the holonomic mechanism's Hessians at F = 100 N") {
     using M = models::TwoAngleMechanism;
-    const Parameters<M> p{{10, 9.80665, 1.25, 162.5, 1100. / 3, 100}};
+    const auto p = M::paper_parameters(100);
     const double q[4][2] = {{0.779776976161, -2.95917510938},
                             {1.46544020854, -0.25630918245},
                             {-1.42175799139, -2.54488196512},

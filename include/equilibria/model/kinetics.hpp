@@ -7,10 +7,12 @@
 /// \code
 /// struct Pendulum {
 ///     static constexpr int n_angles = 1;
-///     enum Parameter { mass, length, gravity, friction, n_parameters };
-///     constexpr auto potential(const auto& q, const auto& p) const { return -p[mass] * p[gravity] * p[length] *
-///     cos(q[0]); } constexpr auto kinetic_energy(const auto& q, const auto& v, const auto& p) const {
-///         return 0.5 * p[mass] * p[length] * p[length] * v[0] * v[0];
+///     enum Parameter { mass, gravity, friction, n_parameters };  // the length is 1
+///     constexpr auto potential(const auto& q, const auto& p) const {
+///         return -p[mass] * p[gravity] * cos(q[0]);
+///     }
+///     constexpr auto kinetic_energy(const auto& q, const auto& v, const auto& p) const {
+///         return 0.5 * p[mass] * v[0] * v[0];
 ///     }
 ///     constexpr auto dissipation(const auto& q, const auto& v, const auto& p) const {
 ///         return 0.5 * p[friction] * v[0] * v[0];

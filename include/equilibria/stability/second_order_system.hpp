@@ -50,13 +50,13 @@ struct SecondOrderSystem {
         square(stiffness, "stiffness");
         const Scalar largest = mass.cwiseAbs().maxCoeff();
         require((mass - mass.transpose()).cwiseAbs().maxCoeff() <= 1e-10 * largest &&
-                    Eigen::LLT<Matrix>(mass).info() == Eigen::Success,
+                    Eigen::LLT<Eigen::MatrixX<Scalar>>(mass).info() == Eigen::Success,
                 "mass", detail::in_one_line(mass), "must be symmetric and positive definite");
     }
 
     /// A of z' = A z for z = (x, unit x'), where `unit` is the unit of time: [0 I; -unit^2 M^-1 C, -unit M^-1 D].
     StateMatrix state_matrix(Scalar unit = 1) const {
-        const Eigen::LLT<Matrix> factored(mass);
+        const Eigen::LLT<Eigen::MatrixX<Scalar>> factored(mass);
         const auto n = mass.rows();
         StateMatrix a = StateMatrix::Zero(2 * n, 2 * n);
         a.topRightCorner(n, n).setIdentity();
@@ -64,7 +64,7 @@ struct SecondOrderSystem {
         a.bottomRightCorner(n, n) = -unit * factored.solve(damping);
         return a;
     }
-    /// A unit of time in which the matrices are of one size: it keeps the coefficients below from spreading.
+    /// A unit of time in which M^-1 D and M^-1 C are of size 1 or less, and the state matrix is balanced.
     Scalar natural_time() const {
         const StateMatrix a = state_matrix();
         const auto n = mass.rows();
@@ -80,7 +80,7 @@ template <class Matrix>
 auto poles(const SecondOrderSystem<Matrix>& system) {
     using System = SecondOrderSystem<Matrix>;
     const auto unit = system.natural_time();
-    const Eigen::EigenSolver<typename System::StateMatrix> solver(system.state_matrix(unit), false);
+    const Eigen::EigenSolver<Eigen::MatrixX<typename System::Scalar>> solver(system.state_matrix(unit), false);
     typename System::Poles y = solver.eigenvalues() / unit;
     std::sort(y.begin(), y.end(), [](const auto& a, const auto& b) {
         return a.real() != b.real() ? a.real() < b.real() : a.imag() < b.imag();
@@ -97,8 +97,9 @@ auto characteristic_polynomial(const SecondOrderSystem<Matrix>& system) {
     using System = SecondOrderSystem<Matrix>;
     using Scalar = typename System::Scalar;
     using Complex = std::complex<Scalar>;
-    const Eigen::LLT<Matrix> factored(system.mass);
-    const Matrix damping = factored.solve(system.damping), stiffness = factored.solve(system.stiffness);
+    // dynamic sizes: of fixed ones Eigen compiles a factorisation each, for minutes
+    const Eigen::LLT<Eigen::MatrixX<Scalar>> factored(system.mass);
+    const Eigen::MatrixX<Scalar> damping = factored.solve(system.damping), stiffness = factored.solve(system.stiffness);
     const auto n = system.mass.rows(), degree = 2 * n, points = degree + 1;
     typename System::Polynomial c(points);
     c[0] = 1;
@@ -113,7 +114,7 @@ auto characteristic_polynomial(const SecondOrderSystem<Matrix>& system) {
                                                  static_cast<Scalar>(points));
             };
             const Complex s = radius * unit(j);
-            Eigen::Matrix<Complex, System::size, System::size> at = stiffness + s * damping;
+            Eigen::MatrixX<Complex> at = stiffness + s * damping;
             at.diagonal().array() += s * s;
             sum += (at.partialPivLu().determinant() * std::conj(unit(j * (degree - k)))).real();
             largest = std::max(largest, at.rowwise().norm().prod());  // Hadamard's bound of the determinant

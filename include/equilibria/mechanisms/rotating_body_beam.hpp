@@ -164,8 +164,8 @@ struct RotatingBodyBeam : RotatingBodyBeamBase<K, Strain> {
     static constexpr int n_angles = 0, n_coordinates = 4 + 3 * K;
     static constexpr int first_mode = 3, multiplier = 3 + 3 * K;
 
-    /// n, u and lambda as groups of their own: 438 paths for K = 1 and 1,734 for K = 2 with the linear strain energy,
-    /// 2,322 for K = 1 with the coupled one.
+    /// n, u and lambda as groups of their own. Multihomogeneous numbers: 438 for K = 1 and 1,734 for K = 2 with the
+    /// linear strain energy, 1,884 and 108,216 with the coupled one.
     static constexpr Array<int, n_coordinates> grouping = [] {
         Array<int, n_coordinates> y;
         for (int i = 0; i < n_coordinates; ++i) y[i] = i < first_mode ? 0 : i < multiplier ? 1 : 2;
@@ -193,7 +193,7 @@ struct RotatingBodyBeam : RotatingBodyBeamBase<K, Strain> {
 /// The Hessian of the energy V(u) + A^2/2 d^T J(u)^-1 d at a given angular momentum of size A, over the momentum's
 /// direction d on the unit sphere (two tangents at n) and the modes u: (2 + 3 K) square. At a relative equilibrium,
 /// where d is the axis n and A is lambda omega, its index decides the stability: damping leads to the minima of this
-/// energy. n: a unit vector.
+/// energy. q: as of the model, its multiplier unused. Throws InvalidArgument unless it begins with a unit vector.
 template <int K, BeamStrain Strain>
 Eigen::Matrix<double, 2 + 3 * K, 2 + 3 * K> momentum_hessian(const Unknowns<RotatingBodyBeam<K, Strain>>& q,
                                                              double momentum,

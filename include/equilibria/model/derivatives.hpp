@@ -62,6 +62,20 @@ Parameters<M, Dual<S, N>> lifted(const Parameters<M, S>& p) {
     return y;
 }
 
+/// The unknowns as independent variables.
+template <class M, class S>
+Unknowns<M, Dual<S, n_unknowns<M>>> variables(const Unknowns<M, S>& q) {
+    Unknowns<M, Dual<S, n_unknowns<M>>> y;
+    for (int i = 0; i < q.size(); ++i) y[i] = Dual<S, n_unknowns<M>>::variable(q[i], i);
+    return y;
+}
+template <class M, class S, int N>
+Unknowns<M, Dual<S, N>> constants(const Unknowns<M, S>& q) {
+    Unknowns<M, Dual<S, N>> y;
+    for (int i = 0; i < q.size(); ++i) y[i] = q[i];
+    return y;
+}
+
 }  // namespace detail
 
 /// V(q, p).
@@ -86,9 +100,7 @@ Unknowns<M, S> equations(const Unknowns<M, S>& q, const Parameters<M, S>& p) {
 template <Model M, class S = double>
 UnknownMatrix<M, S> jacobian(const Unknowns<M, S>& q, const Parameters<M, S>& p) {
     constexpr int n = n_unknowns<M>;
-    Unknowns<M, Dual<S, n>> y;
-    for (int i = 0; i < n; ++i) y[i] = Dual<S, n>::variable(q[i], i);
-    const auto f = equations<M, Dual<S, n>>(y, detail::lifted<M, S, n>(p));
+    const auto f = equations<M, Dual<S, n>>(detail::variables<M, S>(q), detail::lifted<M, S, n>(p));
     UnknownMatrix<M, S> j;
     for (int r = 0; r < n; ++r)
         for (int c = 0; c < n; ++c) j(r, c) = f[r].derivative[c];

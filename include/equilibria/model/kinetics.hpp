@@ -170,24 +170,6 @@ ConstraintValues<M, S> constraints(const Unknowns<M, S>& q, const Parameters<M, 
     return y;
 }
 
-namespace detail {
-
-/// The unknowns as independent variables.
-template <class M, class S>
-Unknowns<M, Dual<S, n_unknowns<M>>> variables(const Unknowns<M, S>& q) {
-    Unknowns<M, Dual<S, n_unknowns<M>>> y;
-    for (int i = 0; i < q.size(); ++i) y[i] = Dual<S, n_unknowns<M>>::variable(q[i], i);
-    return y;
-}
-template <class M, class S, int N>
-Unknowns<M, Dual<S, N>> constants(const Unknowns<M, S>& q) {
-    Unknowns<M, Dual<S, N>> y;
-    for (int i = 0; i < q.size(); ++i) y[i] = q[i];
-    return y;
-}
-
-}  // namespace detail
-
 /// The momenta dT/dv.
 template <DynamicModel M, class S = double>
 Unknowns<M, S> momenta(const Unknowns<M, S>& q, const Unknowns<M, S>& v, const Parameters<M, S>& p) {

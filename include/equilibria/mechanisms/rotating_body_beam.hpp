@@ -107,8 +107,9 @@ struct RotatingBodyBeamBase {
         return energy;
     }
 
-    /// The deformed inertia J(u), (2.5), about the common centre of mass: a symmetric 3 x 3 array.
-    static constexpr auto inertia(const auto& u, const auto& p) {
+    /// int r r^T over the beam, with the body at its centre of mass, about the common centre of mass: the upper
+    /// triangle of a symmetric 3 x 3 array. The deformed inertia is I + tr(S) E - S.
+    static constexpr auto second_moments(const auto& u, const auto& p) {
         using std::sqrt;
         using S = std::remove_cvref_t<decltype(u[0] * p[0])>;
         const auto l = p[length];
@@ -135,16 +136,18 @@ struct RotatingBodyBeamBase {
             }
         }
         for (int i = 0; i < 3; ++i) first[i] += p[body_mass] * p[centre_1 + i];
-        S trace{};
+        for (int i = 0; i < 3; ++i)
+            for (int j = i; j < 3; ++j) second[i][j] -= first[i] * first[j] / (p[body_mass] + l);
+        return second;
+    }
+
+    /// The deformed inertia J(u), (2.5), about the common centre of mass: a symmetric 3 x 3 array.
+    static constexpr auto inertia(const auto& u, const auto& p) {
+        auto y = second_moments(u, p);
+        const auto trace = y[0][0] + y[1][1] + y[2][2];
         for (int i = 0; i < 3; ++i)
             for (int j = i; j < 3; ++j) {
-                second[i][j] -= first[i] * first[j] / (p[body_mass] + l);
-                if (i == j) trace += second[i][i];
-            }
-        Array<Array<S, 3>, 3> y{};
-        for (int i = 0; i < 3; ++i)
-            for (int j = i; j < 3; ++j) {
-                y[i][j] = i == j ? S(p[inertia_1 + i] + trace - second[i][i]) : S(-second[i][j]);
+                y[i][j] = i == j ? p[inertia_1 + i] + trace - y[i][i] : -y[i][j];
                 y[j][i] = y[i][j];
             }
         return y;

@@ -15,16 +15,34 @@
 #include <equilibria/core/array.hpp>
 #include <equilibria/core/dual.hpp>
 #include <equilibria/core/error.hpp>
+#include <equilibria/core/random.hpp>
 #include <equilibria/mechanisms/beam_modes.hpp>
 #include <equilibria/model/derivatives.hpp>
 #include <equilibria/model/model.hpp>
 
 namespace equilibria::mechanisms {
 
+namespace detail {
+/// w^T J w of a symmetric J.
+constexpr auto quadratic_form(const auto& j, const auto& w) {
+    auto y = j[0][0] * w[0] * w[0];
+    for (int a = 0; a < 3; ++a)
+        for (int b = a == 0 ? 1 : a; b < 3; ++b) y += (a == b ? 1.0 : 2.0) * j[a][b] * w[a] * w[b];
+    return y;
+}
+}  // namespace detail
+
 /// The beam's strain energy.
 enum class BeamStrain {
     linear,   ///< 1/2 int mu_1 u1''^2 + mu_2 u2''^2 + mu_3 u3'^2, the seed's
     coupled,  ///< mu_3/2 int (u3' + (u1'^2 + u2'^2)/2)^2 for the last part: with centrifugal stiffening
+    either,   ///< mu_3/2 int (u3' + kappa (u1'^2 + u2'^2)/2)^2, kappa the parameter `coupling`: 0 or 1 for the others
+};
+
+/// What is given of a relative equilibrium.
+enum class BeamControl {
+    speed,     ///< the angular speed omega
+    momentum,  ///< the size A of the angular momentum: omega = A / lambda
 };
 
 /// What the models below share. The body frame has its origin where the beam is clamped and its third axis along the
@@ -35,7 +53,7 @@ struct RotatingBodyBeamBase {
     static constexpr int n_modes = 3 * K;
     /// Mass and principal moments of inertia of the body about the origin, along the frame; its centre of mass; the
     /// beam's length; its stiffnesses mu_1, mu_2 (bending along the axes 1 and 2) and mu_3 (stretching); the angular
-    /// speed omega.
+    /// speed omega; the size of the angular momentum. Read by some models alone: those after the speed.
     enum Parameter {
         body_mass,
         inertia_1,
@@ -49,6 +67,9 @@ struct RotatingBodyBeamBase {
         bending_2,
         stretching,
         speed,
+        momentum,
+        coupling,     ///< of BeamStrain::either
+        second_axis,  ///< of BodyBeamFamily
         n_parameters
     };
     using Values = Array<double, n_parameters>;
@@ -86,7 +107,7 @@ struct RotatingBodyBeamBase {
                 stretch += modes.stretching_stiffness[i][j] * u[2 * K + i] * u[2 * K + j];
             }
         S energy = 0.5 * squared * (squared * bending + p[stretching] * stretch);
-        if constexpr (Strain == BeamStrain::coupled) {
+        if constexpr (Strain != BeamStrain::linear) {
             // u_i' has the size l^(-3/2): the cubic term l^(-7/2), the quartic one l^(-5)
             constexpr BeamSlopeIntegrals<K> slope(modes);
             using std::sqrt;
@@ -102,7 +123,12 @@ struct RotatingBodyBeamBase {
                         for (int d = 0; d < K; ++d)
                             quartic += slope.quartic[a][b][c][d] * pair * (u[c] * u[d] + u[K + c] * u[K + d]);
                 }
-            energy += 0.5 * p[stretching] * (third * cubic + 0.25 * squared * squared * inverse * quartic);
+            S coupled = third * cubic, twice = 0.25 * squared * squared * inverse * quartic;
+            if constexpr (Strain == BeamStrain::either) {
+                coupled = coupled * p[coupling];
+                twice = twice * p[coupling] * p[coupling];
+            }
+            energy += 0.5 * p[stretching] * (coupled + twice);
         }
         return energy;
     }
@@ -185,11 +211,52 @@ struct RotatingBodyBeam : RotatingBodyBeamBase<K, Strain> {
             sphere += x[i] * x[i];
         }
         for (int i = 0; i < u.size(); ++i) u[i] = S(x[first_mode + i]);
-        const auto inertia = Base::inertia(u, p);
-        S form{};
-        for (int i = 0; i < 3; ++i)
-            for (int j = i; j < 3; ++j) form += (i == j ? 1.0 : 2.0) * inertia[i][j] * n[i] * n[j];
+        const S form = detail::quadratic_form(Base::inertia(u, p), n);
         return Base::strain_energy(u, p) - 0.5 * p[Base::speed] * p[Base::speed] * (form - sphere * x[multiplier]);
+    }
+};
+
+/// Relative equilibria of all these beams, at a given speed or a given momentum, as members of one family of polynomial
+/// systems: what is solved once, at generic parameters, is followed to any of them. The strain energy is
+/// BeamStrain::either.
+///
+/// At a given speed: as RotatingBodyBeam. At a given momentum A: critical points of
+/// V(u) - w^T J(u) w / 2 + lambda (|w|^2 - omega^2) / 2 + A omega over the angular velocity w, u, lambda and omega:
+/// J w = lambda w, |w| = omega, lambda omega = A. Unknowns: n or w (3), u (3 K), lambda, and omega behind it.
+///
+/// second_axis: 1. With 0 the second component of the axis is 0 instead: a body with mu_1 = mu_2, equal moments about
+/// the first two axes and its centre of mass on the third turns any axis into that plane, where its circles of
+/// equilibria become points. (An axis that is the third one stands for itself; a circle has four points there: n, -n,
+/// and their turns by pi.)
+template <int K, BeamControl Control>
+struct BodyBeamFamily : RotatingBodyBeamBase<K, BeamStrain::either> {
+    using Base = RotatingBodyBeamBase<K, BeamStrain::either>;
+    static constexpr bool at_speed = Control == BeamControl::speed;
+    static constexpr int n_angles = 0, n_coordinates = at_speed ? 4 + 3 * K : 5 + 3 * K;
+    static constexpr int first_mode = 3, multiplier = 3 + 3 * K, omega = multiplier + 1;
+
+    constexpr auto potential(const auto&, const auto& x, const auto& p) const {
+        using S = std::remove_cvref_t<decltype(x[0] * p[0])>;
+        const S share(p[Base::second_axis]);
+        const Array<S, 3> w{S(x[0]), share * x[1], S(x[2])};
+        Array<S, 3 * K> u;
+        for (int i = 0; i < u.size(); ++i) u[i] = S(x[first_mode + i]);
+        const S energy = Base::strain_energy(u, p) + 0.5 * (1.0 - share) * x[1] * x[1];
+        S square{};
+        for (int i = 0; i < 3; ++i) square += w[i] * w[i];
+        const S form = detail::quadratic_form(Base::inertia(u, p), w);
+        if constexpr (at_speed)
+            return energy - 0.5 * p[Base::speed] * p[Base::speed] * (form - (square - 1.0) * x[multiplier]);
+        else
+            return energy - 0.5 * (form - (square - x[omega] * x[omega]) * x[multiplier]) +
+                   p[Base::momentum] * x[omega];
+    }
+
+    /// Parameters with nothing special about them, at which the enumeration is well conditioned.
+    static Array<double, Base::n_parameters> generic(Generator& generator) {
+        Array<double, Base::n_parameters> p{2, 1.2, 1.3, 0.8, 0.1, 0.2, 0.15, 1, 0.05, 0.06, 0.3, 1, 1.5, 0.9, 0.9};
+        for (double& value : p) value *= uniform(generator, 0.9, 1.1);
+        return p;
     }
 };
 

@@ -31,12 +31,6 @@
 
 namespace equilibria::mechanisms {
 
-/// What the problem's parameter is.
-enum class BeamControl {
-    speed,     ///< the angular speed omega
-    momentum,  ///< the size A of the angular momentum: omega = A / lambda
-};
-
 /// Why Newton's method ended.
 enum class BeamSolveStatus {
     converged,

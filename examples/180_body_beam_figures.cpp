@@ -1,13 +1,14 @@
 // The figures of the rotating body with a beam: its relative equilibria against the angular momentum, their pitchforks
 // and folds over the ratio of the stiffnesses, shapes of the beam, and a motion that settles.
 //
-//   body_beam_figures --output figures
+//   body_beam_figures --out figures
 //
 // The continuous beam is solved by collocation. Its index at a given momentum is that of the energy's Hessian over six
 // modes a direction at the projected shape, taken in the middle between critical points, where no eigenvalue is near 0.
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -23,6 +24,8 @@
 #include <filesystem>
 #include <map>
 #include <numbers>
+#include <optional>
+#include <set>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -44,7 +47,6 @@ using Names = RotatingBodyBeam<1>;
 using Values = RotatingBodyBeamBoundary::Values;
 using std::numbers::pi;
 
-const std::string colors[] = {"#009e73", "#e69f00", "#0072b2", "#cc79a7", "#555555"};
 const std::string frame = "set tics out nomirror\nset border 31 lw 0.8\n";
 
 Values body(double ratio = 1.2) { return {2, 1.2, 1.3, 0.8, 0, 0, 0, 1, 1, ratio, 100}; }
@@ -57,7 +59,7 @@ struct Figure {
 /// What the unknowns and the equations of the derivatives at the points are multiplied by. Either way the tangent's
 /// singular values are those of one operator, as the tests for bifurcations want it.
 enum class Scaling {
-    equations,  ///< the equations by the weights: tries of deflation are smooth shapes and large tilts
+    equations,  ///< the equations by the weights
     both,       ///< both by the roots of the weights: entries of null vectors can be compared, as for their border
 };
 
@@ -66,7 +68,7 @@ class ContinuousBeam {
 public:
     static constexpr bool symmetric = false;
     ContinuousBeam(const Values& p, BeamStrain strain, Scaling scaling = Scaling::equations)
-        : beam_(p, strain, 24, BeamControl::momentum), weights_(beam_.weights({})), unknowns_(weights_.cwiseSqrt()) {
+        : beam_(p, strain, 20, BeamControl::momentum), weights_(beam_.weights({})), unknowns_(weights_.cwiseSqrt()) {
         if (scaling == Scaling::equations) unknowns_.setOnes();
         equations_ = weights_.cwiseQuotient(unknowns_);
     }
@@ -107,25 +109,25 @@ public:
     double moment(const VectorXd& q) const { return beam_.moment(own(q)); }
     double speed(const VectorXd& q, double p) const { return beam_.speed(own(q), p); }
     Vector3d displacement(const VectorXd& q, double z) const { return beam_.shape(own(q), z).u; }
-    /// Of the second axis and the displacements along it; of a direction too.
-    double second_share(const VectorXd& q) const {
-        return std::hypot(q(1), q.segment(3 + beam_.points(), beam_.points()).norm());
-    }
-    VectorXd solve(const VectorXd& q, double p) const {
+    /// Of the displacements along the second axis; of a direction too.
+    double second_share(const VectorXd& q) const { return q.segment(3 + beam_.points(), beam_.points()).norm(); }
+    std::optional<VectorXd> solve(const VectorXd& q, double p) const {
         const auto y = beam_.solve(own(q), p);
-        if (!y.converged()) throw std::runtime_error(to_string(y.status));
-        return unknowns_.cwiseProduct(y.q);
+        if (!y.converged()) return std::nullopt;
+        return scaled(y.q);
     }
-    VectorXd spin(int axis, double momentum) const {
-        return solve(scaled(beam_.undeformed(Vector3d::Unit(axis))), momentum);
+    /// A beam without tension, bent in a plane (0 or 1), turning about n.
+    VectorXd bent(int plane, double tip, const Vector3d& n) const {
+        VectorXd q = beam_.undeformed(n);
+        q.segment(3 + plane * beam_.points(), beam_.points()).setConstant(8 * tip);
+        q(q.size() - 1) = n.dot(beam_.inertia(q) * n);
+        return scaled(q);
     }
-
     /// The unknowns of RotatingBodyBeamBoundary, and back.
     VectorXd own(const VectorXd& q) const { return q.cwiseQuotient(unknowns_); }
     VectorXd scaled(const VectorXd& q) const { return q.cwiseProduct(unknowns_); }
 
 private:
-
     RotatingBodyBeamBoundary beam_;
     VectorXd weights_, unknowns_, equations_;
 };
@@ -159,16 +161,56 @@ int index(const ContinuousBeam& beam, const VectorXd& q, double momentum) {
 
 constexpr double low = 3.2, high = 7.6;
 
-Graph diagram(const ContinuousBeam& beam) {
+using Diagram = std::vector<Graph>;
+
+/// At a momentum, images once, by their moment of inertia.
+std::vector<VectorXd> equilibria_at(const ContinuousBeam& beam, const Diagram& diagram, double momentum) {
+    std::vector<VectorXd> y;
+    for (const auto& graph : diagram)
+        for (const auto& edge : graph.branches)
+            for (std::size_t k = 0; k + 1 < edge.branch.points.size(); ++k) {
+                const auto &a = edge.branch.points[k], &b = edge.branch.points[k + 1];
+                if ((a.p - momentum) * (b.p - momentum) > 0) continue;
+                const auto at = beam.solve(a.q + (momentum - a.p) / (b.p - a.p) * (b.q - a.q), momentum);
+                if (at && std::none_of(y.begin(), y.end(), [&](const VectorXd& q) {
+                        return std::abs(beam.moment(q) - beam.moment(*at)) < 1e-7;
+                    }))
+                    y.push_back(*at);
+            }
+    std::sort(y.begin(), y.end(),
+              [&](const VectorXd& a, const VectorXd& b) { return beam.moment(a) < beam.moment(b); });
+    return y;
+}
+
+/// The branches joined to a spin, or to an equilibrium that Newton's method finds from a beam bent in a plane.
+Diagram diagram_of(const ContinuousBeam& beam) {
     DiagramOptions options;
     options.continuation.low = low;
     options.continuation.high = high;
     options.continuation.path.parameter_weight = 0.2;
     options.continuation.path.largest_step = 0.1;
-    options.slices = 3;
-    const double start = low + 0.05;
-    Graph y = bifurcation_diagram(beam, beam.spin(2, start), start, options);
-    if (!y.complete()) std::fprintf(stderr, "body_beam_figures: the diagram is not complete\n");
+    Diagram y;
+    const auto add = [&](const VectorXd& guess, double momentum) {
+        const auto q = beam.solve(guess, momentum);
+        if (!q || !(beam.moment(*q) > 0 && beam.moment(*q) < 4)) return;
+        for (const VectorXd& known : equilibria_at(beam, y, momentum))
+            if (std::abs(beam.moment(known) - beam.moment(*q)) < 1e-7) return;
+        y.push_back(bifurcation_diagram(beam, *q, momentum, options));
+        if (!y.back().complete()) std::fprintf(stderr, "body_beam_figures: a diagram is not complete\n");
+    };
+    for (const double momentum : {4.4, 5.7, 7.0}) {
+        for (const int axis : {2, 1, 0}) add(beam.bent(0, 0, Vector3d::Unit(axis)), momentum);
+        for (const int plane : {0, 1})
+            for (const double tip : {0.8, 1.4, 2.0, 2.6}) {
+                add(beam.bent(plane, tip, Vector3d::Unit(1 - plane)), momentum);
+                for (int k = -2; k <= 3; ++k) {
+                    Vector3d n = Vector3d::Zero();
+                    n(plane) = std::sin(pi * k / 6);
+                    n(2) = std::cos(pi * k / 6);
+                    add(beam.bent(plane, tip, n), momentum);
+                }
+            }
+    }
     return y;
 }
 
@@ -177,53 +219,69 @@ struct Mark {
     double momentum, moment;
     bool fold;
 };
-std::vector<Mark> marks(const ContinuousBeam& beam, const Graph& graph) {
+std::vector<Mark> marks(const ContinuousBeam& beam, const Diagram& diagram) {
     std::vector<Mark> y;
-    for (const auto& node : graph.nodes) {
-        const Mark now{node.point.p, beam.moment(node.point.q), node.point.kind == CriticalKind::fold};
-        if (std::none_of(y.begin(), y.end(), [&](const Mark& m) {
-                return std::abs(m.momentum - now.momentum) + std::abs(m.moment - now.moment) < 1e-6;
-            }))
-            y.push_back(now);
-    }
+    for (const auto& graph : diagram)
+        for (const auto& node : graph.nodes) {
+            const Mark now{node.point.p, beam.moment(node.point.q), node.point.kind == CriticalKind::fold};
+            if (std::none_of(y.begin(), y.end(), [&](const Mark& m) {
+                    return std::abs(m.momentum - now.momentum) + std::abs(m.moment - now.moment) < 1e-6;
+                }))
+                y.push_back(now);
+        }
     return y;
 }
 
 /// Pieces of all branches between critical points, by index: momentum and moment of inertia.
-std::map<int, std::string> pieces(const ContinuousBeam& beam, const Graph& graph) {
+std::map<int, std::string> pieces(const ContinuousBeam& beam, const Diagram& diagram) {
     std::map<int, std::string> y;
-    for (const auto& edge : graph.branches) {
-        const auto& branch = edge.branch;
-        std::vector<std::pair<double, VectorXd>> piece;
-        const auto close = [&] {
-            if (piece.size() > 1) {
-                auto middle = piece[piece.size() / 2];
-                if (piece.size() == 2) {
-                    const double p = 0.5 * (piece[0].first + piece[1].first);
-                    middle = {p, beam.solve(0.5 * (piece[0].second + piece[1].second), p)};
+    std::set<std::array<long, 5>> drawn;  // the ends of pieces: images go there side by side
+    for (const auto& graph : diagram)
+        for (const auto& edge : graph.branches) {
+            const auto& branch = edge.branch;
+            std::vector<std::pair<double, VectorXd>> piece;
+            const auto close = [&] {
+                if (piece.size() > 1) {
+                    auto middle = piece[piece.size() / 2];
+                    if (piece.size() == 2) {
+                        const double p = 0.5 * (piece[0].first + piece[1].first);
+                        if (const auto q = beam.solve(0.5 * (piece[0].second + piece[1].second), p)) middle = {p, *q};
+                    }
+                    std::array<std::pair<double, double>, 2> ends;
+                    for (const std::size_t side : {0, 1}) {
+                        const auto& [p, q] = side == 0 ? piece.front() : piece.back();
+                        ends[side] = {p, beam.moment(q)};
+                    }
+                    std::sort(ends.begin(), ends.end());
+                    const int negative = std::min(3, index(beam, middle.second, middle.first));
+                    const auto rounded = [](double x) { return std::lround(1e5 * x); };
+                    if (drawn
+                            .insert({rounded(ends[0].first), rounded(ends[0].second), rounded(ends[1].first),
+                                     rounded(ends[1].second), negative})
+                            .second) {
+                        std::ostringstream rows;
+                        for (const auto& [p, q] : piece) rows << p << ' ' << beam.moment(q) << '\n';
+                        y[negative] += rows.str() + "\n";
+                    }
                 }
-                std::ostringstream rows;
-                for (const auto& [p, q] : piece) rows << p << ' ' << beam.moment(q) << '\n';
-                y[std::min(3, index(beam, middle.second, middle.first))] += rows.str() + "\n";
+                piece.clear();
+            };
+            if (edge.parent) {
+                const auto& node = graph.nodes[*edge.parent].point;
+                piece.emplace_back(node.p, node.q);
             }
-            piece.clear();
-        };
-        if (edge.parent) {
-            const auto& node = graph.nodes[*edge.parent].point;
-            piece.emplace_back(node.p, node.q);
-        }
-        std::size_t next = 0;
-        for (std::size_t k = 0; k < branch.points.size(); ++k) {
-            piece.emplace_back(branch.points[k].p, branch.points[k].q);
-            for (; next < branch.events.size() && branch.events[next].step == k; ++next) {
-                const auto& event = branch.events[next].point;
-                piece.emplace_back(event.p, event.q);
-                close();
-                piece.emplace_back(event.p, event.q);
+            std::size_t next = 0;
+            for (std::size_t k = 0; k < branch.points.size(); ++k) {
+                piece.emplace_back(branch.points[k].p, branch.points[k].q);
+                for (; next < branch.events.size() && branch.events[next].step == k; ++next) {
+                    const auto& event = branch.events[next].point;
+                    piece.emplace_back(event.p, event.q);
+                    close();
+                    piece.emplace_back(event.p, event.q);
+                }
             }
+            close();
         }
-        close();
-    }
     return y;
 }
 
@@ -275,15 +333,18 @@ std::string truncated_branches(BeamStrain strain) {
 const std::string styles[] = {"lw 2.6 dt 1 lc rgb '#009e73'", "lw 1.8 dt (9,4) lc rgb '#e69f00'",
                               "lw 1.8 dt (5,4) lc rgb '#0072b2'", "lw 1.8 dt (2,3) lc rgb '#cc79a7'"};
 
-Figure momentum_figure(const std::vector<const ContinuousBeam*>& beams, const std::vector<const Graph*>& graphs) {
+const std::string truncated = "lw 1.6 dt (1,3) lc rgb '#555555'", pitchfork = "pt 7 ps 0.8 lc rgb 'black'",
+                  fold = "pt 9 ps 1 lc rgb '#d55e00'";
+
+Figure momentum_figure(const std::vector<const ContinuousBeam*>& beams, const std::vector<const Diagram*>& diagrams) {
     std::ostringstream out;
     for (std::size_t s = 0; s < 2; ++s) {
         const std::string number = std::to_string(s);
-        auto by_index = pieces(*beams[s], *graphs[s]);
+        auto by_index = pieces(*beams[s], *diagrams[s]);
         for (int k = 0; k < 4; ++k)
             out << gnuplot_block("b" + number + std::to_string(k), by_index[k].empty() ? "nan nan\n" : by_index[k]);
         std::ostringstream folds, pitchforks;
-        for (const auto& mark : marks(*beams[s], *graphs[s]))
+        for (const auto& mark : marks(*beams[s], *diagrams[s]))
             (mark.fold ? folds : pitchforks) << mark.momentum << ' ' << mark.moment << '\n';
         out << gnuplot_block("f" + number, folds.str().empty() ? "nan nan\n" : folds.str())
             << gnuplot_block("p" + number, pitchforks.str())
@@ -292,69 +353,75 @@ Figure momentum_figure(const std::vector<const ContinuousBeam*>& beams, const st
     out << frame << "set multiplot layout 1,2 margins 0.075,0.985,0.235,0.92 spacing 0.08\n"
         << "set xlabel 'angular momentum |{/:Bold a}| / {/:Italic l}({/:Italic ρμ}_1)^{1/2}'\n"
         << "set ylabel 'moment of inertia about the axis {/:Italic λ} / {/:Italic ρl}^{3}'\n"
-        << "set key at screen 0.53,0.012 center bottom horizontal maxrows 2 samplen 3.2 width 1\n";
+        << "unset key\n";
     for (std::size_t s = 0; s < 2; ++s) {
         const std::string n = std::to_string(s);
         out << "set title '" << (s == 0 ? "(a) linear strain" : "(b) coupled strain") << "'\nplot [" << low << ":"
-            << high << "][0.65:" << (s == 0 ? 2.2 : 3.2) << "] $t" << n
-            << " with lines lw 1.6 dt (1,3) lc rgb '#555555' title 'two modes a direction (whirling)'";
-        const char* names[] = {"stable", "index 1", "index 2", "index 3, 4"};
-        for (int k = 3; k >= 0; --k)
-            out << ", $b" << n << k << " with lines " << styles[k] << " title '" << names[k] << "'";
-        out << ", $p" << n << " with points pt 7 ps 0.8 lc rgb 'black' title 'pitchfork', $f" << n
-            << " with points pt 9 ps 1 lc rgb '#d55e00' title 'fold'\nunset key\n";
+            << high << "][0.65:" << (s == 0 ? 2.2 : 3.2) << "] $t" << n << " with lines " << truncated;
+        for (std::size_t k = 4; k-- > 0;) out << ", $b" << n << k << " with lines " << styles[k];
+        out << ", $p" << n << " with points " << pitchfork << ", $f" << n << " with points " << fold << '\n';
     }
-    out << "unset multiplot\n";
+    // the key: a picture of its own
+    out << "unset title\nunset xlabel\nunset ylabel\nunset tics\nunset border\nset key at screen 0.53,0.045 center "
+           "horizontal maxrows 1 samplen 3\nset margins 0,0,0,0\nset size 1,0.08\nset origin 0,0\nplot [0:1][0:1]";
+    const char* names[] = {"stable", "index 1", "index 2", "index 3, 4"};
+    for (std::size_t k = 0; k < 4; ++k) out << " NaN with lines " << styles[k] << " title '" << names[k] << "',";
+    out << " NaN with points " << pitchfork << " title 'pitchfork', NaN with points " << fold
+        << " title 'fold', NaN with lines " << truncated << " title 'two modes, whirling'\nunset multiplot\n";
     return {"body_beam_momentum", out.str(), 1150, 560};
 }
 
 /// Critical points of the coupled beam over the ratio of the stiffnesses.
-Figure ratio_figure(const ContinuousBeam& beam, const Graph& graph) {
+Figure ratio_figure(const ContinuousBeam& beam, const Diagram& diagram) {
     constexpr double least = 0.7, most = 1.7;
     // below 0.1 come the correctors' tries alone
-    const auto family = [](double ratio) { return ContinuousBeam(body(std::max(ratio, 0.1)), BeamStrain::coupled, Scaling::both); };
+    const auto family = [](double ratio) {
+        return ContinuousBeam(body(std::max(ratio, 0.1)), BeamStrain::coupled, Scaling::both);
+    };
     const double here = beam.parameters()[Names::bending_2];
     std::ostringstream folds, secondary, cusps, first;
     const auto add = [&](std::ostringstream& rows, const auto& curve) {
-        if (curve.branch.end != BranchEnd::window)
+        if (curve.branch.end != BranchEnd::window && curve.branch.points.back().q.p < 8)
             std::fprintf(stderr, "body_beam_figures: a curve ends early (%s) at mu_2 / mu_1 = %.6f\n",
-                         to_string(curve.branch.end), curve.branch.points.empty() ? NAN : curve.branch.points.back().p);
+                         to_string(curve.branch.end), curve.branch.points.back().p);
         for (const auto& at : curve.branch.points) rows << at.q.p << ' ' << at.p << '\n';
         rows << '\n';
-        for (const auto& special : curve.special)
+        for (const auto& special : curve.special) {
             if (special.kind == CriticalKind::cusp) {
                 cusps << special.at.p << ' ' << special.r << '\n';
                 std::printf("cusp at |a| = %.6f, mu_2 / mu_1 = %.6f\n", special.at.p, special.r);
             }
+        }
     };
     ContinuationOptions options;
     options.low = least;
     options.high = most;
-    options.path.largest_step = 0.1;
-    options.most_steps = 200;
+    options.path.largest_step = 0.2;
+    options.most_steps = 60;
     std::vector<double> done;
     const ContinuousBeam member = family(here);
     CriticalPointSolver<ContinuousBeam> solver(member);
-    for (const auto& node : graph.nodes) {
-        const auto found = solver.solve(member.scaled(beam.own(node.point.q)), node.point.p);
-        if (!found) throw std::runtime_error("a critical point is lost");
-        const auto& point = *found;
-        if (std::any_of(done.begin(), done.end(), [&](double p) { return std::abs(p - point.p) < 1e-6; })) continue;
-        done.push_back(point.p);
-        // what does not feel mu_2 has no derivative by it to be followed along
-        auto& rows = point.kind == CriticalKind::fold             ? folds
-                     : std::abs(member.axis(point.q)(2)) > 1 - 1e-9 ? first
-                                                                  : secondary;
-        if (member.second_share(point.q) + member.second_share(point.null_vector) < 1e-6) {
-            rows << point.p << ' ' << least << '\n' << point.p << ' ' << most << "\n\n";
-            continue;
+    for (const auto& graph : diagram)
+        for (const auto& node : graph.nodes) {
+            const auto found = solver.solve(member.scaled(beam.own(node.point.q)), node.point.p);
+            if (!found) throw std::runtime_error("a critical point is lost");
+            const auto& point = *found;
+            if (std::any_of(done.begin(), done.end(), [&](double p) { return std::abs(p - point.p) < 1e-6; })) continue;
+            done.push_back(point.p);
+            // what does not feel mu_2 has no derivative by it to be followed along
+            auto& rows = point.kind == CriticalKind::fold               ? folds
+                         : std::abs(member.axis(point.q)(2)) > 1 - 1e-9 ? first
+                                                                        : secondary;
+            if (member.second_share(point.q) + member.second_share(point.null_vector) < 1e-6) {
+                rows << point.p << ' ' << least << '\n' << point.p << ' ' << most << "\n\n";
+                continue;
+            }
+            for (const int direction : {-1, 1})
+                if (point.kind == CriticalKind::fold)
+                    add(rows, continue_folds(family, point, here, direction, options));
+                else
+                    add(rows, continue_bifurcations(family, point, here, direction, options));
         }
-        for (const int direction : {-1, 1})
-            if (point.kind == CriticalKind::fold)
-                add(rows, continue_folds(family, point, here, direction, options));
-            else
-                add(rows, continue_bifurcations(family, point, here, direction, options));
-    }
     // where both planes whirl at the same speed
     const double a1 = mechanisms::whirl_speeds<8>(body(1), 1)[0], a2 = mechanisms::whirl_speeds<8>(body(1), 2)[0];
     std::ostringstream out;
@@ -374,38 +441,30 @@ Figure ratio_figure(const ContinuousBeam& beam, const Graph& graph) {
         << "$secondary with lines lw 2 dt (8,4) lc rgb '#009e73' title 'secondary pitchforks', "
         << "$folds with lines lw 2 lc rgb '#d55e00' title 'folds', "
         << "$double with points pt 7 ps 1.3 lc rgb '#0072b2' title 'double pitchfork', "
-        << "$cusps with points pt 9 ps 1.5 lc rgb 'black' title 'cusps'\n";
+        << "$cusps with points pt 9 ps 1.5 lc rgb 'black' " << (cusps.str().empty() ? "notitle\n" : "title 'cusps'\n");
     return {"body_beam_ratio", out.str(), 900, 560};
 }
 
-/// Equilibria of a diagram at a momentum, images once, by their moment of inertia.
-std::vector<VectorXd> equilibria_at(const ContinuousBeam& beam, const Graph& graph, double momentum) {
-    std::vector<VectorXd> y;
-    for (const auto& edge : graph.branches)
-        for (std::size_t k = 0; k + 1 < edge.branch.points.size(); ++k) {
-            const auto &a = edge.branch.points[k], &b = edge.branch.points[k + 1];
-            if ((a.p - momentum) * (b.p - momentum) > 0) continue;
-            const VectorXd at = beam.solve(a.q + (momentum - a.p) / (b.p - a.p) * (b.q - a.q), momentum);
-            if (std::none_of(y.begin(), y.end(),
-                             [&](const VectorXd& q) { return std::abs(beam.moment(q) - beam.moment(at)) < 1e-7; }))
-                y.push_back(at);
-        }
-    std::sort(y.begin(), y.end(),
-              [&](const VectorXd& a, const VectorXd& b) { return beam.moment(a) < beam.moment(b); });
-    return y;
+std::string number(double x) {
+    std::ostringstream y;
+    y << x;
+    return y.str();
 }
 
 /// Shapes in the plane in which the beam is bent.
-Figure shape_figure(const std::vector<const ContinuousBeam*>& beams, const std::vector<const Graph*>& graphs) {
+Figure shape_figure(const std::vector<const ContinuousBeam*>& beams, const std::vector<const Diagram*>& diagrams) {
     constexpr double momenta[] = {7, 4.4};
     constexpr std::size_t columns = 5;
     std::ostringstream out;
-    out << "set multiplot layout 2," << columns << " margins 0.015,0.985,0.075,0.93 spacing 0.015,0.1\n"
+    out << "set multiplot layout 2," << columns << " margins 0.012,0.988,0.02,0.89 spacing 0.012,0.15\n"
         << "unset key\nunset tics\nset border 31 lw 0.4 lc rgb '#bbbbbb'\nset size ratio -1\n";
     for (std::size_t s = 0; s < 2; ++s) {
         const auto& beam = *beams[s];
         std::size_t drawn = 0;
-        for (const VectorXd& q : equilibria_at(beam, *graphs[s], momenta[s])) {
+        const std::string heading = std::string("'") + (s == 0 ? "(a) linear" : "(b) coupled") +
+                                    " strain, |{/:Bold a}| = " + number(momenta[s]) + "' at screen 0.012," +
+                                    (s == 0 ? "0.965" : "0.465") + " left\n";
+        for (const VectorXd& q : equilibria_at(beam, *diagrams[s], momenta[s])) {
             const Vector3d tip = beam.displacement(q, 1);
             Vector3d n = beam.axis(q);
             const bool straight = tip.head<2>().norm() < 1e-6;
@@ -428,9 +487,12 @@ Figure shape_figure(const std::vector<const ContinuousBeam*>& beams, const std::
             const Eigen::Vector2d along(n(plane), n(2));
             const std::string name = "shape" + std::to_string(s) + std::to_string(drawn);
             out << gnuplot_block(name, rows.str()) << "unset arrow\nunset object\nunset label\n"
+                << (drawn == 0 ? "set label 9 " + heading : "")
                 << "set object 1 ellipse center 0,-0.17 size 0.62,0.34 fs solid 1 fc rgb '#9ecae1' lw 1\n"
-                << "set arrow 2 from 0,0 to 0.55,0 lw 0.8 lc rgb '#777777' size 0.07,20 filled\n"
-                << "set label 2 '" << plane + 1 << "' at 0.6,0 tc rgb '#777777' font ',10'\n";
+                << "set arrow 1 from -1,-1.1 to -0.6,-1.1 lw 0.8 lc rgb '#777777' size 0.07,20 filled\n"
+                << "set arrow 2 from -1,-1.1 to -1,-0.7 lw 0.8 lc rgb '#777777' size 0.07,20 filled\n"
+                << "set label 1 '3' at -1,-0.58 center tc rgb '#777777'\n"
+                << "set label 2 '" << plane + 1 << "' at -0.54,-1.1 tc rgb '#777777'\n";
             const bool across = along.norm() < 0.5;
             if (across) {
                 out << "set object 3 circle center " << centre(0) << ',' << centre(1)
@@ -447,14 +509,14 @@ Figure shape_figure(const std::vector<const ContinuousBeam*>& beams, const std::
             std::ostringstream text;
             text.precision(3);
             text << "{/:Italic ω} = " << beam.speed(q, momenta[s]) << ", index " << index(beam, q, momenta[s]);
-            out << "set title '" << (drawn == 0 ? "" : "") << text.str() << "' offset 0,-0.6\n"
+            out << "set title '" << text.str() << "' offset 0,-0.7\n"
                 << "plot [-1.15:1.95][-1.25:1.55] $" << name << " with lines lw 4 lc rgb 'black'\n";
             ++drawn;
         }
         for (; drawn < columns; ++drawn) out << "set multiplot next\n";
     }
     out << "unset multiplot\n";
-    return {"body_beam_shapes", out.str(), 1250, 620};
+    return {"body_beam_shapes", out.str(), 1250, 560};
 }
 
 /// From near the spin about the beam's axis, with damping.
@@ -491,7 +553,7 @@ std::string settling_rows(double momentum, double end) {
 }
 
 Figure settling_figure() {
-    constexpr double end = 150;
+    constexpr double end = 80;
     std::ostringstream out;
     out << gnuplot_block("linear", settling_rows<BeamStrain::linear>(7, end))
         << gnuplot_block("coupled", settling_rows<BeamStrain::coupled>(7, end)) << frame
@@ -518,20 +580,19 @@ int main(int argc, char** argv) {
     CLI::App app{
         "The figures of the rotating body with a beam as PNG (needs gnuplot): relative equilibria against the angular "
         "momentum, pitchforks and folds over the ratio of the bending stiffnesses, shapes, and motions that settle."};
-    app.add_option("--output", folder, "the folder to write them to (default: this one)");
+    app.add_option("--out", folder, "the folder to write them to (default: this one)");
     support::parse(app, "body_beam_figures", argc, argv);
     try {
-        if (!std::filesystem::is_directory(folder))
-            support::fail("--output", support::shown(folder), "must be a folder");
+        if (!std::filesystem::is_directory(folder)) support::fail("--out", support::shown(folder), "must be a folder");
         const ContinuousBeam linear(body(), BeamStrain::linear), coupled(body(), BeamStrain::coupled);
-        const Graph of_linear = diagram(linear), of_coupled = diagram(coupled);
+        const Diagram of_linear = diagram_of(linear), of_coupled = diagram_of(coupled);
         const Figure figures[] = {momentum_figure({&linear, &coupled}, {&of_linear, &of_coupled}),
                                   ratio_figure(coupled, of_coupled),
                                   shape_figure({&linear, &coupled}, {&of_linear, &of_coupled}), settling_figure()};
         for (const auto& figure : figures) {
             const std::string path = folder + "/" + figure.name + ".png";
             const std::string twice = std::to_string(2 * figure.width) + "," + std::to_string(2 * figure.height);
-            support::OutputFile("--output", path)
+            support::OutputFile("--out", path)
                 .write(gnuplot("pngcairo size " + twice + " fontscale 1.8 linewidth 2 pointscale 2", figure.script));
             std::printf("%s\n", path.c_str());
         }

@@ -604,6 +604,6 @@ int main(int argc, char** argv) {
 
 // clang-format off
 /* Refused:
---output missing/folder
-    body_beam_figures: --output missing/folder: must be a folder
+--out missing/folder
+    body_beam_figures: --out missing/folder: must be a folder
 */

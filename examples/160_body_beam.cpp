@@ -145,7 +145,9 @@ void print(const support::BodyBeamOptions& body, BeamControl control, const Body
     if (r.generic.failed + r.paths.failed > 0)
         std::printf("INCOMPLETE: %llu paths failed; equilibria may be missing.\n",
                     count(r.generic.failed + r.paths.failed));
-    if (r.paths.singular > 0) std::printf("DEGENERATE: %llu paths end at singular points.\n", count(r.paths.singular));
+    if (r.paths.singular > 0)
+        std::printf("SINGULAR: %llu paths end where roots coincide, or where doubles cannot tell.\n",
+                    count(r.paths.singular));
     for (const std::string& family : r.families) std::printf("NOT ISOLATED: %s.\n", family.c_str());
     if (!r.alarms.empty()) std::printf("ALARM: %s.\n", r.alarms.c_str());
     for (std::size_t plane = 0; plane < 2; ++plane) {

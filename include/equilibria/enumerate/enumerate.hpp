@@ -301,8 +301,9 @@ RootSet<M> enumerate(const Parameters<M>& p, const EnumerateOptions& options = {
 /// The equilibria at p, from those of a solved instance: as many paths as `solved` has roots, not the whole bound.
 ///
 /// The homotopy is a line in the space of coefficients. Complete if `solved` has as many regular roots as a generic
-/// instance: certainly where it reaches the bound, as the chain does. Throws InvalidArgument where `solved` has failed
-/// or singular paths.
+/// system on that line: certainly where it reaches the bound, as the chain does. A line between models whose parameters
+/// enter the coefficients nonlinearly leaves the model, and systems on it may have more roots. Throws InvalidArgument
+/// where `solved` has failed or singular paths.
 template <Model M>
 RootSet<M> enumerate(const RootSet<M>& solved, const Parameters<M>& p, const EnumerateOptions& options = {}) {
     detail::check_arguments<M>(solved, p, options);

@@ -227,9 +227,9 @@ struct RotatingBodyBeam : RotatingBodyBeamBase<K, Strain> {
 ///
 /// second_axis: 1. With 0 the second component of the axis is 0 instead: a body with mu_1 = mu_2, equal moments about
 /// the first two axes and its centre of mass on the third turns any axis into that plane, where its circles of
-/// equilibria become points. (A circle has four there: n, -n, and
-/// their turns by pi. Where the axis is the third one, only solutions with J n = lambda n are equilibria: the second
-/// component of that equation has been left out, and follows from the others elsewhere.)
+/// equilibria become points. (A circle has four there: n, -n, and their turns by pi. Where the axis is the third one,
+/// only solutions with J n = lambda n are equilibria: the second component of that equation has been left out, and
+/// follows from the others elsewhere.)
 template <int K, BeamControl Control>
 struct BodyBeamFamily : RotatingBodyBeamBase<K, BeamStrain::either> {
     using Base = RotatingBodyBeamBase<K, BeamStrain::either>;

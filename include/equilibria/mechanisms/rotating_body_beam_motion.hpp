@@ -15,15 +15,9 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
-#include <functional>
-#include <limits>
-#include <numbers>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include <Eigen/Core>

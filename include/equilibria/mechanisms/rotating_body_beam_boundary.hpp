@@ -19,7 +19,6 @@
 
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <utility>
 
 #include <Eigen/Core>
@@ -27,6 +26,7 @@
 
 #include <equilibria/core/array.hpp>
 #include <equilibria/core/error.hpp>
+#include <equilibria/mechanisms/chebyshev_integrals.hpp>
 #include <equilibria/mechanisms/rotating_body_beam.hpp>
 
 namespace equilibria::mechanisms {
@@ -70,32 +70,20 @@ public:
     /// RotatingBodyBeam::check does, and unless points is from 4 to 256.
     RotatingBodyBeamBoundary(const Values& parameters, BeamStrain strain, int points = 24,
                              BeamControl control = BeamControl::speed)
-        : p_(parameters), coupled_(strain == BeamStrain::coupled), m_(points), control_(control) {
+        : p_(parameters),
+          coupled_(strain == BeamStrain::coupled),
+          m_(checked(points)),
+          control_(control),
+          chebyshev_(m_, parameters[Beam::length]) {
         Beam::check(parameters);
-        require(points >= 4 && points <= 256, "points", points, "must be from 4 to 256");
-        const double l = p_[Beam::length], pi = std::numbers::pi;
-        z_.resize(m_);
-        coefficients_.resize(m_, m_);
-        Eigen::RowVectorXd means = Eigen::RowVectorXd::Zero(m_);
-        for (int k = 0; k < m_; ++k) {
-            z_(k) = l * std::pow(std::sin(0.5 * pi * k / (m_ - 1)), 2);
-            if (k % 2 == 0) means(k) = l / (1.0 - k * k);
-            for (int j = 0; j < m_; ++j) {
-                const double ends = (j % (m_ - 1) == 0 ? 0.5 : 1) * (k % (m_ - 1) == 0 ? 0.5 : 1);
-                // T_k at x = -cos(pi j / (m - 1)); the angle reduced exactly
-                const int turns = (k * (m_ - 1 - j)) % (2 * (m_ - 1));
-                coefficients_(k, j) = 2 * ends / (m_ - 1) * std::cos(pi * turns / (m_ - 1));
-            }
-        }
-        quadrature_ = (means * coefficients_).transpose();
-        third_ = integral(coefficients_, 1);
-        curvature_ = integral(third_, 1);
-        slope_ = integral(curvature_, -1);
-        deflection_ = integral(slope_, -1);
-        stretch_ = integral(coefficients_, -1);
-        steepening_ = derivative(coefficients_);
+        third_ = chebyshev_.integral(chebyshev_.coefficients, 1);
+        curvature_ = chebyshev_.integral(third_, 1);
+        slope_ = chebyshev_.integral(curvature_, -1);
+        deflection_ = chebyshev_.integral(slope_, -1);
+        stretch_ = chebyshev_.integral(chebyshev_.coefficients, -1);
+        steepening_ = chebyshev_.derivative(chebyshev_.coefficients);
         Eigen::MatrixXd values(m_, m_ + 4);
-        for (int j = 0; j < m_; ++j) values.row(j) = polynomials(z_(j));
+        for (int j = 0; j < m_; ++j) values.row(j) = chebyshev_.polynomials(chebyshev_.places(j));
         const auto at_points = [&](const Eigen::MatrixXd& c) { return Eigen::MatrixXd(values.leftCols(c.rows()) * c); };
         tension_at_ = at_points(third_);
         curvature_at_ = at_points(curvature_);
@@ -106,7 +94,7 @@ public:
 
     int points() const { return m_; }
     Eigen::Index n_unknowns() const { return 3 * m_ + 4; }
-    const Eigen::VectorXd& places() const { return z_; }  ///< z of the points, rising from 0 to l
+    const Eigen::VectorXd& places() const { return chebyshev_.places; }  ///< z of the points, rising from 0 to l
     const Values& parameters() const { return p_; }
     BeamStrain strain() const { return coupled_ ? BeamStrain::coupled : BeamStrain::linear; }
     BeamControl control_by() const { return control_; }
@@ -151,8 +139,8 @@ public:
         at.r = Eigen::MatrixXd::Zero(m_, 3);
         at.slope = at.curvature = Eigen::MatrixXd::Zero(m_, 2);
         for (int j = 0; j < m_; ++j) {
-            const auto phi = modes.bending(z_(j) / l), psi = modes.stretching(z_(j) / l);
-            at.r(j, 2) = z_(j);
+            const auto phi = modes.bending(chebyshev_.places(j) / l), psi = modes.stretching(chebyshev_.places(j) / l);
+            at.r(j, 2) = chebyshev_.places(j);
             for (int i = 0; i < K; ++i) {
                 for (int a = 0; a < 2; ++a) {
                     const double u = q[3 + a * K + i] / root;
@@ -218,12 +206,12 @@ public:
         Eigen::RowVectorXd trace = Eigen::RowVectorXd::Zero(3 * m_);
         for (int b = 0; b < 3; ++b) {
             along += at.n(b) * r_w[b];
-            trace += 2 * at.rho.col(b).cwiseProduct(quadrature_).transpose() * r_w[b];
+            trace += 2 * at.rho.col(b).cwiseProduct(chebyshev_.quadrature).transpose() * r_w[b];
         }
         for (int a = 0; a < 3; ++a) {
             k.block(a, 3, 1, 3 * m_) = at.n(a) * trace;
-            k.block(a, 3, 1, 3 * m_) -= at.rho.col(a).cwiseProduct(quadrature_).transpose() * along;
-            k.block(a, 3, 1, 3 * m_) -= at.along.cwiseProduct(quadrature_).transpose() * r_w[a];
+            k.block(a, 3, 1, 3 * m_) -= at.rho.col(a).cwiseProduct(chebyshev_.quadrature).transpose() * along;
+            k.block(a, 3, 1, 3 * m_) -= at.along.cwiseProduct(chebyshev_.quadrature).transpose() * r_w[a];
         }
         k.topLeftCorner<3, 3>() = at.inertia - lambda * Eigen::Matrix3d::Identity();
         k.block(0, last, 3, 1) = -at.n;
@@ -254,7 +242,7 @@ public:
         const double moments = p_[Beam::inertia_1] + p_[Beam::inertia_2] + p_[Beam::inertia_3] + l * l * l / 3;
         Eigen::VectorXd y = Eigen::VectorXd::Ones(n_unknowns());
         for (int a = 0; a < 3; ++a)
-            y.segment(3 + a * m_, m_) = (a < 2 ? bend * bend : stretch * stretch) / l * quadrature_;
+            y.segment(3 + a * m_, m_) = (a < 2 ? bend * bend : stretch * stretch) / l * chebyshev_.quadrature;
         y(3 * m_ + 3) = 1 / (moments * moments);
         return y;
     }
@@ -291,7 +279,7 @@ public:
     /// The beam at z. Throws InvalidArgument unless z is in [0, l].
     BeamPlace shape(const Eigen::VectorXd& q, double z) const {
         require(z >= 0 && z <= p_[Beam::length], "z", z, "must lie on the beam: in [0, length]");
-        const Eigen::RowVectorXd t = polynomials(z);
+        const Eigen::RowVectorXd t = chebyshev_.polynomials(z);
         const auto value = [&](const Eigen::MatrixXd& c, const Eigen::VectorXd& by) {
             return (t.head(c.rows()) * c).dot(by);
         };
@@ -304,7 +292,7 @@ public:
         }
         const Eigen::VectorXd strain = state(q).stretch;
         y.u(2) = value(stretch_, strain);
-        y.first(2) = value(coefficients_, strain);
+        y.first(2) = value(chebyshev_.coefficients, strain);
         y.second(2) = value(steepening_, strain);
         return y;
     }
@@ -314,7 +302,7 @@ public:
     Eigen::Vector3d defect(const Eigen::VectorXd& q, double p, double z) const {
         const BeamPlace at = shape(q, z);
         const State all = state(q);
-        const Eigen::RowVectorXd t = polynomials(z).head(m_) * coefficients_;
+        const Eigen::RowVectorXd t = chebyshev_.polynomials(z).head(m_) * chebyshev_.coefficients;
         const Eigen::Vector3d rho = at.u + Eigen::Vector3d(0, 0, z) - all.centre,
                               f = square_of_speed(moment(q), p) * (rho - all.n * all.n.dot(rho));
         const double mu3 = p_[Beam::stretching], on = coupled_ ? 1 : 0;
@@ -333,9 +321,9 @@ public:
     /// V(u).
     double strain_energy(const Eigen::VectorXd& q) const {
         const State at = state(q);
-        return 0.5 * (bending(0) * quadrature_.dot(at.curvature.col(0).cwiseAbs2()) +
-                      bending(1) * quadrature_.dot(at.curvature.col(1).cwiseAbs2()) +
-                      p_[Beam::stretching] * quadrature_.dot(at.tension.cwiseAbs2()));
+        return 0.5 * (bending(0) * chebyshev_.quadrature.dot(at.curvature.col(0).cwiseAbs2()) +
+                      bending(1) * chebyshev_.quadrature.dot(at.curvature.col(1).cwiseAbs2()) +
+                      p_[Beam::stretching] * chebyshev_.quadrature.dot(at.tension.cwiseAbs2()));
     }
 
 private:
@@ -372,7 +360,7 @@ private:
         if (coupled_) y.stretch -= 0.5 * y.slope.rowwise().squaredNorm();
         y.r.resize(m_, 3);
         y.r.leftCols<2>() = deflection_at_ * y.w.leftCols<2>();
-        y.r.col(2) = z_ + stretch_at_ * y.stretch;
+        y.r.col(2) = chebyshev_.places + stretch_at_ * y.stretch;
         place(y);
         return y;
     }
@@ -380,11 +368,11 @@ private:
     void place(State& y) const {
         const Eigen::Vector3d c(p_[Beam::centre_1], p_[Beam::centre_2], p_[Beam::centre_3]);
         const double mass = p_[Beam::body_mass] + p_[Beam::length];
-        y.centre = (p_[Beam::body_mass] * c + y.r.transpose() * quadrature_) / mass;
+        y.centre = (p_[Beam::body_mass] * c + y.r.transpose() * chebyshev_.quadrature) / mass;
         y.rho = y.r.rowwise() - y.centre.transpose();
         y.along = y.rho * y.n;
         // int r r^T - (m_b + l) C C^T
-        Eigen::Matrix3d moments = y.r.transpose() * quadrature_.asDiagonal() * y.r;
+        Eigen::Matrix3d moments = y.r.transpose() * chebyshev_.quadrature.asDiagonal() * y.r;
         moments -= mass * y.centre * y.centre.transpose();
         y.inertia = moments.trace() * Eigen::Matrix3d::Identity() - moments;
         for (int a = 0; a < 3; ++a) y.inertia(a, a) += p_[Beam::inertia_1 + a];
@@ -428,7 +416,7 @@ private:
         Array<Eigen::MatrixXd, 3> rho_w = r_w;
         Eigen::MatrixXd along = Eigen::MatrixXd::Zero(m_, 3 * m_), y = Eigen::MatrixXd::Zero(3 * m_, n_unknowns());
         for (int a = 0; a < 3; ++a) {
-            const Eigen::RowVectorXd centre = quadrature_.transpose() * r_w[a] / mass;
+            const Eigen::RowVectorXd centre = chebyshev_.quadrature.transpose() * r_w[a] / mass;
             rho_w[a].rowwise() -= centre;
             along += at.n(a) * rho_w[a];
         }
@@ -441,45 +429,18 @@ private:
         return y;
     }
 
-    /// T_0 .. T_{m+3} at z.
-    Eigen::RowVectorXd polynomials(double z) const {
-        const double x = 2 * z / p_[Beam::length] - 1;
-        Eigen::RowVectorXd y(m_ + 4);
-        y(0) = 1;
-        y(1) = x;
-        for (int k = 2; k < y.size(); ++k) y(k) = 2 * x * y(k - 1) - y(k - 2);
-        return y;
-    }
-    /// The Chebyshev coefficients, by rows, of the integrals over z that vanish at the end 1 or -1.
-    Eigen::MatrixXd integral(const Eigen::MatrixXd& c, int end) const {
-        const Eigen::Index rows = c.rows();
-        Eigen::MatrixXd y = Eigen::MatrixXd::Zero(rows + 1, c.cols());
-        for (Eigen::Index k = 1; k <= rows; ++k) {
-            y.row(k) = c.row(k - 1) * (k == 1 ? 2.0 : 1.0);
-            if (k + 1 < rows) y.row(k) -= c.row(k + 1);
-            y.row(k) *= 0.25 * p_[Beam::length] / static_cast<double>(k);
-            y.row(0) -= (end < 0 && k % 2 == 1 ? -1.0 : 1.0) * y.row(k);
-        }
-        return y;
-    }
-    /// Those of the derivatives by z.
-    Eigen::MatrixXd derivative(const Eigen::MatrixXd& c) const {
-        Eigen::MatrixXd y = Eigen::MatrixXd::Zero(c.rows(), c.cols());
-        for (Eigen::Index k = c.rows() - 1; k >= 1; --k) {
-            y.row(k - 1) = 4 * static_cast<double>(k) / p_[Beam::length] * c.row(k);
-            if (k + 1 < c.rows()) y.row(k - 1) += y.row(k + 1);
-        }
-        y.row(0) *= 0.5;
-        return y;
+    static int checked(int points) {
+        require(points >= 4 && points <= 256, "points", points, "must be from 4 to 256");
+        return points;
     }
 
     Values p_;
     bool coupled_;
     int m_;
     BeamControl control_;
-    Eigen::VectorXd z_, quadrature_;
-    // Chebyshev coefficients from values at the points: of the interpolant, its derivative and its integrals
-    Eigen::MatrixXd coefficients_, steepening_, third_, curvature_, slope_, deflection_, stretch_;
+    detail::ChebyshevIntegrals chebyshev_;
+    // Chebyshev coefficients from values at the points: of the interpolant's derivative and its integrals
+    Eigen::MatrixXd steepening_, third_, curvature_, slope_, deflection_, stretch_;
     Eigen::MatrixXd tension_at_, curvature_at_, slope_at_, deflection_at_, stretch_at_;  ///< integrals at the points
 };
 

@@ -135,16 +135,16 @@ void print(const support::BodyBeamOptions& body, BeamControl control, const Body
     };
     std::printf("\n");
     line("To a generic member, total degree", r.generic);
-    line("From its roots", r.paths);
-    std::printf("%llu distinct roots, %llu real, %zu relative equilibria up to the sense of turning\n",
+    line(r.followed ? "From its roots" : "Too irregular: to this member, total degree", r.paths);
+    std::printf("Generic members have");
+    for (const auto roots : r.generic_roots) std::printf(" %llu", count(roots));
+    std::printf(" roots.\n%llu distinct roots here, %llu real, %zu relative equilibria up to the sense of turning\n",
                 count(r.distinct), count(r.real), r.equilibria.size());
     if (run.prove)
         std::printf("Proved: %llu distinct roots, %llu of them real\n", count(r.proved_distinct), count(r.proved_real));
-    if (r.generic.failed == 0 && r.paths.failed == 0 && r.paths.singular == 0 && r.alarms.empty())
-        std::printf("Each path is accounted for.\n");
-    if (r.generic.failed + r.paths.failed > 0)
-        std::printf("INCOMPLETE: %llu paths failed; equilibria may be missing.\n",
-                    count(r.generic.failed + r.paths.failed));
+    if (r.paths.failed == 0 && r.paths.singular == 0 && r.alarms.empty()) std::printf("Each path is accounted for.\n");
+    if (r.paths.failed > 0)
+        std::printf("INCOMPLETE: %llu paths failed; equilibria may be missing.\n", count(r.paths.failed));
     if (r.paths.singular > 0)
         std::printf("SINGULAR: %llu paths end where roots coincide, or where doubles cannot tell.\n",
                     count(r.paths.singular));

@@ -30,7 +30,7 @@
 namespace {
 
 using equilibria::mechanisms::BeamDamping, equilibria::mechanisms::BeamStrain, equilibria::mechanisms::BodyBeamEvidence,
-    equilibria::mechanisms::BodyBeamMotionOptions, equilibria::mechanisms::BodyBeamStatus;
+    equilibria::mechanisms::BodyBeamStatus;
 using Json = nlohmann::ordered_json;
 
 struct Options {

@@ -532,7 +532,7 @@ std::string settling_rows(double momentum, double end) {
     start.momentum = momentum * Vector3d(0.03, 0.04, 1).normalized();
     std::vector<double> times;
     for (int k = 0; k <= 3000; ++k) times.push_back(end * k / 3000);
-    mechanisms::BodyBeamMotionOptions options;
+    MotionOptions options;
     options.relative_tolerance = 1e-9;
     options.absolute_tolerance = 1e-10;
     const auto y = motion.integrate(start, times, options);

@@ -38,14 +38,16 @@ struct RelativeEquilibrium {
 };
 
 struct RelativeEquilibria {
-    equilibria::PathCounts generic, paths;        // to the generic member: the total degree; from its roots
-    std::uint64_t generic_roots, distinct, real;  // real: n and -n, and all points of a circle in its plane
-    std::vector<RelativeEquilibrium> equilibria;
-    std::vector<std::string> families;  // in words: what is not isolated though no circle was expected
-    std::vector<std::string> failures;
+    equilibria::PathCounts generic, paths;     // to the generic member: the total degree; to this one
+    bool followed;                             // from the generic member's roots, not from a total-degree start again
+    std::vector<std::uint64_t> generic_roots;  // of the generic members that were solved: the last two agree
+    std::uint64_t distinct, real;              // real: n and -n, and all points of a circle in its plane
+    std::vector<RelativeEquilibrium> equilibria{};
+    std::vector<std::string> families{};  // in words: what is not isolated though no circle was expected
+    std::vector<std::string> failures{};
     std::string alarms;
-    std::uint64_t proved_distinct, proved_real;
-    double seconds, generic_seconds, proving_seconds;
+    std::uint64_t proved_distinct = 0, proved_real = 0;
+    double seconds, generic_seconds, proving_seconds = 0;
 };
 
 inline constexpr int most_solved_modes = 2;
@@ -64,9 +66,11 @@ public:
     RelativeEquilibria operator()(const BodyBeamValues& p) const;
 
 private:
-    equilibria::EnumerateOptions options(const std::string& checkpoint) const;
+    equilibria::EnumerateOptions options() const;
 
     BodyBeamRun run_;
-    bool circles_;
+    bool circles_, agreed_ = false;
     equilibria::RootSet<Model> generic_;
+    std::vector<std::uint64_t> generic_roots_;  // of each member that was drawn
+    double generic_seconds_ = 0;
 };

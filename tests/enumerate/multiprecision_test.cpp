@@ -13,7 +13,7 @@ using M = models::EqualAngles<4>;
 
 EnumerateOptions starved(std::uint64_t seed, unsigned threads = 1) {
     EnumerateOptions options{.seed = seed, .threads = threads};
-    options.tracker.most_steps = 200;
+    options.tracker.most_steps = 60;
     return options;
 }
 

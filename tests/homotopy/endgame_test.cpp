@@ -30,6 +30,15 @@ struct Loaded {
     }
 };
 
+/// small x^4 = 1: x grows like (1 - t)^(-1/4) until 1 - t is as small.
+struct SlowQuartic {
+    static constexpr int n_angles = 0, n_coordinates = 1;
+    enum Parameter { small, n_parameters };
+    constexpr auto equations(const auto&, const auto& x, const auto& p) const {
+        return std::array{p[small] * pow(x[0], 4) - 1.0};
+    }
+};
+
 template <class M>
 struct Ends {
     static constexpr auto kind = StartKind::general;
@@ -100,5 +109,14 @@ TEST_CASE("endgame: solutions far away are solutions") {
         const Ends<Loaded> far({load, 1});
         far.check(PathStatus::finite, 1);
         for (const auto& end : far.ends) CHECK(std::sqrt(norm2(end.q.s[0])) == Approx(1 / load));
+    }
+}
+
+TEST_CASE("endgame: solutions far away are solutions, however slowly they are reached") {
+    for (const double small : {1e-4, 1e-6, 1e-8, 1e-10, 1e-11}) {
+        CAPTURE(small);
+        const Ends<SlowQuartic> far({small});
+        far.check(PathStatus::finite, 1);
+        for (const auto& end : far.ends) CHECK(std::sqrt(norm2(end.q.x[0])) == Approx(std::pow(small, -0.25)));
     }
 }

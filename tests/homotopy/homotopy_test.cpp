@@ -32,6 +32,25 @@ Point<M, double> random_point(Generator& generator) {
     return q;
 }
 
+/// Two equations with all terms up to a degree: more than are unrolled.
+struct Dense {
+    static constexpr int degree = 11, terms = (degree + 1) * (degree + 2) / 2;
+    static constexpr int n_angles = 0, n_coordinates = 2, n_parameters = 2 * terms;
+    constexpr auto equations(const auto&, const auto& x, const auto& p) const {
+        using S = std::remove_cvref_t<decltype(x[0] * p[0])>;
+        std::array<S, 2> f{};
+        int k = 0;
+        for (S& sum : f) {
+            S power(1.0);
+            for (int a = 0; a <= degree; ++a, power *= x[0]) {
+                S product = power;
+                for (int b = 0; a + b <= degree; ++b, product *= x[1]) sum += p[k++] * product;
+            }
+        }
+        return f;
+    }
+};
+
 double size(const Z& z) { return std::sqrt(norm2(z)); }
 
 /// A homotopy of each kind at random parameters.
@@ -137,6 +156,48 @@ TEST_CASE("homotopy with a coordinate") { Case<models::ElasticPendulum, StartKin
 TEST_CASE("homotopy with multiples, powers and phases") { Case<models::Everything, StartKind::general>().all(); }
 TEST_CASE("homotopy with multiples, powers and phases, from other parameters") {
     Case<models::Everything, StartKind::parameter>().all();
+}
+
+TEST_CASE("homotopy of more terms than are unrolled, from other parameters") {
+    static_assert(!detail::Evaluation<Dense, StartKind::parameter, double, double, double>::unrolled);
+    Case<Dense, StartKind::parameter>().all();
+}
+
+TEST_CASE("a total-degree start is the same homotopy, compiled alone or with the parameter homotopies, unrolled or not") {
+    const auto check = []<class M>(M) {
+        constexpr int n = n_unknowns<M>;
+        Generator generator(7);
+        const auto target = coefficients<M, double>(random_parameters<M>(generator));
+        const auto scale = detail::equation_scales<M, double>(target);
+        const TotalDegreeStart<M> start(StartKind::general, scale, generator);
+        const auto alone = Homotopy<M, StartKind::general, double>::total_degree(target, start);
+        const auto together = Homotopy<M, StartKind::parameter, double>::total_degree(target, start);
+        detail::Evaluation<M, StartKind::general, double, double, double> a(alone);
+        detail::Evaluation<M, StartKind::parameter, double, double, double> b(together);
+        for (const double t : {0.0, 0.3, 1.0}) {
+            const auto q = random_point<M>(generator);
+            Z f[n], g[n], j[n][n], k[n][n];
+            const auto agree = [&] {
+                for (int i = 0; i < n; ++i) CHECK(size(f[i] - g[i]) < 1e-12 * (1 + size(f[i])));
+            };
+            a.value(q, t, f), b.value(q, t, g);
+            agree();
+            a.jacobian(q, t, f, j), b.jacobian(q, t, g, k);
+            for (int r = 0; r < n; ++r)
+                for (int c = Formulation<M>::has_potential ? r : 0; c < n; ++c)
+                    CHECK(size(j[r][c] - k[r][c]) < 1e-12 * (1 + size(j[r][c])));
+            for (int order = 1; order <= 3; ++order) {
+                Z d[n];
+                for (Z& z : d) z = {uniform(generator, -1, 1), uniform(generator, -1, 1)};
+                a.taylor_right_side(order, f), b.taylor_right_side(order, g);
+                agree();
+                a.set_coefficient(order, d), b.set_coefficient(order, d);
+            }
+        }
+    };
+    check(models::Everything());
+    check(models::ElasticPendulum());
+    check(Dense());
 }
 
 TEST_CASE("a total-degree homotopy is its start system at t = 0, and linear in t") {

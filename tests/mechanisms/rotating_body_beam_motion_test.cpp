@@ -20,7 +20,7 @@
 #include "support/catch.hpp"
 
 using namespace equilibria;
-using mechanisms::BeamDamping, mechanisms::BeamStrain, mechanisms::BodyBeamMotionOptions, mechanisms::BodyBeamState,
+using mechanisms::BeamDamping, mechanisms::BeamStrain, mechanisms::BodyBeamState,
     mechanisms::BodyBeamStatus, mechanisms::momentum_hessian, mechanisms::random_body_beam_state,
     mechanisms::RotatingBodyBeam, mechanisms::RotatingBodyBeamMotion;
 
@@ -413,7 +413,7 @@ TEST_CASE("What goes wrong on the way is a status") {
     const OneLinear free(body(), {});
     CHECK(free.settle(start, 3).status == BodyBeamStatus::time_over);
     CHECK(free.settle(start, 3).last.time == 3);
-    BodyBeamMotionOptions few;
+    MotionOptions few;
     few.max_steps = 10;
     const auto y = free.integrate(start, times(20, 1000), few);
     CHECK(y.status == BodyBeamStatus::too_many_steps);
@@ -464,7 +464,7 @@ TEST_CASE("Bad input is refused by name") {
     state = good;
     state.orientation.w() = 2;
     CHECK_THROWS_WITH(motion.integrate(state, {1}), Contains("start.orientation = 2"));
-    for (const auto& options : {BodyBeamMotionOptions{0, 1e-12, 10}, BodyBeamMotionOptions{1e-12, 0, 10},
-                                BodyBeamMotionOptions{1e-9, 1e-9, 0}})
+    for (const auto& options : {MotionOptions{.relative_tolerance = 0}, MotionOptions{.absolute_tolerance = 0},
+                                MotionOptions{.largest_step = -1}, MotionOptions{.max_steps = 0}})
         CHECK_THROWS_AS(motion.integrate(good, {1}, options), InvalidArgument);
 }

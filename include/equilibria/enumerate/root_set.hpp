@@ -25,7 +25,7 @@ struct Root {
     /// Angles in radians, real parts in (-pi, pi], imaginary parts any; then the plain coordinates.
     Array<std::complex<double>, n_unknowns<M>> q;
     double residual = 0;      ///< max_i |F_i(q)| / (largest coefficient of F_i), F being the model's own function
-    double condition = 0;     ///< of the Jacobian, each row scaled to 1 unless it is small beside its equation
+    double condition = 0;     ///< of the Jacobian: equations against their terms, coordinates against 1 + |x|
     std::uint64_t path = 0;   ///< the first path that ended here
     std::int32_t paths = 1;   ///< how many did: the multiplicity of an isolated root
     std::int32_t winding_number = 1;

@@ -67,7 +67,9 @@ private:
     /// What a difference, a radius and a step may be with the digits of R: rounding of 1e-16 in double.
     static constexpr double closed = exact ? 1e-22 : 1e-11;
     static constexpr double smallest_radius = exact ? 1e-24 : 1e-13;
-    static constexpr double diverging_radius = exact ? 1e-14 : 2e-9;
+    /// Where a path that seems to diverge is believed: a finite solution that is merely far away looks the same down to
+    /// r = size^(-1 / nu), nu the valuation on the way there.
+    static constexpr double diverging_radius = exact ? 1e-14 : 2e-9, slowly_diverging_radius = exact ? 1e-18 : 1e-12;
     static constexpr double shortest_step = exact ? 1e-18 : 1e-9;
 
     /// The point 1 - r of the time.
@@ -93,11 +95,12 @@ private:
         while (r > smallest_radius) {
             const Array<double, n> nu = valuations(at, r);
             diverging = diverges(at, nu, before);
-            // a finite solution that is merely far away looks the same down to r = 1 / (its size): go on
-            if (diverging && (r < diverging_radius || size2(at) > far_away2)) break;
+            if (diverging &&
+                (size2(at) > far_away2 || r < (size2(at) > 1e8 ? diverging_radius : slowly_diverging_radius)))
+                break;
             before = nu;
             At mean;
-            const int winding = diverging || size2(at) > far_away2 ? 0 : loop(at, r, mean, end.steps);
+            const int winding = recedes(at, nu) || size2(at) > far_away2 ? 0 : loop(at, r, mean, end.steps);
             if (winding > 0) {
                 if (have_estimate && distance(mean, estimate) < 1e-7 && settle(end, mean, winding)) return;
                 estimate = mean;
@@ -194,8 +197,23 @@ private:
         }
         return nu;
     }
-    /// Some unknown is far out, and its valuation is positive and the same on two scales.
+    /// The unknown that is farthest out.
+    static int farthest(const At& q) {
+        int u = 0;
+        for (int k = 1; k < n; ++k)
+            if (unknown_size2(q, k) > unknown_size2(q, u)) u = k;
+        return u;
+    }
+    /// The unknown that is farthest out is far, and on its way.
+    static bool recedes(const At& q, const Array<double, n>& nu) {
+        const int u = farthest(q);
+        return unknown_size2(q, u) > 100 && nu[u] > 0.1;
+    }
+    /// Some unknown is far out, and its valuation is positive and the same on two scales; and that of the farthest one
+    /// does not fall, as it does near a finite solution that is merely far away.
     static bool diverges(const At& q, const Array<double, n>& nu, const Array<double, n>& before) {
+        const int last = farthest(q);
+        if (!(nu[last] > 0.05 && nu[last] > 0.9 * before[last])) return false;
         for (int u = 0; u < n; ++u)
             if (unknown_size2(q, u) > 100 && nu[u] > 0.05 && before[u] > 0 &&
                 std::abs(nu[u] - before[u]) < 0.05 * nu[u])
@@ -203,17 +221,17 @@ private:
         return false;
     }
 
-    /// Where rounding stops a path on its way: whether some unknown is far out, and has grown since ten times the radius by
-    /// the power of it that its valuation says on both scales.
+    /// Where rounding stops a path on its way: whether some unknown is far out, and has grown since ten times the radius
+    /// by a power of it between its valuations on both scales, which do not fall.
     bool grows(const At& q, double r, std::int32_t& steps) {
         At here = q, back = q;
         if (10 * r > 0.05 || track(closing_, back, time(r), time(10 * r), steps) != Progress::arrived) return false;
         const Array<double, n> now = valuations(here, r), before = valuations(back, 10 * r);
         for (int u = 0; u < n; ++u) {
             const double size2 = static_cast<double>(unknown_size2(here, u)), nu = now[u];
-            if (!(size2 > 100 && nu > 0.05 && std::abs(nu - before[u]) < 0.1 * nu)) continue;
+            if (!(size2 > 100 && nu > 0.05 && nu > 0.9 * before[u])) continue;
             const double growth = 0.5 * std::log10(size2 / static_cast<double>(unknown_size2(back, u)));
-            if (std::abs(growth - nu) < 0.1 * nu) return true;
+            if (growth > 0.9 * std::min(nu, before[u]) && growth < 1.1 * nu) return true;
         }
         return false;
     }
@@ -269,11 +287,8 @@ private:
         }
         q = estimate;
         polisher_->assess(q, &end.evidence);
-        // the largest term of an equation can be that much larger than its coefficient
-        int degree = 0;
-        for (const int d : Formulation<M>::degrees) degree = std::max(degree, d);
-        const double size = std::max(1.0, std::sqrt(farthest2(estimate)));
-        if (!(end.evidence.residual < 1e-10 * std::pow(size, degree))) return false;
+        // loops around what looks like an endpoint at these radii, but is none, close as well: it fulfils no equations
+        if (!(polisher_->relative_residual(q) < 1e-10)) return false;
         end.q = estimate;
         end.status = PathStatus::singular;
         end.winding_number = static_cast<std::int16_t>(winding);

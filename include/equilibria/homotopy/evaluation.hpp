@@ -363,7 +363,7 @@ private:
     // --- not unrolled -------------------------------------------------------------------------------------------
     Z with_own(int g, const Z& v) const { return Plan::own_factors[g] < 0 ? v : Z(factor_[0][Plan::own_factors[g]] * v); }
 
-    /// Of a parameter homotopy, whose blend is the sum itself and the change of one order less.
+    /// And `blended`: the sum itself, the change of one order less, and the start system's share.
     void sum_terms(int g, int k) {
         const auto& group = Plan::groups[g];
         Z p = zero(), d = zero();
@@ -380,6 +380,10 @@ private:
         sum_[k][g] = p;
         change_[k][g] = d;
         blend_[k][g] = k > 0 ? Z(p + change_[k - 1][g]) : p;
+        if (group.in_start && k < 2) {
+            const Z start = broadcast_complex<R>(h_->start[g]);
+            blend_[k][g] += k == 0 ? Z(complement(time_) * start) : Z(-start);
+        }
     }
 
     void add_slopes(Z (&j)[n][n]) const {

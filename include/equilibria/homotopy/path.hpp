@@ -24,7 +24,7 @@ enum class FailureReason : std::uint8_t {
 /// What polishing tells of an endpoint.
 struct PolishedEvidence {
     double residual = 0;    ///< max_i |F_i| / (largest coefficient of F_i)
-    double condition = 0;   ///< of the Jacobian, each row scaled to 1 unless it is small beside its equation
+    double condition = 0;   ///< of the Jacobian: equations against their terms, coordinates against 1 + |x|
     double correction = 0;  ///< the last Newton correction, largest change of an unknown
 };
 

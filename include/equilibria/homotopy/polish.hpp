@@ -59,13 +59,25 @@ public:
         evaluation.jacobian(q, Time<R>{} + 1.0, f, j);
         residual(q, f);
         complete(j);
-        const R condition = row_scaled_condition(j);
+        R unit[n], size[n];
+        measure(q, j, unit, size);
+        const R condition = scaled_condition(unit, size, j);
         for (int k = 0; k < LaneTraits<R>::width; ++k) {
             evidence[k] = {0, static_cast<double>(lane(condition, k)), 0};
             for (int i = 0; i < n; ++i)
                 evidence[k].residual = std::max(evidence[k].residual, std::abs(lane(f[i], k)) / scale_[i]);
             if (!(evidence[k].condition < 1e300)) evidence[k].condition = 1e300;
         }
+    }
+
+    /// max_i |F_i(q)| / (size of the terms of F_i there).
+    double relative_residual(const Point<M, double>& q) const {
+        Complex<double> f[n], j[n][n];
+        double unit[n], size[n], y = 0;
+        linearize(q, f, j, size);
+        measure(q, j, unit, size);
+        for (int i = 0; i < n; ++i) y = std::max(y, std::sqrt(norm2(f[i])) / size[i]);
+        return y;
     }
 
     /// The residual and the Jacobian at q, and the size of rounding-free terms of each equation there: its largest
@@ -102,17 +114,25 @@ private:
             for (int r = 0; r < n; ++r)
                 for (int c = 0; c < r; ++c) j[r][c] = j[c][r];
     }
-    /// || (D J)^-1 || in the infinity norm, D making each row's sum of absolute values 1. A row that is small beside
-    /// the coefficients of its equation stays small: scaled up, a row of rounding errors would look regular.
+    /// The unit that each unknown's error is measured in, 1 for an angle and 1 + |x| for a coordinate, as in
+    /// correction_size; and the size of each equation's terms: the row's sum of |J| times the units, or the equation's
+    /// largest coefficient where that is more: measured by itself, a row of rounding errors would look regular.
     template <class R>
-    R row_scaled_condition(Complex<R> (&j)[n][n]) const {
+    void measure(const Point<M, R>& q, const Complex<R> (&j)[n][n], R (&unit)[n], R (&size)[n]) const {
+        for (int u = 0; u < n; ++u)
+            unit[u] = u < n_angles<M> ? R{} + 1.0 : R(1.0 + square_root(unknown_size2(q, u)));
         for (int r = 0; r < n; ++r) {
             R sum = broadcast<R>(0.0);
-            for (int c = 0; c < n; ++c) sum = sum + square_root(norm2(j[r][c]));
+            for (int c = 0; c < n; ++c) sum = sum + unit[c] * square_root(norm2(j[r][c]));
             const R least = R{} + scale_[r];
-            const R by = 1.0 / select(sum < least, least, sum);  // a NaN stays
-            for (int c = 0; c < n; ++c) j[r][c] = by * j[r][c];
+            size[r] = select(sum < least, least, sum);  // a NaN stays
         }
+    }
+    /// || E^-1 J^-1 D || in the infinity norm, E and D being the units of the unknowns and the sizes of the equations.
+    template <class R>
+    R scaled_condition(const R (&unit)[n], const R (&size)[n], Complex<R> (&j)[n][n]) const {
+        for (int r = 0; r < n; ++r)
+            for (int c = 0; c < n; ++c) j[r][c] = (1.0 / size[r]) * j[r][c];
         PivotedFactorization<R, n> lu;
         lu.factor(j);
         R row_sum[n];
@@ -124,7 +144,10 @@ private:
             for (int r = 0; r < n; ++r) row_sum[r] = row_sum[r] + square_root(norm2(e[r]));
         }
         R largest = broadcast<R>(0.0);
-        for (int r = 0; r < n; ++r) largest = select(largest > row_sum[r], largest, row_sum[r]);  // keeps a NaN
+        for (int r = 0; r < n; ++r) {
+            const R sum = row_sum[r] / unit[r];
+            largest = select(largest > sum, largest, sum);  // keeps a NaN
+        }
         return largest;
     }
 

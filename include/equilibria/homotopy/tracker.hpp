@@ -93,6 +93,7 @@ public:
         lu_.factor(j);
         for (Z& entry : f) entry = -entry;
         lu_.solve(f);
+        rounding2_ = lane_min(16.0 * correction_size(q, f), noise2_);
         q = corrected<M, R>(q, f);
         evaluation_.taylor_right_side(1, taylor_[0]);
         for (Z& entry : taylor_[0]) entry = scaled(entry);
@@ -135,7 +136,8 @@ public:
         evaluation_.value(y.q, time(tau + h), f);
         for (Z& entry : f) entry = -entry;
         lu_.solve(f);
-        const R second = correction_size(y.q, f);
+        // what the third correction at the last point still changed is rounding: far out it would look like a bad step
+        const R second = lane_max(correction_size(y.q, f) - rounding2_, R{});
         y.q = corrected<M, R>(y.q, f);
         // Theta^2; a first correction below the noise is no cause for concern, and its quotient may be rounding
         const R theta2 = second / (first + noise2_);
@@ -226,7 +228,7 @@ private:
     Time origin_, direction_;
     Z taylor_[3][n];
     R pole_;
-    R noise2_ = R{} + 1e-14;
+    R noise2_ = R{} + 1e-14, rounding2_ = R{};
 };
 
 }  // namespace detail

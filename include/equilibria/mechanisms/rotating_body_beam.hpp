@@ -255,13 +255,14 @@ struct BodyBeamFamily : RotatingBodyBeamBase<K, BeamStrain::either> {
     }
 
     /// A member with nothing special about its stiffnesses, moments, speed and momentum, at which the enumeration is
-    /// well conditioned, with the length 1 and else the body of p. Only those enter the coefficients linearly: on the
-    /// way from here to a beam of the same masses, centre, length and coupling all systems are members, and its
-    /// relative equilibria are ends of paths from this one's. From another body they would not be: between lie systems
-    /// of more roots.
+    /// well conditioned, with the length 1 and else the body of p. (The speed is between the first and the second
+    /// frequencies of the beam alone: next to one of them roots are far out.) Only those enter the coefficients linearly:
+    /// on the way from here to a beam of the same masses, centre, length and coupling all systems are members, and its
+    /// relative equilibria are ends of paths from this one's. From another body nothing says so: between lie systems
+    /// that are no beams.
     static Array<double, Base::n_parameters> generic(const Array<double, Base::n_parameters>& p, Generator& generator) {
         auto y = p;
-        const double values[] = {1.2, 1.3, 0.8, 0.05, 0.06, 0.3, 1, 1.5};
+        const double values[] = {1.2, 1.3, 0.8, 0.05, 0.06, 0.3, 1.5, 1.5};
         const int places[] = {Base::inertia_1, Base::inertia_2,  Base::inertia_3, Base::bending_1,
                               Base::bending_2, Base::stretching, Base::speed,     Base::momentum};
         for (int k = 0; k < 8; ++k) y[places[k]] = values[k] * uniform(generator, 0.9, 1.1);

@@ -25,6 +25,7 @@
 
 #include <equilibria/core/array.hpp>
 #include <equilibria/core/error.hpp>
+#include <equilibria/core/motion_options.hpp>
 #include <equilibria/core/random.hpp>
 #include <equilibria/mechanisms/rotating_body_beam.hpp>
 #include <equilibria/mechanisms/rotating_body_beam_equations.hpp>
@@ -168,10 +169,13 @@ public:
         return x;
     }
 
+    /// A motion at rest in the body frame has zeros in its state.
+    static constexpr MotionOptions fine{.absolute_tolerance = 1e-13};
+
     /// The motion from `start` at time 0, at `times`: none below 0, none below the one before it. Throws
     /// InvalidArgument where these, the start or an option are none; all else that may happen is a status.
     BodyBeamMotion<K> integrate(const State& start, const std::vector<double>& times,
-                                const BodyBeamMotionOptions& options = {}) const {
+                                const MotionOptions& options = fine) const {
         double before = 0;
         for (std::size_t k = 0; k < times.size(); ++k) {
             require(std::isfinite(times[k]) && times[k] >= before, "times[" + std::to_string(k) + "]", times[k],
@@ -196,7 +200,7 @@ public:
     /// a whole turn. The motion itself has to come there; nothing is corrected. Throws InvalidArgument where the start
     /// has no momentum, or an argument is none; all else is a status.
     BodyBeamSettling<K> settle(const State& start, double longest_time, double tolerance = 1e-9,
-                               const BodyBeamMotionOptions& options = {}) const {
+                               const MotionOptions& options = fine) const {
         require(std::isfinite(longest_time) && longest_time > 0, "longest_time", longest_time, "must be positive");
         require(tolerance > 0 && tolerance < 1, "tolerance", tolerance, "must be between 0 and 1");
         require(start.momentum.norm() > 0, "start.momentum", start.momentum.norm(), "must not be zero");

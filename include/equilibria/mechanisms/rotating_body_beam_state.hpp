@@ -44,20 +44,6 @@ inline const char* to_string(BodyBeamStatus status) {
     return names[static_cast<int>(status)];
 }
 
-struct BodyBeamMotionOptions {
-    double relative_tolerance = 1e-12, absolute_tolerance = 1e-13;  ///< of a step, for each number of the state
-    std::uint64_t max_steps = 10'000'000;
-
-    /// Throws InvalidArgument.
-    void check() const {
-        require(relative_tolerance >= 1e-15 && relative_tolerance < 1, "relative_tolerance", relative_tolerance,
-                "must be from 1e-15 to 1");
-        require(absolute_tolerance > 0 && std::isfinite(absolute_tolerance), "absolute_tolerance", absolute_tolerance,
-                "must be positive");
-        require(max_steps > 0, "max_steps", max_steps, "must be positive");
-    }
-};
-
 /// Body and beam in motion; K modes a direction, in the order of RotatingBodyBeamBase.
 template <int K>
 struct BodyBeamState {

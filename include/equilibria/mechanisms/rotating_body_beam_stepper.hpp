@@ -19,6 +19,7 @@
 #include <boost/numeric/odeint/stepper/generation/make_controlled.hpp>
 #include <boost/numeric/odeint/stepper/runge_kutta_fehlberg78.hpp>
 
+#include <equilibria/core/motion_options.hpp>
 #include <equilibria/mechanisms/rotating_body_beam_equations.hpp>
 #include <equilibria/mechanisms/rotating_body_beam_state.hpp>
 
@@ -29,7 +30,7 @@ class BeamStepper {
 public:
     using Numbers = std::vector<double>;
 
-    BeamStepper(const BeamMotion& motion, Numbers start, const BodyBeamMotionOptions& options)
+    BeamStepper(const BeamMotion& motion, Numbers start, const MotionOptions& options)
         : motion_(motion),
           options_(options),
           pair_(
@@ -69,6 +70,7 @@ public:
         for (;;) {
             if (evidence_.steps >= options_.max_steps) return end(BodyBeamStatus::too_many_steps);
             ++evidence_.steps;
+            if (options_.largest_step > 0) step_ = std::min(step_, options_.largest_step);
             const bool last = time_ + step_ >= until;
             double dt = last ? until - time_ : step_, t = time_;
             const bool done = pair_.try_step(std::cref(system), y_, t, dt) == boost::numeric::odeint::success;
@@ -136,7 +138,7 @@ private:
     }
 
     const BeamMotion& motion_;
-    BodyBeamMotionOptions options_;
+    MotionOptions options_;
     Controlled pair_;
     Numbers y_;
     double time_ = 0, step_ = 0, energy_ = 0, start_energy_ = 0;

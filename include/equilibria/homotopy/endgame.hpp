@@ -66,6 +66,9 @@ private:
     static constexpr bool exact = !std::is_same_v<R, double>;
     /// What a difference, a radius and a step may be with the digits of R: rounding of 1e-16 in double.
     static constexpr double closed = exact ? 1e-22 : 1e-11;
+    /// How well two means of loops must agree, and fulfil the equations: where paths part quickly, as (1-t)^(1/m) times a
+    /// large number, a rounding error of 1e-16 in time moves the mean by 1e-9 and more.
+    static constexpr double settled = 1e-7;
     static constexpr double smallest_radius = exact ? 1e-24 : 1e-13;
     /// Where a path that seems to diverge is believed: a finite solution that is merely far away looks the same down to
     /// r = size^(-1 / nu), nu the valuation on the way there.
@@ -102,7 +105,7 @@ private:
             At mean;
             const int winding = recedes(at, nu) || size2(at) > far_away2 ? 0 : loop(at, r, mean, end.steps);
             if (winding > 0) {
-                if (have_estimate && distance(mean, estimate) < 1e-7 && settle(end, mean, winding)) return;
+                if (have_estimate && distance(mean, estimate) < settled && settle(end, mean, winding)) return;
                 estimate = mean;
             }
             have_estimate = winding > 0;
@@ -288,7 +291,7 @@ private:
         q = estimate;
         polisher_->assess(q, &end.evidence);
         // loops around what looks like an endpoint at these radii, but is none, close as well: it fulfils no equations
-        if (!(polisher_->relative_residual(q) < 1e-10)) return false;
+        if (!(polisher_->relative_residual(q) < settled)) return false;
         end.q = estimate;
         end.status = PathStatus::singular;
         end.winding_number = static_cast<std::int16_t>(winding);

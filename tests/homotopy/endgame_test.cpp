@@ -99,8 +99,10 @@ TEST_CASE("endgame: one double root and a simple one") {
 }
 
 TEST_CASE("endgame: no solution, all paths at infinity") {
-    for (const std::uint64_t seed : {1, 2, 3})
+    for (const std::uint64_t seed : {1, 2, 3}) {
         for (const auto& end : Ends<Loaded>({0, 1}, seed).ends) CHECK(end.status == PathStatus::at_infinity);
+        for (const auto& end : Ends<SlowQuartic>({0}, seed).ends) CHECK(end.status == PathStatus::at_infinity);
+    }
 }
 
 TEST_CASE("endgame: solutions far away are solutions") {

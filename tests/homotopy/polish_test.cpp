@@ -1,3 +1,4 @@
+#include <array>
 #include <cmath>
 #include <complex>
 
@@ -10,6 +11,15 @@
 using namespace equilibria;
 
 namespace {
+
+/// x^2 = square, y = 1.
+struct TwinRoots {
+    static constexpr int n_angles = 0, n_coordinates = 2;
+    enum Parameter { square, n_parameters };
+    constexpr auto equations(const auto&, const auto& x, const auto& p) const {
+        return std::array{x[0] * x[0] - p[square], x[1] - 1.0};
+    }
+};
 
 /// A polisher of the model at p. The homotopy's start plays no part at t = 1.
 template <class M>
@@ -103,4 +113,19 @@ TEST_CASE("lanes are polished each for itself") {
     PolishedEvidence evidence[native_lanes];
     pendulum.polisher.run(pack, evidence);
     for (int k = 0; k < native_lanes; ++k) CHECK((evidence[k].residual < 1e-15) == (k != 1));
+}
+
+TEST_CASE("what the equations determine is corrected near a singular point, and the point between two roots is none") {
+    const auto between = [](double square, double x) {
+        const Polished<TwinRoots> twins({square});
+        Point<TwinRoots, double> q;
+        set_lane(q.x[0], 0, x);
+        set_lane(q.x[1], 0, 1 + 1e-6);
+        const double residual = twins.polisher.correct_determined(q);
+        CHECK(std::abs(lane(q.x[0], 0) - x) < 1e-6);
+        CHECK(std::abs(lane(q.x[1], 0) - 1.0) < 1e-13);
+        return residual;
+    };
+    CHECK(between(0, 1e-7) < 1e-13);
+    CHECK(between(1e-8, 1e-7) == Approx(1e-8).epsilon(1e-5));
 }

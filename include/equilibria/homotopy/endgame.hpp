@@ -6,13 +6,18 @@
 /// 0 like (1-t)^(1/m); on one to infinity it settles at a positive rational (theta ~ -+ i nu log(1-t)).
 /// Cauchy: on the circle |1-t| = r the path closes after m turns, m the winding number; the mean of its points is the
 /// endpoint, to the accuracy of the tracking even where Newton's method would crawl. It is accepted when two radii
-/// agree. Sources: Morgan, Sommese, Wampler, power-series and Cauchy endgames; Timme (valuation test).
+/// agree; on a path to infinity they agree on a pole instead, at radii where it is not far out yet. Sources: Morgan,
+/// Sommese, Wampler, power-series and Cauchy endgames; Timme (valuation test).
 #pragma once
 
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <cstdint>
+#include <numbers>
+#include <vector>
 
+#include <equilibria/homotopy/closed_loop.hpp>
 #include <equilibria/homotopy/lane_tracker.hpp>
 #include <equilibria/homotopy/polish.hpp>
 
@@ -30,6 +35,7 @@ class Endgame {
 public:
     using Z = Complex<R>;
     using At = Point<M, R>;
+    using Loop = ClosedLoop<M, R>;
     using Tracker = Stepper<M, Kind, C, R, Complex<R>, true>;
     static constexpr int n = n_unknowns<M>;
 
@@ -44,12 +50,14 @@ public:
         double reached = 0;
         const Progress progress = track(stepper_, q, time(1), time(1e-3), end.steps, &reached);
         copy_lane(q, 0, end.q, 0);
-        if (progress == Progress::stuck) {
+        const double r = 1 - reached * (1 - 1e-3);
+        // close to t = 1 rounding may be what stops it, and the endgame measures that
+        if (progress == Progress::stuck && (end.steps >= options_.most_steps || r > 0.02)) {
             end.reason =
                 end.steps >= options_.most_steps ? FailureReason::too_many_steps : FailureReason::step_too_small;
             return end;
         }
-        finish(end, q, 1 - reached * (1 - 1e-3));
+        finish(end, q, r);
         return end;
     }
 
@@ -66,13 +74,14 @@ private:
     static constexpr bool exact = !std::is_same_v<R, double>;
     /// What a difference, a radius and a step may be with the digits of R: rounding of 1e-16 in double.
     static constexpr double closed = exact ? 1e-22 : 1e-11;
-    /// How well two means of loops must agree, and fulfil the equations: where paths part quickly, as (1-t)^(1/m) times a
-    /// large number, a rounding error of 1e-16 in time moves the mean by 1e-9 and more.
+    /// How well two means of loops must agree.
     static constexpr double settled = 1e-7;
     static constexpr double smallest_radius = exact ? 1e-24 : 1e-13;
     /// Where a path that seems to diverge is believed: a finite solution that is merely far away looks the same down to
     /// r = size^(-1 / nu), nu the valuation on the way there.
     static constexpr double diverging_radius = exact ? 1e-14 : 2e-9, slowly_diverging_radius = exact ? 1e-18 : 1e-12;
+    /// Where a pole that closed loops show is believed of a path that rounding stops.
+    static constexpr double pole_radius = 1e-9;
     static constexpr double shortest_step = exact ? 1e-18 : 1e-9;
 
     /// The point 1 - r of the time.
@@ -92,8 +101,9 @@ private:
 
     void decide(Endpoint<M>& end, At& at, double r) {
         Array<double, n> before;
-        bool have_estimate = false, diverging = false;
-        At estimate;
+        bool diverging = false;
+        double excluded = 1;
+        Loop last;
         for (double& nu : before) nu = -1;
         while (r > smallest_radius) {
             const Array<double, n> nu = valuations(at, r);
@@ -102,26 +112,27 @@ private:
                 (size2(at) > far_away2 || r < (size2(at) > 1e8 ? diverging_radius : slowly_diverging_radius)))
                 break;
             before = nu;
-            At mean;
-            const int winding = recedes(at, nu) || size2(at) > far_away2 ? 0 : loop(at, r, mean, end.steps);
-            if (winding > 0) {
-                if (have_estimate && distance(mean, estimate) < settled && settle(end, mean, winding)) return;
-                estimate = mean;
+            const Loop now = recedes(at, nu) || size2(at) > far_away2 ? Loop{} : loop(at, r, end.steps);
+            if (now.winding > 0 && last.winding > 0) {
+                excluded = std::min(excluded, excluded_radius(now, r, last));
+                if (excluded < slowly_diverging_radius) break;
+                if (now.has_mean && last.has_mean && distance(now.mean, last.mean) < settled &&
+                    settle(end, now.mean, now.winding))
+                    return;
             }
-            have_estimate = winding > 0;
+            last = now;
             // the next scale: where the fastest unknown has grown e^3 times, a tenth at the most
             double fastest = 0;
             for (const double v : nu) fastest = std::max(fastest, v);
             const double smaller = r * std::max(0.1, std::exp(-3 / (fastest + 1e-3)));
             double reached = 0;
-            if (track(closing_, at, time(r), time(smaller), end.steps, &reached) == Progress::stuck) break;
+            At next = at;
+            if (track(closing_, next, time(r), time(smaller), end.steps, &reached) == Progress::stuck) break;
+            at = next;
             r -= reached * (r - smaller);
         }
-        if (diverging) {
-            end.status = PathStatus::at_infinity;
-            return;
-        }
-        if (r > 10 * smallest_radius && grows(at, r, end.steps)) {
+        if (diverging || excluded < slowly_diverging_radius ||
+            (r > smallest_radius && (excluded < pole_radius || recedes_from_afar(at, r, end.steps)))) {
             end.status = PathStatus::at_infinity;
             return;
         }
@@ -224,56 +235,54 @@ private:
         return false;
     }
 
-    /// Where rounding stops a path on its way: whether some unknown is far out, and has grown since ten times the radius
-    /// by a power of it between its valuations on both scales, which do not fall.
-    bool grows(const At& q, double r, std::int32_t& steps) {
-        At here = q, back = q;
-        if (10 * r > 0.05 || track(closing_, back, time(r), time(10 * r), steps) != Progress::arrived) return false;
-        const Array<double, n> now = valuations(here, r), before = valuations(back, 10 * r);
+    /// Where rounding stops a path: whether it is on its way to infinity, as far as r and 10 r tell. Loops there show a
+    /// pole; or it is so far out that its valuations are enough.
+    bool recedes_from_afar(At& at, double r, std::int32_t& steps) {
+        if (!(unknown_size2(at, farthest(at)) > 100) || 10 * r > 0.05) return false;
+        const Array<double, n> nu = valuations(at, r);
+        const Loop here = loop(at, r, steps);
+        At back = at;
+        if (track(closing_, back, time(r), time(10 * r), steps) != Progress::arrived) return false;
+        if (grows(at, nu, back, valuations(back, 10 * r))) return true;
+        return here.pole > 0 && excluded_radius(here, r, loop(back, 10 * r, steps)) < pole_radius;
+    }
+    /// Whether some unknown is very far out, and has grown since ten times the radius by a power of it between its
+    /// valuations on both scales, which do not fall.
+    static bool grows(const At& q, const Array<double, n>& nu, const At& back, const Array<double, n>& before) {
         for (int u = 0; u < n; ++u) {
-            const double size2 = static_cast<double>(unknown_size2(here, u)), nu = now[u];
-            if (!(size2 > 100 && nu > 0.05 && nu > 0.9 * before[u])) continue;
+            const double size2 = static_cast<double>(unknown_size2(q, u));
+            if (!(size2 > 1e8 && nu[u] > 0.05 && nu[u] > 0.9 * before[u])) continue;
             const double growth = 0.5 * std::log10(size2 / static_cast<double>(unknown_size2(back, u)));
-            if (growth > 0.9 * std::min(nu, before[u]) && growth < 1.1 * nu) return true;
+            if (growth > 0.9 * std::min(nu[u], before[u]) && growth < 1.1 * nu[u]) return true;
         }
         return false;
     }
+    /// Where loops at r and at a larger radius show the same pole: the radius down to which they exclude a finite
+    /// solution, whose branch point so close to t = 1 would add terms of lower orders. 1 where they do not.
+    static double excluded_radius(const Loop& at_r, double r, const Loop& wider) {
+        const bool same = at_r.winding == wider.winding && at_r.pole == wider.pole;
+        return same && at_r.pole > 0 ? at_r.beyond * r : 1;
+    }
 
-    /// Turns around t = 1 at radius r until the path closes: the winding number and the mean of the points, 0 if it
-    /// does not within 12 turns.
-    int loop(const At& first, double r, At& mean, std::int32_t& steps) {
-        constexpr int samples = 8;
-        mean = At{};
+    /// Follows the path around t = 1 until it closes.
+    Loop loop(const At& first, double r, std::int32_t& steps) {
+        constexpr int samples = Loop::samples;
+        std::vector<At> points;
         double excursion = 0;
         At at = first;
-        for (int turn = 1; turn <= 12; ++turn) {
+        for (int turn = 1; turn <= Loop::most_turns; ++turn) {
             for (int k = 0; k < samples; ++k) {
-                for (int i = 0; i < n_angles<M>; ++i) mean.c[i] += at.c[i], mean.s[i] += at.s[i];
-                for (int j = 0; j < n_coordinates<M>; ++j) mean.x[j] += at.x[j];
+                points.push_back(at);
                 const auto point = [&](int m) {
                     return time(m % samples == 0 ? std::complex<double>(r)
                                                  : std::polar(r, 2 * std::numbers::pi * m / samples));
                 };
-                if (track(closing_, at, point(k), point(k + 1), steps) != Progress::arrived) return 0;
+                if (track(closing_, at, point(k), point(k + 1), steps) != Progress::arrived) return {};
                 excursion = std::max(excursion, distance(first, at));
             }
-            if (distance(first, at) < 1e-3 * excursion + closed) {
-                const R by = 1.0 / R(samples * turn);
-                for (int i = 0; i < n_angles<M>; ++i) {
-                    mean.c[i] *= by;
-                    mean.s[i] *= by;
-                    const Z square = mean.c[i] * mean.c[i] + mean.s[i] * mean.s[i];
-                    // far out on its way to infinity an angle closes its loop too, around no point of the circle
-                    if (!(norm2(1.0 - square) < 1e-4 * (1.0 + norm2(mean.c[i]) + norm2(mean.s[i])))) return 0;
-                    const Z back = 1.5 - 0.5 * square;
-                    mean.c[i] *= back;
-                    mean.s[i] *= back;
-                }
-                for (int j = 0; j < n_coordinates<M>; ++j) mean.x[j] *= by;
-                return turn;
-            }
+            if (distance(first, at) < 1e-3 * excursion + closed) return Loop(points, turn);
         }
-        return 0;
+        return {};
     }
 
     /// Decides at a settled estimate of the endpoint; false if the radius is still too large to tell.
@@ -288,11 +297,11 @@ private:
             end.status = PathStatus::finite;
             return true;
         }
-        q = estimate;
-        polisher_->assess(q, &end.evidence);
         // loops around what looks like an endpoint at these radii, but is none, close as well: it fulfils no equations
-        if (!(polisher_->relative_residual(q) < settled)) return false;
-        end.q = estimate;
+        q = estimate;
+        if (!(polisher_->correct_determined(q) < 1e-10)) return false;
+        polisher_->assess(q, &end.evidence);
+        end.q = q;
         end.status = PathStatus::singular;
         end.winding_number = static_cast<std::int16_t>(winding);
         return true;

@@ -70,10 +70,31 @@ public:
         }
     }
 
-    /// max_i |F_i(q)| / (size of the terms of F_i there).
-    double relative_residual(const Point<M, double>& q) const {
-        Complex<double> f[n], j[n][n];
+    /// Moves a point near a singular solution by least squares, damped where the equations do not determine it: singular
+    /// values of the Jacobian, in the units of unknowns and equations, count from 1e-4 on. Returns the relative residual
+    /// there: max_i |F_i(q)| / (size of the terms of F_i).
+    double correct_determined(Point<M, double>& q) const {
+        Complex<double> f[n], j[n][n], normal[n][n], d[n];
         double unit[n], size[n], y = 0;
+        linearize(q, f, j, size);
+        measure(q, j, unit, size);
+        for (int i = 0; i < n; ++i) {
+            f[i] = (1 / size[i]) * f[i];
+            for (int u = 0; u < n; ++u) j[i][u] = (unit[u] / size[i]) * j[i][u];
+        }
+        for (int u = 0; u < n; ++u) {
+            d[u] = {};
+            for (int i = 0; i < n; ++i) d[u] -= conj(j[i][u]) * f[i];
+            for (int v = 0; v < n; ++v) {
+                normal[u][v] = {u == v ? 1e-8 : 0.0, 0.0};
+                for (int i = 0; i < n; ++i) normal[u][v] += conj(j[i][u]) * j[i][v];
+            }
+        }
+        PivotedFactorization<double, n> lu;
+        lu.factor(normal);
+        lu.solve(d);
+        for (int u = 0; u < n; ++u) d[u] = unit[u] * d[u];
+        q = corrected<M, double>(q, d);
         linearize(q, f, j, size);
         measure(q, j, unit, size);
         for (int i = 0; i < n; ++i) y = std::max(y, std::sqrt(norm2(f[i])) / size[i]);

@@ -77,8 +77,8 @@ private:
     /// How well two means of loops must agree.
     static constexpr double settled = 1e-7;
     static constexpr double smallest_radius = exact ? 1e-24 : 1e-13;
-    /// Where a path that seems to diverge is believed: a finite solution that is merely far away looks the same down to
-    /// r = size^(-1 / nu), nu the valuation on the way there.
+    /// Where a path that seems to diverge is believed, once it is 1e5 out and before: a finite solution that is merely
+    /// far away looks the same down to r = size^(-1 / nu), nu the valuation on the way there.
     static constexpr double diverging_radius = exact ? 1e-14 : 2e-9, slowly_diverging_radius = exact ? 1e-18 : 1e-12;
     /// Where a pole that closed loops show is believed of a path that rounding stops.
     static constexpr double pole_radius = 1e-9;
@@ -109,7 +109,7 @@ private:
             const Array<double, n> nu = valuations(at, r);
             diverging = diverges(at, nu, before);
             if (diverging &&
-                (size2(at) > far_away2 || r < (size2(at) > 1e8 ? diverging_radius : slowly_diverging_radius)))
+                (size2(at) > far_away2 || r < (size2(at) > 1e10 ? diverging_radius : slowly_diverging_radius)))
                 break;
             before = nu;
             const Loop now = recedes(at, nu) || size2(at) > far_away2 ? Loop{} : loop(at, r, end.steps);

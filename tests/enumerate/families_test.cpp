@@ -1,5 +1,6 @@
 // Equal coupled angles: every point with sum exp(i theta_j) = -load/k is an equilibrium. Such families must be called
 // curves and surfaces, and no point of them a root; the isolated roots beside them must be called isolated.
+#include <array>
 #include <complex>
 #include <sstream>
 
@@ -12,6 +13,15 @@ using namespace equilibria;
 namespace {
 
 using Complex = std::complex<double>;
+
+/// x^3 = 0, 1e-4 y = 1: a triple solution 1e4 out.
+struct FarTriple {
+    static constexpr int n_angles = 0, n_coordinates = 2;
+    enum Parameter { unused, n_parameters };
+    constexpr auto equations(const auto&, const auto& x, const auto& p) const {
+        return std::array{pow(x[0], 3) + 0.0 * p[unused], 1e-4 * x[1] - 1.0};
+    }
+};
 
 template <int N>
 double off_family(const Array<Complex, N>& q, double load) {
@@ -143,4 +153,12 @@ TEST_CASE("no equilibria are a family where the parameters are generic") {
         CHECK(r.families.empty());
         CHECK(r.clean());
     }
+}
+
+TEST_CASE("a multiple solution far out is no family") {
+    const auto r = enumerate<FarTriple>({0});
+    tests::check_accounts(r);
+    CHECK(r.paths.singular == 3);
+    CHECK(r.families.empty());
+    CHECK(r.distinct() == 1);
 }

@@ -70,14 +70,13 @@ public:
         }
     }
 
-    /// Moves a point near a singular solution by least squares, damped where the equations do not determine it: singular
-    /// values of the Jacobian, in the units of unknowns and equations, count from 1e-4 on. Returns the relative residual
-    /// there: max_i |F_i(q)| / (size of the terms of F_i).
+    /// Moves a point near a singular solution by least squares, damped where the equations do not determine it:
+    /// singular values of the Jacobian, in the units of unknowns and equations, count from 1e-4 on. Returns the
+    /// relative residual there: max_i |F_i(q)| / (size of the terms of F_i).
     double correct_determined(Point<M, double>& q) const {
         Complex<double> f[n], j[n][n], normal[n][n], d[n];
         double unit[n], size[n], y = 0;
-        linearize(q, f, j, size);
-        measure(q, j, unit, size);
+        linearize(q, f, j, unit, size);
         for (int i = 0; i < n; ++i) {
             f[i] = (1 / size[i]) * f[i];
             for (int u = 0; u < n; ++u) j[i][u] = (unit[u] / size[i]) * j[i][u];
@@ -95,22 +94,16 @@ public:
         lu.solve(d);
         for (int u = 0; u < n; ++u) d[u] = unit[u] * d[u];
         q = corrected<M, double>(q, d);
-        linearize(q, f, j, size);
-        measure(q, j, unit, size);
+        linearize(q, f, j, unit, size);
         for (int i = 0; i < n; ++i) y = std::max(y, std::sqrt(norm2(f[i])) / size[i]);
         return y;
     }
 
-    /// The residual and the Jacobian at q, and the size of rounding-free terms of each equation there: its largest
-    /// coefficient times the size of the point to the equation's degree.
+    /// The residual and the Jacobian at q, and the size of each equation's terms there: see `measure`.
     void linearize(const Point<M, double>& q, Complex<double> (&f)[n], Complex<double> (&j)[n][n],
                    double (&size)[n]) const {
-        Evaluation<M, Kind, C, double, Complex<double>> evaluation(*h_);
-        evaluation.jacobian(q, Complex<double>(1.0), f, j);
-        residual(q, f);
-        complete(j);
-        const double far = std::max(1.0, std::sqrt(farthest2(q)));
-        for (int i = 0; i < n; ++i) size[i] = scale_[i] * std::pow(far, Formulation<M>::degrees[i]);
+        double unit[n];
+        linearize(q, f, j, unit, size);
     }
 
 private:
@@ -118,6 +111,14 @@ private:
     template <class R>
     using Time = std::conditional_t<is_pack<R>, R, Complex<R>>;
 
+    void linearize(const Point<M, double>& q, Complex<double> (&f)[n], Complex<double> (&j)[n][n], double (&unit)[n],
+                   double (&size)[n]) const {
+        Evaluation<M, Kind, C, double, Complex<double>> evaluation(*h_);
+        evaluation.jacobian(q, Complex<double>(1.0), f, j);
+        residual(q, f);
+        complete(j);
+        measure(q, j, unit, size);
+    }
     template <class R>
     void residual(const Point<M, R>& q, Complex<R> (&f)[n]) const {
         if constexpr (std::is_same_v<C, double>) {
@@ -140,8 +141,7 @@ private:
     /// largest coefficient where that is more: measured by itself, a row of rounding errors would look regular.
     template <class R>
     void measure(const Point<M, R>& q, const Complex<R> (&j)[n][n], R (&unit)[n], R (&size)[n]) const {
-        for (int u = 0; u < n; ++u)
-            unit[u] = u < n_angles<M> ? R{} + 1.0 : R(1.0 + square_root(unknown_size2(q, u)));
+        for (int u = 0; u < n; ++u) unit[u] = u < n_angles<M> ? R{} + 1.0 : R(1.0 + square_root(unknown_size2(q, u)));
         for (int r = 0; r < n; ++r) {
             R sum = broadcast<R>(0.0);
             for (int c = 0; c < n; ++c) sum = sum + unit[c] * square_root(norm2(j[r][c]));

@@ -11,7 +11,7 @@
 #include <cmath>
 #include <cstdio>
 #include <equilibria/enumerate/enumerate.hpp>
-#include <equilibria/locus/locus.hpp>
+#include <equilibria/locus/plane/trace_locus.hpp>
 #include <iostream>
 
 struct SpringLoadedDoublePendulum {

@@ -2,11 +2,11 @@
 // springs are links.
 #include <benchmark/benchmark.h>
 
-#include <equilibria/continuation/critical_curve_trace.hpp>
-#include <equilibria/locus/model_problem.hpp>
+#include <equilibria/continuation/curves/critical_curve_trace.hpp>
+#include <equilibria/locus/line/model_problem.hpp>
 #include <equilibria/mechanisms/rotating_chain.hpp>
 
-#include "../../examples/support/structures.hpp"
+#include "../../programs/support/structures.hpp"
 
 using namespace equilibria;
 using support::VectorXd;

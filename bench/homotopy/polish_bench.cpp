@@ -2,7 +2,7 @@
 // Items are endpoints.
 #include <benchmark/benchmark.h>
 
-#include <equilibria/enumerate/path_solver.hpp>
+#include <equilibria/paths/path_solver.hpp>
 
 #include "../support.hpp"
 

@@ -4,9 +4,9 @@
 #include <iostream>
 
 #include <benchmark/benchmark.h>
-#include <equilibria/enumerate/multiprecision.hpp>
-#include <equilibria/locus/line_events.hpp>
-#include <equilibria/locus/locus.hpp>
+#include <equilibria/enumerate/more_digits.hpp>
+#include <equilibria/locus/line/line_events.hpp>
+#include <equilibria/locus/plane/trace_locus.hpp>
 #include <equilibria/mechanisms/holonomic_mechanism.hpp>
 #include <equilibria/mechanisms/rotating_chain.hpp>
 

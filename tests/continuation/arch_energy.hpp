@@ -1,4 +1,4 @@
-// The shallow arch of examples/support/structures.hpp by its energy, generic over scalars.
+// The shallow arch of programs/support/structures.hpp by its energy, generic over scalars.
 #pragma once
 
 #include <Eigen/Core>

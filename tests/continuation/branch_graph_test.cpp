@@ -1,7 +1,7 @@
 #include <equilibria/continuation/branch_graph.hpp>
-#include <equilibria/continuation/imperfection.hpp>
+#include <equilibria/continuation/curves/imperfection.hpp>
 
-#include "../examples/support/structures.hpp"
+#include "../programs/support/structures.hpp"
 #include "support/catch.hpp"
 
 using namespace equilibria;

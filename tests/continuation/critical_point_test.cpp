@@ -1,6 +1,6 @@
 #include <equilibria/continuation/critical_point.hpp>
 
-#include "../examples/support/structures.hpp"
+#include "../programs/support/structures.hpp"
 #include "support/catch.hpp"
 
 using namespace equilibria;

@@ -1,7 +1,7 @@
 #include <equilibria/continuation/critical_point.hpp>
 #include <equilibria/continuation/generic_problem.hpp>
 
-#include "../examples/support/structures.hpp"
+#include "../programs/support/structures.hpp"
 #include "continuation/arch_energy.hpp"
 #include "support/catch.hpp"
 

@@ -2,7 +2,7 @@
 #include <functional>
 #include <vector>
 
-#include <equilibria/enumerate/family_probe.hpp>
+#include <equilibria/enumerate/detail/family_probe.hpp>
 
 #include "support/catch.hpp"
 

@@ -2,7 +2,7 @@
 #include <equilibria/fem/section.hpp>
 #include <map>
 
-#include "../examples/support/buckling_cases.hpp"
+#include "../programs/support/buckling_cases.hpp"
 #include "fem/reference_paths.hpp"
 #include "instances/fem/structure_branches.hpp"
 #include "support/catch.hpp"

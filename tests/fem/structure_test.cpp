@@ -8,7 +8,7 @@
 #include <equilibria/fem/structure.hpp>
 #include <equilibria/fem/truss.hpp>
 
-#include "../examples/support/buckling_cases.hpp"
+#include "../programs/support/buckling_cases.hpp"
 #include "fem/charted_structure.hpp"
 #include "fem/loaded.hpp"
 #include "fem/random_states.hpp"

@@ -7,7 +7,7 @@
 #include <optional>
 #include <set>
 
-#include <equilibria/enumerate/checkpoint.hpp>
+#include <equilibria/storage/checkpoint.hpp>
 
 #include "support/models.hpp"
 

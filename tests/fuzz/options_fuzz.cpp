@@ -5,7 +5,7 @@
 #include <limits>
 #include <string>
 
-#include "../../examples/support/numbers.hpp"
+#include "../../programs/support/numbers.hpp"
 
 namespace {
 

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include <equilibria/io/structure_json.hpp>
+#include <equilibria/io/structure/structure_json.hpp>
 
 using namespace equilibria;
 using namespace equilibria::fem;

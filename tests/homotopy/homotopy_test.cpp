@@ -1,7 +1,7 @@
 // Evaluation of the homotopies: against the model's own function, finite differences, and Taylor's theorem.
 #include <complex>
 
-#include <equilibria/enumerate/path_solver.hpp>
+#include <equilibria/paths/path_solver.hpp>
 #include <equilibria/mechanisms/rotating_chain.hpp>
 
 #include "support/catch.hpp"

@@ -2,7 +2,7 @@
 #include <cmath>
 #include <complex>
 
-#include <equilibria/enumerate/path_solver.hpp>
+#include <equilibria/paths/path_solver.hpp>
 #include <equilibria/mechanisms/rotating_chain.hpp>
 
 #include "support/catch.hpp"

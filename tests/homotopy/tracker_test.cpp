@@ -2,7 +2,7 @@
 #include <cmath>
 #include <limits>
 
-#include <equilibria/enumerate/path_solver.hpp>
+#include <equilibria/paths/path_solver.hpp>
 #include <equilibria/homotopy/tracker.hpp>
 #include <equilibria/mechanisms/rotating_chain.hpp>
 

@@ -10,7 +10,7 @@
 #include <type_traits>
 #include <vector>
 
-#include <equilibria/io/structure_json.hpp>
+#include <equilibria/io/structure/structure_json.hpp>
 
 #include "instances/fem/structure_branches.hpp"
 #include "support/catch.hpp"

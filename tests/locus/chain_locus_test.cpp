@@ -1,7 +1,7 @@
 // Figure 3.2 of Baillieul: the locus of the two-link chain, against facts.md and against its own laws.
 #include <cmath>
-#include <equilibria/locus/locus.hpp>
-#include <equilibria/locus/prove_locus.hpp>
+#include <equilibria/locus/plane/trace_locus.hpp>
+#include <equilibria/locus/proof/prove_locus.hpp>
 #include <equilibria/mechanisms/rotating_chain.hpp>
 #include <map>
 #include <vector>

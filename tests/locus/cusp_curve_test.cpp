@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include <equilibria/locus/cusp_curve.hpp>
-#include <equilibria/locus/refine_singularity.hpp>
+#include <equilibria/locus/space/cusp_curve.hpp>
+#include <equilibria/singularity/refine_singularity.hpp>
 #include <equilibria/mechanisms/rotating_chain.hpp>
 
 #include "support/catch.hpp"

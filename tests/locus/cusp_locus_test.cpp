@@ -3,7 +3,7 @@
 #include <cmath>
 #include <string>
 
-#include <equilibria/locus/cusp_locus.hpp>
+#include <equilibria/locus/space/cusp_locus.hpp>
 #include <equilibria/mechanisms/rotating_chain.hpp>
 
 #include "instances/locus/two_link_cusps.hpp"

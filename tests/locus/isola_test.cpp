@@ -1,7 +1,7 @@
 // Planted components of a locus that no line of the window meets: found by their extremal points and cusps.
 #include <algorithm>
 #include <cmath>
-#include <equilibria/locus/locus.hpp>
+#include <equilibria/locus/plane/trace_locus.hpp>
 
 #include "support/catch.hpp"
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include <equilibria/core/random.hpp>
-#include <equilibria/locus/line_events.hpp>
+#include <equilibria/locus/line/line_events.hpp>
 #include <equilibria/mechanisms/rotating_chain.hpp>
 #include <equilibria/stability/morse.hpp>
 

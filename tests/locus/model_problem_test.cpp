@@ -1,6 +1,6 @@
 // The rotating chain as a continuation problem, without the locus module's search.
-#include <equilibria/continuation/critical_curve_trace.hpp>
-#include <equilibria/locus/model_problem.hpp>
+#include <equilibria/continuation/curves/critical_curve_trace.hpp>
+#include <equilibria/locus/line/model_problem.hpp>
 #include <equilibria/mechanisms/rotating_chain.hpp>
 
 #include "support/catch.hpp"

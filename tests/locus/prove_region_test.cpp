@@ -3,7 +3,7 @@
 
 #include <equilibria/core/random.hpp>
 #include <equilibria/enumerate/enumerate.hpp>
-#include <equilibria/locus/prove_region.hpp>
+#include <equilibria/locus/proof/prove_region.hpp>
 #include <equilibria/mechanisms/rotating_chain.hpp>
 
 #include "instances/locus/two_link_proofs.hpp"

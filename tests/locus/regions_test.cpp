@@ -1,5 +1,5 @@
 #include <cmath>
-#include <equilibria/locus/regions.hpp>
+#include <equilibria/locus/regions/regions.hpp>
 #include <map>
 #include <numbers>
 #include <vector>

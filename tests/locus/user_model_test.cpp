@@ -1,7 +1,7 @@
 // A model that is not the chain, without the symmetry theta -> -theta: its locus has cusps known in closed form.
 #include <algorithm>
 #include <cmath>
-#include <equilibria/locus/locus.hpp>
+#include <equilibria/locus/plane/trace_locus.hpp>
 
 #include "support/catch.hpp"
 

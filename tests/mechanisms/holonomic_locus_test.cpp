@@ -3,8 +3,8 @@
 #include <cmath>
 #include <vector>
 
-#include <equilibria/locus/line_events.hpp>
-#include <equilibria/locus/locus.hpp>
+#include <equilibria/locus/line/line_events.hpp>
+#include <equilibria/locus/plane/trace_locus.hpp>
 
 #include "instances/locus/holonomic_events.hpp"
 #include "support/catch.hpp"

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include <equilibria/algebra/bounds.hpp>
-#include <equilibria/certify/refine.hpp>
+#include <equilibria/certify/refine_root.hpp>
 #include <equilibria/enumerate/prove.hpp>
 #include <equilibria/enumerate/torque_trace.hpp>
 

@@ -5,7 +5,7 @@
 
 #include <equilibria/continuation/critical_point.hpp>
 #include <equilibria/core/random.hpp>
-#include <equilibria/locus/model_problem.hpp>
+#include <equilibria/locus/line/model_problem.hpp>
 #include <equilibria/mechanisms/holonomic_mechanism.hpp>
 
 #include "support/catch.hpp"

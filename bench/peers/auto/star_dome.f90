@@ -1,4 +1,4 @@
-! The star dome of 24 bars, as support::star_dome of examples/support/structures.hpp: EA = 1, Green strain, loads 1 on the
+! The star dome of 24 bars, as support::star_dome of programs/support/structures.hpp: EA = 1, Green strain, loads 1 on the
 ! ring and 0.5 on the apex. PAR(1) is P / EA in thousandths: of the size of the displacements.
 ! Lines that end with "derivatives" are for JAC = 1.
 MODULE DOME

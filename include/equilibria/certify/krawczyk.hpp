@@ -11,7 +11,7 @@
 
 #include <array>
 
-#include <equilibria/certify/ball_evaluation.hpp>
+#include <equilibria/certify/detail/ball_evaluation.hpp>
 #include <equilibria/core/linear_solve.hpp>
 
 namespace equilibria {

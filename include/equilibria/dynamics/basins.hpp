@@ -11,10 +11,10 @@
 #include <vector>
 
 #include <equilibria/core/error.hpp>
-#include <equilibria/core/parallel.hpp>
 #include <equilibria/dynamics/lagrange_second_kind.hpp>
 #include <equilibria/dynamics/motion.hpp>
 #include <equilibria/model/model.hpp>
+#include <equilibria/run/parallel.hpp>
 
 namespace equilibria {
 

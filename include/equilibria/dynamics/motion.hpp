@@ -23,8 +23,8 @@
 #include <boost/numeric/odeint/stepper/runge_kutta_dopri5.hpp>
 
 #include <equilibria/core/error.hpp>
-#include <equilibria/core/motion_options.hpp>
 #include <equilibria/dynamics/motion_formulation.hpp>
+#include <equilibria/dynamics/motion_options.hpp>
 #include <equilibria/dynamics/motion_point.hpp>
 
 namespace equilibria {

@@ -17,8 +17,8 @@
 #include <utility>
 #include <vector>
 
-#include <equilibria/core/parallel.hpp>
 #include <equilibria/enumerate/root_set.hpp>
+#include <equilibria/run/parallel.hpp>
 
 namespace equilibria {
 

@@ -1,11 +1,12 @@
 /// \file
-/// From endpoints to roots, from roots to equilibria: merged, filtered to real ones, classified.
+/// From roots to equilibria: filtered to real ones, classified.
 #pragma once
 
 #include <algorithm>
 #include <cmath>
-#include <complex>
+#include <cstdint>
 #include <limits>
+#include <numbers>
 #include <tuple>
 #include <vector>
 
@@ -13,45 +14,12 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 
-#include <equilibria/enumerate/path_solver.hpp>
 #include <equilibria/enumerate/root_set.hpp>
 #include <equilibria/model/derivatives.hpp>
+#include <equilibria/run/parallel.hpp>
 #include <equilibria/stability/inertia.hpp>
 
 namespace equilibria::detail {
-
-/// The complex angle of the point (c, s): c + i s = exp(i theta).
-inline std::complex<double> angle_of(const Complex<double>& c, const Complex<double>& s) {
-    const std::complex<double> z(c.re - s.im, c.im + s.re), w(c.re + s.im, c.im - s.re);  // exp(i theta), exp(-i theta)
-    // the larger of the two has the digits
-    const double z2 = std::norm(z), w2 = std::norm(w);
-    return z2 >= w2 ? std::complex<double>(std::arg(z), -0.5 * std::log(z2))
-                    : std::complex<double>(-std::arg(w), 0.5 * std::log(w2));
-}
-
-template <Model M>
-Root<M> root_of(const Endpoint<M>& end, std::uint64_t path) {
-    Root<M> root;
-    for (int i = 0; i < n_angles<M>; ++i) root.q[i] = angle_of(end.q.c[i], end.q.s[i]);
-    for (int j = 0; j < n_coordinates<M>; ++j) root.q[n_angles<M> + j] = {end.q.x[j].re, end.q.x[j].im};
-    root.residual = end.evidence.residual;
-    root.condition = end.evidence.condition;
-    root.path = path;
-    root.winding_number = end.winding_number;
-    root.status = end.status;
-    return root;
-}
-
-/// theta -> -theta.
-template <Model M>
-Root<M> reflected(Root<M> root, std::uint64_t path) {
-    for (int i = 0; i < n_angles<M>; ++i) {
-        const double angle = -root.q[i].real();
-        root.q[i] = {angle <= -std::numbers::pi ? std::numbers::pi : angle, -root.q[i].imag()};
-    }
-    root.path = path;
-    return root;
-}
 
 template <Model M>
 double largest_imaginary(const Root<M>& root) {

@@ -9,8 +9,9 @@
 #include <equilibria/enumerate/alarms.hpp>
 #include <equilibria/enumerate/classify.hpp>
 #include <equilibria/enumerate/families.hpp>
-#include <equilibria/enumerate/path_solver.hpp>
 #include <equilibria/enumerate/root_set.hpp>
+#include <equilibria/paths/collect.hpp>
+#include <equilibria/paths/path_solver.hpp>
 
 namespace equilibria {
 
@@ -85,74 +86,6 @@ private:
     const TotalDegreeStart<M>* start_;
 };
 
-/// Counts the paths, merges endpoints into distinct roots and calls take(root) for each, in the order of the tracked
-/// paths, a mirror image after its original; those that rest come last. path_of(k) is the number of path k,
-/// `mirror(path)` that of its mirror image, the path itself where there is none.
-template <Model M, class PathOf, class RestingPath, class Mirror, class Take>
-void collect(PathCounts& paths, std::vector<FailedPath<M>>& failures, EndpointStore<M>& ends, PathOf&& path_of,
-             const std::vector<Endpoint<M>>& resting, RestingPath&& resting_path, bool symmetric, Mirror&& mirror,
-             Take&& take) {
-    const std::size_t size = ends.size() + resting.size();
-    const auto end = [&](std::size_t k) -> const Endpoint<M>& {
-        return k < ends.size() ? ends[k] : resting[k - ends.size()];
-    };
-    const auto path = [&](std::size_t k) { return k < ends.size() ? path_of(k) : resting_path(k - ends.size()); };
-    const auto finished = [&](std::size_t k) { return k >= ends.size() || ends.finished(k); };
-    // the number of paths that an entry stands for
-    const auto weight = [&](std::size_t k) { return symmetric && k < ends.size() ? 2 : 1; };
-    for (std::size_t k = 0; k < size; ++k) {
-        const auto w = static_cast<std::uint64_t>(weight(k));
-        paths.total += w;
-        if (!finished(k)) {
-            paths.cancelled += w;
-            continue;
-        }
-        switch (end(k).status) {
-            case PathStatus::finite: paths.finite += w; break;
-            case PathStatus::at_infinity: paths.at_infinity += w; break;
-            case PathStatus::singular: paths.singular += w; break;
-            case PathStatus::failed:
-                paths.failed += w;
-                failures.push_back({path(k), end(k).reason, root_of(end(k), path(k)).q});
-                if (w == 2)
-                    failures.push_back({mirror(path(k)), end(k).reason,
-                                        reflected(root_of(end(k), path(k)), mirror(path(k))).q});
-        }
-    }
-    std::sort(failures.begin(), failures.end(), [](const auto& a, const auto& b) { return a.path < b.path; });
-    const CoincidenceFinder<M> finder(symmetric);
-    std::vector<std::uint8_t> merged(size);
-    std::vector<std::int32_t> others(size), winding(size);
-    for (std::size_t k = 0; k < size; ++k)
-        if (finished(k)) winding[k] = end(k).winding_number;
-    const auto merge = [&](PathStatus status, double tolerance) {
-        const auto groups = finder.groups(
-            size, [&](std::size_t k) { return finished(k) && end(k).status == status ? &end(k).q : nullptr; },
-            tolerance);
-        for (const auto& group : groups) {
-            // a resting root, its own mirror image, stands for the group; else the first path
-            const std::size_t leader = group.back() >= ends.size() ? group.back() : group.front();
-            for (const std::size_t k : group)
-                if (k != leader) {
-                    merged[k] = 1;
-                    others[leader] += leader >= ends.size() ? weight(k) : 1;
-                    winding[leader] = std::max(winding[leader], winding[k]);
-                }
-        }
-    };
-    merge(PathStatus::finite, 1e-9);
-    merge(PathStatus::singular, 1e-5);
-    for (std::size_t k = 0; k < size; ++k) {
-        if (merged[k] || !finished(k)) continue;
-        if (end(k).status != PathStatus::finite && end(k).status != PathStatus::singular) continue;
-        Root<M> root = root_of(end(k), path(k));
-        root.paths += others[k];
-        root.winding_number = winding[k];
-        take(root);
-        if (weight(k) == 2) take(reflected(root, mirror(path(k))));
-    }
-}
-
 /// Tracks all paths from a total-degree start, fills in what `set` says of them, calls take(root) as `collect` does,
 /// and in the end done(polisher).
 template <Model M, StartKind Kind, class Set, class Take, class Done>
@@ -190,11 +123,6 @@ void solve_total_degree(Set& set, const Parameters<M>& p, const EnumerateOptions
     done(solver.polisher());
 }
 
-template <Model M>
-void sort_by_path(std::vector<Root<M>>& roots) {
-    std::sort(roots.begin(), roots.end(), [](const auto& a, const auto& b) { return a.path < b.path; });
-}
-
 template <Model M, StartKind Kind>
 RootSet<M> enumerate_total_degree(const Parameters<M>& p, const EnumerateOptions& options,
                                   Rescue<M, Kind, double> rescue = nullptr) {
@@ -227,18 +155,6 @@ void check_arguments(const RootSet<M>& solved, const Parameters<M>& p, const Enu
     require(solved.paths.failed == 0 && solved.paths.singular == 0, "solved.paths",
             std::to_string(solved.paths.failed) + " failed, " + std::to_string(solved.paths.singular) + " singular",
             "a start instance must have regular roots only");
-}
-
-/// The start point of a path that begins at a solved instance's root q.
-template <Model M>
-Point<M, double> start_point(const Array<std::complex<double>, n_unknowns<M>>& q) {
-    Point<M, double> y;
-    for (int i = 0; i < n_angles<M>; ++i) {
-        set_lane(y.c[i], 0, std::cos(q[i]));
-        set_lane(y.s[i], 0, std::sin(q[i]));
-    }
-    for (int j = 0; j < n_coordinates<M>; ++j) set_lane(y.x[j], 0, q[n_angles<M> + j]);
-    return y;
 }
 
 /// Follows regular roots at parameters `from` to the roots at p, along a line in the space of coefficients.

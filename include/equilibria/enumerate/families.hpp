@@ -9,10 +9,10 @@
 #include <numbers>
 #include <vector>
 
-#include <equilibria/enumerate/family_probe.hpp>
-#include <equilibria/core/parallel.hpp>
+#include <equilibria/enumerate/detail/family_probe.hpp>
 #include <equilibria/enumerate/root_set.hpp>
 #include <equilibria/homotopy/polish.hpp>
+#include <equilibria/run/parallel.hpp>
 
 namespace equilibria::detail {
 

@@ -23,8 +23,8 @@
 #include <equilibria/certify/proved_index.hpp>
 #include <equilibria/core/multiprecision.hpp>
 #include <equilibria/enumerate/classify.hpp>
-#include <equilibria/core/parallel.hpp>
 #include <equilibria/enumerate/root_set.hpp>
+#include <equilibria/run/parallel.hpp>
 
 namespace equilibria {
 

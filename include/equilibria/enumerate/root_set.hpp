@@ -12,25 +12,13 @@
 #include <equilibria/algebra/formulation.hpp>
 #include <equilibria/enumerate/alarm.hpp>
 #include <equilibria/enumerate/family.hpp>
-#include <equilibria/homotopy/path.hpp>
 #include <equilibria/model/derivatives.hpp>
+#include <equilibria/paths/path_counts.hpp>
+#include <equilibria/paths/root.hpp>
 #include <equilibria/stability/inertia.hpp>
 #include <equilibria/stability/morse.hpp>
 
 namespace equilibria {
-
-/// A solution of the equilibrium equations, real or not.
-template <Model M>
-struct Root {
-    /// Angles in radians, real parts in (-pi, pi], imaginary parts any; then the plain coordinates.
-    Array<std::complex<double>, n_unknowns<M>> q;
-    double residual = 0;      ///< max_i |F_i(q)| / (largest coefficient of F_i), F being the model's own function
-    double condition = 0;     ///< of the Jacobian: equations against their terms, coordinates against 1 + |x|
-    std::uint64_t path = 0;   ///< the first path that ended here
-    std::int32_t paths = 1;   ///< how many did: the multiplicity of an isolated root
-    std::int32_t winding_number = 1;
-    PathStatus status = PathStatus::finite;  ///< finite (regular) or singular
-};
 
 /// A real root, classified.
 template <Model M>
@@ -48,27 +36,6 @@ struct Equilibrium {
     bool degenerate() const { return nullity > 0; }
     /// A strict minimum of the potential (Lagrange-Dirichlet).
     bool stable() const { return index == 0 && nullity == 0; }
-};
-
-/// The paths of an enumeration. finite + at_infinity + singular + failed + cancelled == total, always.
-struct PathCounts {
-    std::uint64_t total = 0;        ///< the bound: all paths, those known by symmetry included
-    std::uint64_t finite = 0, at_infinity = 0, singular = 0, failed = 0;
-    std::uint64_t cancelled = 0;    ///< not finished, since the run was cancelled: 0 for every run that was not
-    std::uint64_t tracked = 0;      ///< paths that were computed; the others are their mirror images, or rest
-    std::uint64_t retracked = 0;    ///< paths tracked again, more carefully
-    std::uint64_t crossed = 0;      ///< among those: paths that had run into another one's endpoint
-    std::uint64_t more_digits = 0;  ///< paths tracked with more digits than double has (`enumerate_carefully`)
-    std::uint64_t steps = 0;
-    bool accounted_for() const { return finite + at_infinity + singular + failed + cancelled == total; }
-};
-
-/// A path that failed, why, and where it was last.
-template <Model M>
-struct FailedPath {
-    std::uint64_t path = 0;
-    FailureReason reason = FailureReason::none;
-    Array<std::complex<double>, n_unknowns<M>> q;  ///< as of a Root; far out on paths that were on their way to infinity
 };
 
 template <Model M>

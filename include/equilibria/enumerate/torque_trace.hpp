@@ -18,8 +18,8 @@
 #include <type_traits>
 #include <vector>
 
-#include <equilibria/enumerate/path_solver.hpp>
 #include <equilibria/enumerate/root_set.hpp>
+#include <equilibria/paths/path_solver.hpp>
 
 namespace equilibria {
 

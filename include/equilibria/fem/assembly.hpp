@@ -10,8 +10,8 @@
 
 #include <Eigen/SparseCore>
 
-#include <equilibria/core/parallel.hpp>
 #include <equilibria/fem/element.hpp>
+#include <equilibria/run/parallel.hpp>
 
 namespace equilibria::fem {
 

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include <equilibria/fem/beam.hpp>
-#include <equilibria/fem/model.hpp>
+#include <equilibria/fem/structure_model.hpp>
 
 namespace equilibria::fem {
 

@@ -9,7 +9,7 @@
 #include <cstddef>
 #include <vector>
 
-#include <equilibria/fem/model.hpp>
+#include <equilibria/fem/structure_model.hpp>
 
 namespace equilibria::fem {
 

@@ -23,7 +23,7 @@
 #include <Eigen/SparseCore>
 
 #include <equilibria/fem/assembly.hpp>
-#include <equilibria/fem/model.hpp>
+#include <equilibria/fem/structure_model.hpp>
 #include <equilibria/rotation/tangent_map.hpp>
 
 namespace equilibria::fem {

@@ -17,7 +17,7 @@
 #include <numbers>
 #include <vector>
 
-#include <equilibria/homotopy/closed_loop.hpp>
+#include <equilibria/homotopy/detail/closed_loop.hpp>
 #include <equilibria/homotopy/lane_tracker.hpp>
 #include <equilibria/homotopy/polish.hpp>
 

@@ -8,8 +8,8 @@
 
 #include <complex>
 
-#include <equilibria/homotopy/evaluation_plan.hpp>
-#include <equilibria/homotopy/start_system.hpp>
+#include <equilibria/homotopy/detail/evaluation_plan.hpp>
+#include <equilibria/homotopy/total_degree_start.hpp>
 
 namespace equilibria {
 

@@ -6,33 +6,10 @@
 #include <cstdint>
 #include <span>
 
+#include <equilibria/homotopy/endpoint.hpp>
 #include <equilibria/homotopy/tracker.hpp>
 
 namespace equilibria {
-
-/// Where the tracker left a path.
-enum class Arrival : std::uint8_t {
-    end,      ///< t = 1
-    endgame,  ///< close to t = 1, which no regular step reaches, or far away
-    stuck     ///< the step control gave up, or the steps ran out
-};
-
-/// What became of a path, with the evidence.
-template <Model M>
-struct Endpoint {
-    Point<M, double> q;
-    double t = 0;               ///< where the lane tracker left it
-    std::int32_t steps = 0;     ///< predictor-corrector steps, refused ones included
-    Arrival arrival = Arrival::stuck;
-    PathStatus status = PathStatus::failed;
-    FailureReason reason = FailureReason::none;
-    bool more_digits = false;         ///< tracked with more digits than double has
-    std::int16_t winding_number = 1;  ///< of the path at t = 1; more than 1 only at a singular endpoint
-    PolishedEvidence evidence;
-};
-
-/// The square of the size beyond which a path is left to the endgame, which asks whether it goes to infinity.
-inline constexpr double far_away2 = 1e16;
 
 /// Tracks from t = 0 the paths that start at `start(path)`, a Point<M, double>, for each of `paths`; where
 /// paths[k] was left goes to ends[k] (q, t, steps, arrival, reason). R: the pack of lanes, or a scalar type.

@@ -9,7 +9,7 @@
 #include <complex>
 
 #include <equilibria/core/linear_solve.hpp>
-#include <equilibria/homotopy/evaluation.hpp>
+#include <equilibria/homotopy/detail/evaluation.hpp>
 #include <equilibria/homotopy/tracker.hpp>
 #include <equilibria/model/derivatives.hpp>
 

@@ -1,0 +1,42 @@
+/// \file
+/// What is read from a structure's text, structure_json.hpp, and how much of a text is taken.
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <string>
+
+#include <equilibria/core/error.hpp>
+#include <equilibria/fem/structure_model.hpp>
+
+namespace equilibria::fem {
+
+/// How much of a text is taken.
+struct ParseLimits {
+    std::size_t bytes = std::size_t{64} << 20;  ///< of the text, which takes up to 25 times its size while it is read
+    std::size_t depth = 16;                     ///< of objects and lists in each other; the format has 4
+    int elements = 100'000;                     ///< of the model, with joints; in a Structure each may take 70 kB
+    int constraints = 2000;                     ///< that could be redundant: more are not looked at
+
+    void validate() const {
+        require(bytes >= 1, "bytes", bytes, "must be at least 1");
+        require(depth >= 4, "depth", depth, "must be at least 4, as deep as the format");
+        require(elements >= 1 && elements <= 10'000'000, "elements", elements, "must be 1 to 10000000");
+        require(constraints >= 0, "constraints", constraints, "must not be negative");
+    }
+};
+
+/// What a text says: see structure_json.hpp.
+struct StructureInput {
+    std::string name;
+    Model model;
+    std::map<std::string, int> nodes;  ///< their numbers; further nodes of the model are those within beams
+    int measured = 0;                  ///< a node
+    std::string parameter = "p";
+    double low = 0, high = 0;
+    std::optional<double> first_step, largest_step;
+    bool conservative = true;  ///< the model is one for Structure; else for NonconservativeStructure
+};
+
+}  // namespace equilibria::fem

@@ -1,0 +1,77 @@
+/// \file
+/// Structures as JSON, read strictly (strict_json.hpp; needs nlohmann/json):
+///
+///     {
+///       "name": "frame",                                                                    optional
+///       "nodes": {"A": [0, 0, 0], "B": [240, 0, 0], "C": [240, -240, 0]},
+///       "sections": {"blade": {"ea": 1.28e6, "ga2": 4.9e5, "ga3": "rigid", "gj": 6e4, "ei2": 38470, "ei3": 9.6e7},
+///                    "strip": {"ea": "rigid", "ga": "rigid", "ei": 1}},
+///       "elements": [
+///         {"type": "beam", "nodes": ["A", "B"], "section": "blade", "second": [0, 1, 0], "elements": 8,
+///          "order": "quadratic"},
+///         {"type": "arc", "nodes": ["A", "B"], "through": [120, 50, 0], "section": "blade"},
+///         {"type": "truss", "nodes": ["A", "B"], "ea": 1000, "strain": "green", "planar": false},
+///         {"type": "rotation_spring", "nodes": ["A", "B"], "stiffness": 3, "planar": false},
+///         {"type": "point_spring", "node": "A", "stiffness": [1, 1, 1]},
+///         {"type": "rigid_body", "nodes": ["A", "B", "C"], "planar": false}],
+///       "supports": [{"node": "A", "fix": ["ux", "uy", "uz", "rx", "ry", "rz"]}],           optional
+///       "joints": [                                                                         optional
+///         {"type": "revolute", "nodes": ["A", "B"], "axis": [0, 0, 1]},
+///         {"type": "spherical", "nodes": ["A", "B"]},
+///         {"type": "hinge", "nodes": ["A", "B"]},
+///         {"type": "prismatic", "nodes": ["A", "B"], "axis": [1, 0, 0]},
+///         {"type": "prescribed_displacement", "node": "A", "direction": [1, 0, 0], "rate": 1},
+///         {"type": "prescribed_rotation", "node": "A", "axis": [0, 0, 1], "rate": 1},
+///         {"type": "rotation_drive", "nodes": ["A", "B"], "axis": [0, 0, 1], "rate": 1, "offset": 0}],
+///       "loads": [                                                                          optional
+///         {"node": "C", "force": [1, 0, 0], "moment": [0, 0, 0], "kind": "proportional"},
+///         {"node": "C", "type": "follower", "force": [1, 0, 0], "moment": [0, 0, 0]}],
+///       "parameter": {"name": "p", "low": -1, "high": 2, "first_step": 0.02, "largest_step": 0.2},
+///       "measure": "C"                                                                      optional
+///     }
+///
+/// nodes: in the order of the text they are numbered from 0; each must be one of an element's or a joint's.
+/// sections: of beams in space, or of planar ones, as their keys say. Stiffnesses are positive, or "rigid" except one
+///     of gj, ei2 and ei3, and a planar section's ei.
+/// beam, arc: straight, or circular through a third point; 8 "elements" unless given, of order "linear", "quadratic"
+///     (default) or "cubic", with 2, 3 or 4 nodes each. With a planar section all lies in the plane z = 0. Else
+///     "second" is where axis 2 of the cross-section points to, as nearly as it can; by default z, or y for a straight
+///     beam within 0.001 radians of z, and for an arc the normal of its plane, about which it turns to the left.
+/// "planar" (default false): of a truss, for ux and uy alone; of a rotation spring, rz; of a rigid body, ux, uy and rz.
+/// truss: "strain" is "green" (default) or "engineering".
+/// supports: components as above, or "position", "rotation" and "all" of them.
+/// joints: the two nodes of a revolute or spherical one, or of a hinge, which is planar, are at one place. Vectors have
+///     any length but 0; a displacement or rotation is "rate" p (default 1; 0 holds the node).
+/// loads: dead ones of size p ("proportional", default) or "constant", or follower loads of size p.
+/// parameter: p, called "p" unless it has a name, from low to high; steps are optional.
+/// measure: the node that is looked at; by default the first one with a load, or else the last one.
+///
+/// What is not called planar is spatial: it uses uz, rx and ry too. Where planar elements meet it these components are
+/// fixed, at one of the nodes of a joint, at the node of a follower load.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include <equilibria/io/structure/detail/strict_json.hpp>
+#include <equilibria/io/structure/detail/structure_json_reader.hpp>
+#include <equilibria/io/structure/structure_input.hpp>
+
+namespace equilibria::fem {
+
+/// The structure that a text says. Throws InvalidArgument for a text that is not one, as the file has it; beyond the
+/// format, elements without length, nodes that nothing uses, loads on what no element holds, and constraints that are
+/// redundant at the start, such as joints of a spatial four-bar that are all revolute.
+inline StructureInput parse_structure(std::string_view text, const ParseLimits& limits = {}) {
+    limits.validate();
+    const auto json = equilibria::detail::parse_json(text, limits.bytes, limits.depth);
+    return detail::StructureReader(json, limits).read();
+}
+
+/// The structure in a file. Throws InvalidArgument also where the file cannot be read.
+inline StructureInput read_structure(const std::string& path, const ParseLimits& limits = {}) {
+    limits.validate();
+    return parse_structure(equilibria::detail::read_text(path, limits.bytes), limits);
+}
+
+}  // namespace equilibria::fem

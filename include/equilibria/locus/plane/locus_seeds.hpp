@@ -1,0 +1,200 @@
+/// \file
+/// The points that the curves of a locus must pass: on lines, cusps, and points at which a parameter is extremal.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include <Eigen/LU>
+
+#include <equilibria/core/random.hpp>
+#include <equilibria/locus/plane/locus_result.hpp>
+#include <equilibria/locus/plane/plane_family.hpp>
+#include <equilibria/locus/plane/plane_solver.hpp>
+#include <equilibria/system/symmetric_branches.hpp>
+
+namespace equilibria {
+
+namespace detail {
+
+enum class LocusSource { line, cusp, extremal, degenerate_pitchfork };
+
+/// A point that some curve must pass. On a line the parameter number `fixed` has the value `line`; of an extremal point
+/// `fixed` is the parameter that is extremal.
+template <Model M>
+struct LocusSeed {
+    LocusKind kind;
+    LocusSource source;
+    int fixed;
+    double line;
+    LocusPoint<M> at;
+    bool traced = false;
+};
+
+/// All such points of a window, and what they have to do with the curves that were traced.
+template <Model M, int X, int Y>
+class LocusSeeds {
+public:
+    static constexpr int n = n_unknowns<M>;
+    static constexpr bool reflection_symmetric = Formulation<M>::reflection_symmetric;
+    using Evidence = typename Locus<M>::Evidence;
+
+    /// inner_lines: in each direction, beside the borders.
+    LocusSeeds(const Parameters<M>& p, const PlaneWindow& window, int inner_lines, const EnumerateOptions& options,
+               RootRescue<CriticalSystem<M, X, Y>> rescue)
+        : parameters_(p), window_(window), inner_lines_(inner_lines), seed_(options.seed),
+          solver_(p, options,
+                  {std::max(std::abs(window.x_low), std::abs(window.x_high)),
+                   std::max(std::abs(window.y_low), std::abs(window.y_high))},
+                  rescue) {}
+
+    void solve(Evidence& evidence) {
+        solve_lines<X, Y>(evidence);
+        solve_lines<Y, X>(evidence);
+        solve_points(evidence);
+        evidence.seeds = seeds_.size();
+    }
+
+    std::vector<LocusSeed<M>>& all() { return seeds_; }
+    /// The values of the lines on which x (axis 0) or y (axis 1) is fixed.
+    const std::vector<double>& lines(int axis) const { return lines_[static_cast<std::size_t>(axis)]; }
+
+    /// The same event, or its mirror image; angles modulo 2 pi, null vectors up to sign.
+    bool same(const LocusPoint<M>& a, const LocusPoint<M>& b) const {
+        constexpr double tolerance = 1e-5;
+        if (std::abs(a.x - b.x) > tolerance * window_.width()) return false;
+        if (std::abs(a.y - b.y) > tolerance * window_.height()) return false;
+        double dot = 0;
+        for (int i = 0; i < n; ++i) dot += a.v[i] * b.v[i];
+        if (!(std::abs(std::abs(dot) - 1) < 100 * tolerance)) return false;
+        return same_unknowns<M>(a.q, b.q, 100 * tolerance) ||
+               (reflection_symmetric && same_unknowns<M>(a.q, b.q, 100 * tolerance, -1));
+    }
+
+    /// Every point solved for is on a curve, and every special point of a curve was solved for.
+    void compare(Locus<M>& locus) {
+        if constexpr (PotentialModel<M>) {
+            const auto find = [&](LocusSource source, LocusKind kind, int fixed, const LocusPoint<M>& at) {
+                bool known = false;
+                for (LocusSeed<M>& seed : seeds_)
+                    if (seed.source == source && seed.kind == kind && seed.fixed == fixed && same(seed.at, at))
+                        known = seed.traced = true;
+                locus.evidence.unsolved_points += !known;
+            };
+            for (const auto& cusp : locus.cusps) find(LocusSource::cusp, LocusKind::fold, -1, cusp.at);
+            for (const auto& point : locus.extremal) find(LocusSource::extremal, point.kind, point.parameter, point.at);
+            for (const auto& at : locus.degenerate_pitchforks)
+                find(LocusSource::degenerate_pitchfork, LocusKind::fold, -1, at);
+        }
+    }
+
+private:
+    using Solver = PlaneSolver<M, X, Y>;
+    using Family = PlaneFamily<M, X, Y>;
+
+    void add_seed(const LocusSeed<M>& seed) {
+        if (!window_.contains(seed.at.x, seed.at.y) || is_family(seed.at)) return;
+        for (const LocusSeed<M>& other : seeds_)  // the mirror image
+            if (other.source == seed.source && other.fixed == seed.fixed && other.line == seed.line &&
+                other.kind == seed.kind && same(other.at, seed.at))
+                return;
+        seeds_.push_back(seed);
+    }
+
+    template <int Active, int Fixed>
+    void solve_lines(Evidence& evidence) {
+        const double low = Fixed == X ? window_.x_low : window_.y_low;
+        const double size = Fixed == X ? window_.width() : window_.height();
+        const double active_low = Active == X ? window_.x_low : window_.y_low;
+        const double active_high = Active == X ? window_.x_high : window_.y_high;
+        const int degree = Solver::System::degree[Active == X ? 0 : 1];
+        Generator generator(seed_);
+        const typename Solver::Lines lines(solver_, Fixed == X ? 0 : 1, low + size * uniform(generator));
+        evidence.lines_solved.add(lines.counts());
+        const auto add = [&](double line, const std::vector<LocusPoint<M>>& folds) {
+            for (const auto& at : folds) add_seed({LocusKind::fold, LocusSource::line, Fixed, line, at});
+            Parameters<M> p = parameters_;
+            p[Fixed] = line;
+            for (const Unknowns<M>& branch : symmetric_branches<M>()) {
+                const auto determinant = [&](double value) {
+                    p[Active] = value;
+                    return Family{p}(p[Y]).tangent(PlaneProblem<M, X, Y>::vector(branch), p[X]).determinant();
+                };
+                for (const double value : polynomial_roots(determinant, n * degree, active_low, active_high)) {
+                    p[Active] = value;
+                    LocusPoint<M> at{value, line, branch, null_vector<M>(jacobian<M, double>(branch, p))};
+                    if (Fixed == X) std::swap(at.x, at.y);
+                    add_seed({LocusKind::pitchfork, LocusSource::line, Fixed, line, at});
+                }
+            }
+            lines_[Fixed == X ? 0 : 1].push_back(line);
+            ++evidence.lines;
+        };
+        // the borders, moved in: the model may degenerate on them, and near to them may leave paths undecided, most of all
+        // near 0 of a parameter that enters by its square
+        const bool squared = Solver::System::power[Fixed == X ? 0 : 1] == 2;
+        for (const bool upper : {false, true})
+            for (const double inset : {1e-6, 1e-4, 1e-2}) {
+                if (squared && !upper && low == 0 && inset < 1e-2) continue;
+                const double line = low + size * (upper ? 1 - inset : inset);
+                std::uint64_t failed = 0;
+                const bool last = inset == 1e-2;
+                const auto folds = lines.folds(line, failed, last);
+                if (failed > 0 && !last) continue;
+                evidence.failed_paths += failed;
+                double& widest = evidence.inset[Fixed == X ? 0 : 1];
+                widest = std::max(widest, inset);
+                add(line, folds);
+                break;
+            }
+        // off the centre of the cells, where special values (alpha = 1/2) would sit
+        for (int k = 0; k < inner_lines_; ++k) {
+            const double line = low + size * (k + 0.4713) / inner_lines_;
+            add(line, lines.folds(line, evidence.failed_paths));
+        }
+    }
+
+    void solve_points(Evidence& evidence) {
+        if constexpr (PotentialModel<M>) {
+            for (const auto& at : solver_.cusps(evidence.cusps_solved))
+                add_seed({LocusKind::fold, LocusSource::cusp, -1, 0, at});
+            for (const int which : {0, 1})
+                for (const auto& at : solver_.extremal_folds(which, evidence.extremal_solved))
+                    add_seed({LocusKind::fold, LocusSource::extremal, which == 0 ? X : Y, 0, at});
+            if constexpr (reflection_symmetric) {
+                for (const int which : {0, 1})
+                    for (const auto& at : solver_.extremal_pitchforks(which, evidence.extremal_pitchforks_solved))
+                        add_seed({LocusKind::pitchfork, LocusSource::extremal, which == 0 ? X : Y, 0, at});
+                for (const auto& at : solver_.degenerate_pitchforks(evidence.degenerate_pitchforks_solved))
+                    add_seed({LocusKind::fold, LocusSource::degenerate_pitchfork, -1, 0, at});
+            }
+        }
+    }
+
+    /// Where a parameter by which equations were divided is 0, one of them vanishes identically, as that of a massless
+    /// link does: all its solutions are degenerate, and none is an event.
+    bool is_family(const LocusPoint<M>& at) const {
+        for (int i = 0; i < n; ++i)
+            for (int k = 0; k < 2; ++k)
+                if (Solver::System::content[i][k] > 0 &&
+                    std::abs(k == 0 ? at.x : at.y) <= 1e-9 * (k == 0 ? window_.width() : window_.height()))
+                    return true;
+        return false;
+    }
+
+    Parameters<M> parameters_;
+    PlaneWindow window_;
+    int inner_lines_;
+    std::uint64_t seed_;
+    Solver solver_;
+    std::array<std::vector<double>, 2> lines_;  ///< values of x, and of y
+    std::vector<LocusSeed<M>> seeds_;
+};
+
+}  // namespace detail
+
+}  // namespace equilibria

@@ -1,0 +1,65 @@
+/// \file
+/// Pitchforks of a symmetric branch in a plane of two parameters.
+#pragma once
+
+#include <limits>
+
+#include <Eigen/Core>
+
+#include <equilibria/continuation/bordered_tangent.hpp>
+#include <equilibria/locus/plane/plane_family.hpp>
+
+namespace equilibria {
+
+/// Where the tangent is singular on a branch q = const, in the plane of the parameters X and Y: sigma(x; y) = 0, a
+/// continuation problem in one unknown, x. It is regular where curves of bifurcation points in general are not: where
+/// the curve turns back in y.
+template <Model M, int X, int Y>
+class PitchforkCurve {
+public:
+    using Family = PlaneFamily<M, X, Y>;
+    using Problem = PlaneProblem<M, X, Y>;
+    using Configuration = CriticalConfiguration<equilibria::Configuration<Problem>>;
+    static constexpr bool symmetric = false;
+
+    /// x_scale: a change of x that counts as much as one of 1.
+    PitchforkCurve(const Family& family, double x_scale) : family_(family), x_scale_(x_scale) {}
+
+    Eigen::VectorXd residual(const Configuration& at, double y) const {
+        const BorderedTangent<Problem> b(family_(y), at);
+        return Eigen::VectorXd::Constant(1, b.regular ? b.sigma() : std::numeric_limits<double>::quiet_NaN());
+    }
+    Eigen::MatrixXd tangent(const Configuration& at, double y) const {
+        return Eigen::MatrixXd::Constant(1, 1, derivative<X>(at, y));
+    }
+    Eigen::VectorXd parameter_derivative(const Configuration& at, double y) const {
+        return Eigen::VectorXd::Constant(1, derivative<Y>(at, y));
+    }
+    Configuration retract(const Configuration& at, const Eigen::VectorXd& d) const {
+        Configuration moved = at;
+        moved.p += d(0);
+        return moved;
+    }
+    Eigen::VectorXd difference(const Configuration& at, const Configuration& near) const {
+        return Eigen::VectorXd::Constant(1, near.p - at.p);
+    }
+    Configuration rebase(const Configuration& at, double y) const { return with_best_border(family_(y), at); }
+    Eigen::VectorXd weights(const Configuration&) const {
+        return Eigen::VectorXd::Constant(1, 1 / (x_scale_ * x_scale_));
+    }
+
+private:
+    /// d sigma = -psi^T dK r.
+    template <int Parameter>
+    double derivative(const Configuration& at, double y) const {
+        const Problem problem = family_(y);
+        const BorderedTangent<Problem> b(problem, at);
+        if (!b.regular) return std::numeric_limits<double>::quiet_NaN();
+        return -b.left.x.dot(problem.template tangent_by_parameter<Parameter>(at.q, at.p, b.null.x));
+    }
+
+    Family family_;
+    double x_scale_;
+};
+
+}  // namespace equilibria

@@ -1,0 +1,235 @@
+/// \file
+/// All special points of a locus in a plane of two parameters: its points on lines, its cusps, and its points at which a
+/// parameter is extremal, from all complex solutions of the critical system and of the symmetric branches' system.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include <equilibria/paths/complex_roots.hpp>
+#include <equilibria/paths/solution_counts.hpp>
+#include <equilibria/singularity/locus_point.hpp>
+#include <equilibria/singularity/refine_point.hpp>
+#include <equilibria/system/critical_system.hpp>
+#include <equilibria/system/symmetric_branches.hpp>
+#include <equilibria/system/symmetric_system.hpp>
+
+namespace equilibria {
+
+/// Solves for points of the locus of the model in the plane of its parameters number X and Y.
+template <Model M, int X, int Y>
+class PlaneSolver {
+public:
+    using System = CriticalSystem<M, X, Y>;
+    using Product = LinearProduct<System>;
+    using Points = std::vector<LocusPoint<M>>;
+    static constexpr int n = n_unknowns<M>;
+
+    /// scales: values of X and Y that count as large, positive: the size of the window. rescue: for paths to cusps
+    /// and extremal points that fail.
+    PlaneSolver(const Parameters<M>& p, const EnumerateOptions& options, const Array<double, 2>& scales = {1, 1},
+                RootRescue<System> rescue = nullptr)
+        : p_(p), options_(options), scales_(scales), rescue_(rescue) {}
+
+    /// The folds on lines on which the parameter number `fixed` (0 for X, 1 for Y) has the given value. One line is
+    /// solved from its start system, at the value `generic`; the others follow by parameter homotopy, on as many paths as
+    /// there are folds.
+    class Lines {
+    public:
+        Lines(const PlaneSolver& solver, int fixed, double generic) : solver_(&solver), fixed_(fixed) {
+            solver.attempt(counts_, [&](std::uint64_t seed, Generator& generator) -> const auto& {
+                return set_ = solver.solve_line(fixed, generic, seed, generator);
+            });
+            for (const auto& root : set_.roots)
+                if (root.status == PathStatus::finite && root.paths == 1) roots_.push_back(root);
+        }
+        const SolutionCounts& counts() const { return counts_; }
+
+        /// `failed` is increased by the paths that failed. thorough: a line that leaves paths undecided is solved from
+        /// its own start system.
+        Points folds(double value, std::uint64_t& failed, bool thorough = true) const {
+            auto p = set_.parameters;
+            p[System::slice + 2] = -System::unknown(fixed_, value, solver_->scales_[fixed_]);
+            // gamma is a choice: where one leaves paths undecided, another may not
+            ComplexRoots<System> set;
+            for (std::uint64_t k = 0; k < 4 && (k == 0 || set.paths.failed > 0); ++k)
+                set = solve_from<System>(roots_, set_.parameters, p, solver_->with_seed(solver_->options_.seed + k));
+            Points points;
+            const auto take = [&](const auto& roots) {
+                for (const auto& root : roots)
+                    if (const auto near = solver_->real_point(root)) {
+                        auto at = *near;
+                        (fixed_ == 0 ? at.x : at.y) = value;
+                        const auto q = solver_->parameters_at(at.x, at.y);
+                        solver_->keep(points, at, fixed_ == 0 ? refine_fold<M, Y>(at.q, q) : refine_fold<M, X>(at.q, q));
+                    }
+            };
+            take(set.roots);
+            if (!thorough) {
+                failed += set.paths.failed;
+            } else if (set.paths.failed > 0) {
+                SolutionCounts counts;
+                solver_->attempt(counts, [&](std::uint64_t seed, Generator& generator) {
+                    auto solved = solver_->solve_line(fixed_, value, seed, generator);
+                    take(solved.roots);
+                    return solved;
+                });
+                failed += counts.paths.failed;
+            }
+            return points;
+        }
+
+    private:
+        const PlaneSolver* solver_;
+        int fixed_;
+        SolutionCounts counts_;
+        ComplexRoots<System> set_;
+        std::vector<Root<Product>> roots_;
+    };
+
+    /// All cusps of the plane.
+    Points cusps(SolutionCounts& counts) const requires PotentialModel<M> {
+        return solve(counts, System::cusp, [](const Unknowns<M>& q, const Parameters<M>& p) {
+            return refine_cusp<M, X, Y>(q, p);
+        });
+    }
+    /// All points of fold curves at which the parameter number `which` (0 for X, 1 for Y) is extremal.
+    Points extremal_folds(int which, SolutionCounts& counts) const requires PotentialModel<M> {
+        return solve(counts, System::extremal + 1 - which, [which](const Unknowns<M>& q, const Parameters<M>& p) {
+            return which == 0 ? refine_extremal<M, X, Y>(q, p) : refine_extremal<M, Y, X>(q, p);
+        });
+    }
+
+    /// All pitchforks of symmetric branches at which that parameter is extremal on their curve.
+    Points extremal_pitchforks(int which, SolutionCounts& counts) const requires PotentialModel<M> {
+        return on_branches(counts, 1 - which);
+    }
+    /// All pitchforks of symmetric branches that turn from super- to subcritical.
+    Points degenerate_pitchforks(SolutionCounts& counts) const requires PotentialModel<M> {
+        return on_branches(counts, 2);
+    }
+
+private:
+    static constexpr std::uint64_t most_attempts = 12;
+
+    EnumerateOptions with_seed(std::uint64_t seed) const {
+        EnumerateOptions options = options_;
+        options.seed = seed;
+        return options;
+    }
+    Parameters<M> parameters_at(double x, double y) const {
+        Parameters<M> p = p_;
+        p[X] = x;
+        p[Y] = y;
+        return p;
+    }
+
+    /// The folds of one line, from their own start system.
+    ComplexRoots<System> solve_line(int fixed, double value, std::uint64_t seed, Generator& generator) const {
+        auto p = System::parameters(p_, scales_, generator);
+        p[System::slice + fixed] = 1;
+        p[System::slice + 2] = -System::unknown(fixed, value, scales_[fixed]);
+        return solve_multihomogeneous<System>(p, with_seed(seed));
+    }
+
+    /// Start systems until one leaves no path undecided; solve(seed, generator) returns what it found.
+    void attempt(SolutionCounts& counts, const auto& solve) const {
+        PathCounts paths;
+        std::uint64_t attempts = 0, regular = 0;
+        while (attempts < most_attempts && (attempts == 0 || paths.failed > 0)) {
+            const std::uint64_t seed = detail::seed_of_attempt(options_.seed, attempts++);
+            Generator generator(seed);
+            const auto& set = solve(seed, generator);
+            paths = set.paths;
+            regular = 0;
+            for (const auto& root : set.roots) regular += root.status == PathStatus::finite;
+        }
+        counts.add(paths);
+        counts.solutions += regular;
+        counts.attempts += attempts;
+        ++counts.searches;
+    }
+
+    /// The real parameters and unknowns next to a root, if it is about real.
+    std::optional<LocusPoint<M>> real_point(const Root<Product>& root) const {
+        const double near = root.status == PathStatus::singular ? 1e-3 : 1e-5;
+        LocusPoint<M> at;
+        for (int i = 0; i < n; ++i) {
+            if (!(std::abs(root.q[i].imag()) < near)) return std::nullopt;
+            at.q[i] = root.q[i].real();
+        }
+        if (!real_parameters(&root.q[System::n_angles + System::first_active], near, at)) return std::nullopt;
+        return at;
+    }
+    /// The two parameters from their unknowns; false where they are not real to within `near`.
+    bool real_parameters(const std::complex<double>* unknowns, double near, LocusPoint<M>& at) const {
+        for (int k = 0; k < 2; ++k) {
+            const std::complex<double> x = unknowns[k];
+            if (!(std::abs(x.imag()) < near * (1 + std::abs(x)))) return false;
+            if (System::power[k] == 2 && !(x.real() > -near)) return false;
+            (k == 0 ? at.x : at.y) =
+                System::parameter(k, System::power[k] == 2 ? std::max(0.0, x.real()) : x.real(), scales_[k]);
+        }
+        return true;
+    }
+
+    bool same(const LocusPoint<M>& a, const LocusPoint<M>& b, double tolerance) const {
+        if (!(std::abs(a.x - b.x) <= tolerance * scales_[0])) return false;
+        if (!(std::abs(a.y - b.y) <= tolerance * scales_[1])) return false;
+        return detail::same_unknowns<M>(a.q, b.q, tolerance);
+    }
+    /// Keeps the refined point if Newton's method stayed near, and it is new.
+    void keep(Points& points, const LocusPoint<M>& near, const RefinedPoint<M, double>& refined) const {
+        const LocusPoint<M> at{refined.p[X], refined.p[Y], refined.q, refined.v};
+        if (!refined.converged || !same(at, near, 1e-3)) return;
+        for (const auto& other : points)
+            if (same(other, at, 1e-8)) return;
+        points.push_back(at);
+    }
+
+    Points solve(SolutionCounts& counts, int weight, const auto& refine) const {
+        Points points;
+        attempt(counts, [&](std::uint64_t seed, Generator& generator) {
+            auto p = System::parameters(p_, scales_, generator);
+            p[weight] = 1;
+            auto set = solve_multihomogeneous<System>(p, with_seed(seed), rescue_);
+            for (const auto& root : set.roots)
+                if (const auto at = real_point(root)) keep(points, *at, refine(at->q, parameters_at(at->x, at->y)));
+            return set;
+        });
+        return points;
+    }
+
+    Points on_branches(SolutionCounts& counts, int weight) const {
+        Points points;
+        if constexpr (Formulation<M>::reflection_symmetric) {
+            using Branch = SymmetricSystem<M, X, Y>;
+            for (const Unknowns<M>& branch : symmetric_branches<M>())
+                attempt(counts, [&](std::uint64_t seed, Generator& generator) {
+                    auto p = Branch::parameters(p_, scales_, branch, generator);
+                    p[Branch::extremal + weight] = 1;
+                    auto set = solve_multihomogeneous<Branch>(p, with_seed(seed));
+                    for (const auto& root : set.roots) {
+                        LocusPoint<M> at{0, 0, branch, {}};
+                        if (!real_parameters(&root.q[Branch::first_active], 1e-6, at)) continue;
+                        at.v = null_vector<M>(jacobian<M, double>(branch, parameters_at(at.x, at.y)));
+                        bool known = false;
+                        for (const auto& other : points) known = known || same(other, at, 1e-8);
+                        if (!known) points.push_back(at);
+                    }
+                    return set;
+                });
+        }
+        return points;
+    }
+
+    Parameters<M> p_;
+    EnumerateOptions options_;
+    Array<double, 2> scales_;
+    RootRescue<System> rescue_;
+};
+
+}  // namespace equilibria

@@ -1,0 +1,115 @@
+/// \file
+/// The equilibria of the regions of a traced locus: one enumeration well inside each, and others that must agree.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+#include <equilibria/enumerate/enumerate.hpp>
+#include <equilibria/locus/plane/locus_result.hpp>
+#include <equilibria/locus/regions/regions.hpp>
+
+namespace equilibria::detail {
+
+/// A point of each region, as far from the curves and the border as a search over the cells and a grid finds.
+template <Model M>
+void place_points(Locus<M>& locus, const PlaneDecomposition& plane) {
+    const PlaneWindow& w = locus.window;
+    std::vector<double> best(locus.regions.size(), -1);
+    const auto consider = [&](double x, double y, int number) {
+        if (number < 0) return;
+        double clearance = std::min(std::min(x - w.x_low, w.x_high - x) / w.width(),
+                                    std::min(y - w.y_low, w.y_high - y) / w.height());
+        for (const auto& curve : locus.curves)
+            for (const auto& p : curve.points)
+                clearance = std::min(clearance, std::hypot((p.x - x) / w.width(), (p.y - y) / w.height()));
+        const auto region = static_cast<std::size_t>(number);
+        if (clearance > best[region]) best[region] = clearance, locus.regions[region].point = {x, y};
+    };
+    for (const auto& cell : plane.cells()) {
+        LocusRegion& region = locus.regions[static_cast<std::size_t>(cell.region)];
+        region.area += (cell.x_high - cell.x_low) * cell.height;
+        region.polygons.push_back(plane.polygon(cell));
+        consider(cell.center.x, cell.center.y, cell.region);
+    }
+    constexpr int grid = 32;
+    for (int i = 0; i < grid; ++i)
+        for (int j = 0; j < grid; ++j) {
+            const double x = w.x_low + w.width() * (i + 0.5) / grid, y = w.y_low + w.height() * (j + 0.5) / grid;
+            consider(x, y, plane.region_of(x, y));
+        }
+}
+
+/// Whether two tables by index differ, and by pairs of neighbouring indices alone, as on both sides of a fold or pitchfork.
+inline bool differ_by_pairs(const std::vector<std::int64_t>& a, const std::vector<std::int64_t>& b) {
+    std::int64_t alternating = 0;
+    for (std::size_t k = 0; k < a.size(); ++k) alternating += (k % 2 == 0 ? 1 : -1) * (a[k] - b[k]);
+    return a != b && alternating == 0;
+}
+
+/// Decomposes the window, enumerates each region at its point, and compares with enumerations elsewhere in it: in its
+/// other cells, and at checks x checks points of a grid.
+template <Model M, int X, int Y>
+void count_regions(Locus<M>& locus, int checks, const EnumerateOptions& options) {
+    const auto parameters_at = [&](double x, double y) {
+        Parameters<M> p = locus.parameters;
+        p[X] = x;
+        p[Y] = y;
+        return p;
+    };
+    std::vector<std::vector<PlanePoint>> lines;
+    for (const auto& curve : locus.curves) {
+        lines.emplace_back();
+        for (const auto& p : curve.points) lines.back().push_back({p.x, p.y});
+    }
+    const PlaneDecomposition plane(locus.window, lines);
+    locus.regions.resize(static_cast<std::size_t>(plane.regions()));
+    place_points(locus, plane);
+    // slivers below the resolution of the curves' points are where two curves touch, not regions
+    const double negligible = 1e-13 * locus.window.width() * locus.window.height();
+    const auto is_region = [&](const LocusRegion& region) { return region.area > negligible; };
+    for (LocusRegion& region : locus.regions) {
+        if (!is_region(region)) continue;
+        const auto found = enumerate<M>(parameters_at(region.point.x, region.point.y), options);
+        region.count = found.real();
+        region.by_index = found.by_index();
+        region.clean = found.clean();
+    }
+    const auto check = [&](double x, double y) {
+        const int number = plane.region_of(x, y);
+        if (number < 0) return;
+        LocusRegion& region = locus.regions[static_cast<std::size_t>(number)];
+        if (!is_region(region)) return;
+        const auto found = enumerate<M>(parameters_at(x, y), options);
+        ++locus.evidence.checked_points;
+        if (found.real() != region.count || found.by_index() != region.by_index) {
+            region.confirmed = false;
+            ++locus.evidence.wrong_counts;
+        }
+    };
+    for (const auto& cell : plane.cells())
+        if (plane.clearance(cell) > 1e-4) check(cell.center.x, cell.center.y);
+    const PlaneWindow& w = locus.window;
+    for (int i = 0; i < checks; ++i)
+        for (int j = 0; j < checks; ++j)
+            check(w.x_low + w.width() * (i + 0.5) / checks, w.y_low + w.height() * (j + 0.5) / checks);
+    // without the slivers, numbered anew
+    std::vector<int> number(locus.regions.size(), -1);
+    int kept = 0;
+    for (std::size_t k = 0; k < locus.regions.size(); ++k)
+        if (is_region(locus.regions[k])) number[k] = kept++;
+    for (const RegionBorder& border : plane.borders()) {
+        const int below = number[static_cast<std::size_t>(border.below)],
+                  above = number[static_cast<std::size_t>(border.above)];
+        if (below < 0 || above < 0) continue;
+        locus.borders.push_back({below, above, border.curve});
+        const auto &a = locus.regions[static_cast<std::size_t>(border.below)].by_index,
+                   &b = locus.regions[static_cast<std::size_t>(border.above)].by_index;
+        locus.evidence.wrong_borders += !differ_by_pairs(a, b);
+    }
+    std::erase_if(locus.regions, [&](const LocusRegion& region) { return !is_region(region); });
+}
+
+}  // namespace equilibria::detail

@@ -1,0 +1,237 @@
+/// \file
+/// What certificates say of a locus: Krawczyk's test on the critical systems at the points of its curves, its cusps and
+/// its extremal points, and proofs of the enumerations of its regions.
+///
+/// A point that passes is a degenerate equilibrium of the model at exactly these doubles: one, and only one, is within
+/// the radius given, on the line through the point across its curve; of special points it is one of their kind, and
+/// regular, so that a cusp has an unfolding and a fourth derivative that do not vanish. That no curve is missing is not
+/// what is proved here (see Locus::argument).
+#pragma once
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdint>
+#include <ostream>
+#include <vector>
+
+#include <Eigen/Core>
+#include <Eigen/QR>
+
+#include <equilibria/certify/krawczyk.hpp>
+#include <equilibria/enumerate/prove.hpp>
+#include <equilibria/locus/plane/locus_result.hpp>
+#include <equilibria/paths/path_solver.hpp>
+#include <equilibria/run/parallel.hpp>
+#include <equilibria/system/critical_system.hpp>
+#include <equilibria/system/symmetric_system.hpp>
+
+namespace equilibria {
+
+/// How many of some points are proved.
+struct ProvedShare {
+    std::uint64_t proved = 0, of = 0;
+    friend std::ostream& operator<<(std::ostream& out, const ProvedShare& s) {
+        return out << s.proved << " of " << s.of;
+    }
+};
+
+struct LocusProof {
+    /// Points of curves that are not listed as special ones.
+    ProvedShare folds, pitchforks;
+    ProvedShare cusps, extremal, degenerate_pitchforks;
+    ProvedShare regions;        ///< whose table is proved at their point
+    double largest_radius = 0;  ///< of the parameters of a proved point, in parts of the window
+    double seconds = 0;
+
+    friend std::ostream& operator<<(std::ostream& out, const LocusProof& p) {
+        return out << p.folds << " points of fold curves, " << p.pitchforks << " of pitchfork curves, " << p.cusps
+                   << " cusps, " << p.extremal << " extremal points, " << p.degenerate_pitchforks
+                   << " degenerate pitchforks and the equilibria of " << p.regions << " regions, by index";
+    }
+};
+
+namespace detail {
+
+template <PotentialModel M, int X, int Y>
+class LocusProver {
+public:
+    static constexpr int n = n_unknowns<M>;
+
+    LocusProver(const Locus<M>& locus, unsigned threads) : locus_(&locus), threads_(threads) {
+        const PlaneWindow& w = locus.window;
+        scales_ = {std::max(std::abs(w.x_low), std::abs(w.x_high)), std::max(std::abs(w.y_low), std::abs(w.y_high))};
+    }
+
+    LocusProof run() {
+        for (const auto& curve : locus_->curves)
+            for (std::size_t k = 0; k < curve.points.size(); ++k)
+                if (!special(curve.points[k]))
+                    add(curve.kind, curve.points[k], across(curve, k),
+                        curve.kind == LocusKind::fold ? &proof_.folds : &proof_.pitchforks);
+        for (const auto& cusp : locus_->cusps) add(LocusKind::fold, cusp.at, {.third = 1}, &proof_.cusps);
+        for (const auto& point : locus_->extremal)
+            add(point.kind, point.at,
+                {.extremal = {point.parameter == Y ? 1.0 : 0.0, point.parameter == X ? 1.0 : 0.0}}, &proof_.extremal);
+        for (const auto& at : locus_->degenerate_pitchforks)
+            add(LocusKind::pitchfork, at, {.third = 1}, &proof_.degenerate_pitchforks);
+        std::vector<double> radii(tasks_.size(), -1);
+        parallel_blocks(tasks_.size(), 8, threads_, [&](std::size_t first, std::size_t last) {
+            for (std::size_t k = first; k < last; ++k) radii[k] = radius(tasks_[k]);
+        });
+        for (std::size_t k = 0; k < tasks_.size(); ++k) {
+            ++tasks_[k].share->of;
+            if (!(radii[k] >= 0)) continue;
+            ++tasks_[k].share->proved;
+            proof_.largest_radius = std::max(proof_.largest_radius, radii[k]);
+        }
+        for (const LocusRegion& region : locus_->regions) {
+            const auto proof =
+                prove(enumerate<M>(parameters_at(region.point.x, region.point.y), {.threads = threads_}));
+            ++proof_.regions.of;
+            proof_.regions.proved += proof.complete && proof.by_index == region.by_index;
+        }
+        return proof_;
+    }
+
+private:
+    /// The weights of the last equation of the systems; third: of the derivative whose vanishing makes the point
+    /// degenerate.
+    struct Last {
+        Array<double, 2> slice{}, extremal{};
+        double third = 0;
+    };
+    struct Task {
+        LocusKind kind;
+        const LocusPoint<M>* at;
+        Last last;
+        ProvedShare* share;
+    };
+    using Folds = CriticalSystem<M, X, Y>;
+    using Pitchforks = SymmetricSystem<M, X, Y>;
+
+    void add(LocusKind kind, const LocusPoint<M>& at, const Last& last, ProvedShare* share) {
+        tasks_.push_back({kind, &at, last, share});
+    }
+    Parameters<M> parameters_at(double x, double y) const {
+        Parameters<M> p = locus_->parameters;
+        p[X] = x;
+        p[Y] = y;
+        return p;
+    }
+    bool special(const LocusPoint<M>& at) const {
+        const auto same = [&](const LocusPoint<M>& other) { return other.x == at.x && other.y == at.y; };
+        for (const auto& cusp : locus_->cusps)
+            if (same(cusp.at)) return true;
+        for (const auto& point : locus_->extremal)
+            if (same(point.at)) return true;
+        for (const auto& point : locus_->degenerate_pitchforks)
+            if (same(point)) return true;
+        return false;
+    }
+    Array<double, 2> unknowns(const LocusPoint<M>& at) const {
+        return {Folds::unknown(0, at.x, scales_[0]), Folds::unknown(1, at.y, scales_[1])};
+    }
+    /// A slice normal to the curve at its point number k.
+    Last across(const LocusCurve<M>& curve, std::size_t k) const {
+        const auto a = unknowns(curve.points[k > 0 ? k - 1 : k]);
+        const auto b = unknowns(curve.points[std::min(k + 1, curve.points.size() - 1)]);
+        const double length = std::hypot(b[0] - a[0], b[1] - a[1]);
+        return {.slice = {(b[0] - a[0]) / length, (b[1] - a[1]) / length}};
+    }
+
+    /// The radius within which the parameters are proved, in parts of the window; negative where nothing is.
+    double radius(const Task& task) const {
+        if (task.kind == LocusKind::fold) return fold_radius(task);
+        if constexpr (Formulation<M>::reflection_symmetric) return pitchfork_radius(task);
+        return -1;
+    }
+    double fold_radius(const Task& task) const {
+        const Unknowns<M>& q = task.at->q;
+        auto parameters = weighted<Folds>(
+            task, [&](const auto& p, Generator& generator) { return Folds::parameters(p, scales_, generator); });
+        parameters[Folds::cusp] = task.last.third;
+        Point<Folds, double> at;
+        for (auto& x : at.x) x = 0.0;
+        for (int i = 0; i < n_angles<M>; ++i) at.c[i] = std::cos(q[i]), at.s[i] = std::sin(q[i]);
+        for (int j = 0; j < n_coordinates<M>; ++j) at.x[j] = q[n_angles<M> + j];
+        if constexpr (Folds::off_symmetric_branches) {
+            double sum = 0;
+            for (int i = 0; i < n_angles<M>; ++i) {
+                parameters[Folds::first_sine + i] = std::sin(q[i]);
+                sum += std::sin(q[i]) * std::sin(q[i]);
+            }
+            at.x[Folds::reciprocal] = 1 / sum;
+        }
+        return proved_radius<Folds>(parameters, at, task);
+    }
+    double pitchfork_radius(const Task& task) const {
+        auto parameters = weighted<Pitchforks>(task, [&](const auto& p, Generator& generator) {
+            return Pitchforks::parameters(p, scales_, task.at->q, generator);
+        });
+        parameters[Pitchforks::fourth] = task.last.third;
+        Point<Pitchforks, double> at;
+        for (auto& x : at.x) x = 0.0;
+        return proved_radius<Pitchforks>(parameters, at, task);
+    }
+
+    /// The system's parameters with the weights of the task, and the basis that has v for its first vector: w = 0.
+    template <class System>
+    Parameters<System> weighted(const Task& task, const auto& own) const {
+        Generator generator(1);
+        Parameters<System> y = own(parameters_at(task.at->x, task.at->y), generator);
+        const Eigen::Map<const Eigen::Matrix<double, n, 1>> v(&task.at->v[0]);
+        const Eigen::Matrix<double, n, n> b = Eigen::HouseholderQR<Eigen::Matrix<double, n, 1>>(v).householderQ();
+        for (int i = 0; i < n; ++i)
+            for (int k = 0; k < n; ++k) y[System::first_basis + i * n + k] = k == 0 ? v(i) : b(i, k);
+        const auto x = unknowns(*task.at);
+        for (int k = 0; k < 2; ++k) {
+            y[System::slice + k] = task.last.slice[k];
+            y[System::extremal + k] = task.last.extremal[k];
+        }
+        y[System::slice + 2] = -(task.last.slice[0] * x[0] + task.last.slice[1] * x[1]);
+        return y;
+    }
+
+    /// Of the root next to `at`, whose parameters are those of the task.
+    template <class System>
+    double proved_radius(const Parameters<System>& parameters, Point<System, double> at, const Task& task) const {
+        const auto place = unknowns(*task.at);
+        for (int k = 0; k < 2; ++k) at.x[System::first_active + k] = place[k];
+        const BallSystem<System, double> system(ExactSystem<System>::at(parameters));
+        const auto proof = krawczyk<System, double>(system, at, true);
+        if (!proof.proved) return -1;
+        double largest = 0;
+        for (int k = 0; k < 2; ++k) {
+            const double x = place[k], r = proof.radius[n_angles<System> + System::first_active + k];
+            if (Folds::power[k] == 2 && !(x > 2 * r)) return -1;  // the parameter itself might not be real
+            const double size = k == 0 ? locus_->window.width() : locus_->window.height();
+            for (const double end : {x - r, x + r})
+                largest = std::max(largest, std::abs(Folds::template parameter<double>(k, end, scales_[k]) -
+                                                     Folds::template parameter<double>(k, x, scales_[k])) /
+                                                size);
+        }
+        return largest;
+    }
+    const Locus<M>* locus_;
+    unsigned threads_;
+    Array<double, 2> scales_;
+    LocusProof proof_;
+    std::vector<Task> tasks_;
+};
+
+}  // namespace detail
+
+/// Proves what can be proved of a locus of the plane of the parameters number X and Y, by the threads given (0: all of
+/// the machine's). What is not proved is missing in the shares, no more. Throws InvalidArgument for more than 1024
+/// threads. Source: krawczyk.hpp.
+template <PotentialModel M, int X, int Y>
+LocusProof prove_locus(const Locus<M>& locus, unsigned threads = 1) {
+    EnumerateOptions{.threads = threads}.validate();
+    const auto begin = std::chrono::steady_clock::now();
+    LocusProof proof = detail::LocusProver<M, X, Y>(locus, threads).run();
+    proof.seconds = detail::seconds_since(begin);
+    return proof;
+}
+
+}  // namespace equilibria

@@ -1,0 +1,239 @@
+/// \file
+/// The curves of cusps in a box of three parameters x, y, z of a model:
+///
+///     const auto locus = find_cusp_locus<Chain, Chain::alpha, Chain::omega, Chain::ratio>(p, {0, 1, 0, 20, 1, 3});
+///     std::cout << locus.curves.size() << " curves; " << locus.argument() << '\n';
+///
+/// Completeness. All cusps of planes z = const are solved for, as the complex solutions of a polynomial system
+/// (plane_solver.hpp): the two ends of the range and planes between them, off round values. Every cusp is a seed that
+/// some curve must pass, up to the mirror image theta -> -theta; and where a curve crosses a plane there must be one of
+/// its cusps. So a curve is missed only if it crosses no plane: if it is closed, or runs from face to face of the box,
+/// between two neighbouring planes.
+/// Where it fails: next to parameters at which the model is degenerate paths remain undecided. A plane that leaves such
+/// paths, or has less than half of the solutions of the others, is given up for one a small part of the range away; a
+/// part of the box next to its face is then beyond the planes, which is said.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <numbers>
+#include <utility>
+#include <vector>
+
+#include <equilibria/algebra/formulation.hpp>
+#include <equilibria/core/error.hpp>
+#include <equilibria/core/random.hpp>
+#include <equilibria/locus/plane/plane_solver.hpp>
+#include <equilibria/locus/space/cusp_curve.hpp>
+#include <equilibria/locus/space/cusp_locus_result.hpp>
+#include <equilibria/singularity/refine_singularity.hpp>
+
+namespace equilibria {
+
+struct CuspLocusOptions {
+    int planes = 9;          ///< that are solved, the two at the ends of the range included
+    std::uint64_t seed = 1;  ///< of the start systems, and of where the planes between are
+    unsigned threads = 1;    ///< 0: all of the machine's; does not change the result
+    CuspCurveOptions curve{};
+
+    EnumerateOptions enumeration() const { return {.seed = seed, .threads = threads}; }
+    void validate() const {
+        enumeration().validate();
+        require(planes >= 2 && planes <= 10000, "planes", planes, "must be 2 to 10000");
+        curve.validate();
+    }
+};
+
+namespace detail {
+
+template <PotentialModel M, int X, int Y, int Z>
+class CuspLocusFinder {
+public:
+    static constexpr int n = n_unknowns<M>;
+
+    CuspLocusFinder(const Parameters<M>& p, const CuspBox& box, const CuspLocusOptions& options) : options_(options) {
+        locus_.box = box;
+        locus_.parameters = p;
+    }
+
+    CuspLocus<M> run() {
+        const auto begin = std::chrono::steady_clock::now();
+        solve_planes();
+        std::vector<std::vector<bool>> traced;
+        for (const auto& plane : locus_.planes) traced.emplace_back(plane.cusps.size());
+        for (std::size_t k = 0; k < locus_.planes.size(); ++k)
+            for (std::size_t c = 0; c < locus_.planes[k].cusps.size(); ++c)
+                if (!traced[k][c]) trace_from(locus_.planes[k], locus_.planes[k].cusps[c], traced);
+        auto& e = locus_.evidence;
+        for (const auto& plane : traced)
+            e.untraced_cusps += static_cast<std::uint64_t>(std::ranges::count(plane, false));
+        for (const auto& curve : locus_.curves) {
+            e.broken_curves += std::ranges::any_of(
+                curve.ends, [](auto end) { return end == CuspCurveEnd::step || end == CuspCurveEnd::length; });
+            for (const auto& t : curve.transitions)
+                e.unconfirmed_transitions += t.at.kind == SingularityKind::undecided;
+        }
+        e.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+        return std::move(locus_);
+    }
+
+private:
+    double range() const { return locus_.box.z_high - locus_.box.z_low; }
+
+    /// All planes where they are wanted; then those that are degenerate a little way off, and once more.
+    void solve_planes() {
+        const CuspBox& box = locus_.box;
+        Generator generator(options_.seed);
+        const std::size_t last = static_cast<std::size_t>(options_.planes) - 1;
+        const double spacing = range() / static_cast<double>(last);
+        std::vector<std::array<double, 3>> at;
+        auto& planes = locus_.planes;
+        for (std::size_t k = 0; k <= last; ++k) {
+            double z = k == 0 ? box.z_low : box.z_high, step = k == 0 ? range() / 16 : -range() / 16;
+            if (k > 0 && k < last) {
+                z = box.z_low + spacing * (static_cast<double>(k) + uniform(generator, -0.1, 0.1));
+                step = 0.05 * spacing;
+            }
+            at.push_back({z, z + step, k > 0 && k < last ? z - step : z + 2 * step});
+            planes.push_back(solved_at(z));
+        }
+        for (std::size_t attempt = 1; attempt < 3; ++attempt) {
+            std::uint64_t most = 0;
+            for (const auto& plane : planes) most = std::max(most, plane.counts.solutions);
+            for (std::size_t k = 0; k <= last; ++k) {
+                const std::uint64_t failed = planes[k].counts.paths.failed, solutions = planes[k].counts.solutions;
+                if (failed == 0 && 2 * solutions >= most) continue;
+                auto given_up = std::move(planes[k].given_up);
+                given_up.push_back({planes[k].z, failed, solutions});
+                planes[k] = solved_at(at[k][attempt]);
+                planes[k].given_up = std::move(given_up);
+            }
+        }
+        locus_.evidence.beyond = {(planes.front().z - box.z_low) / range(), (box.z_high - planes.back().z) / range()};
+        for (const auto& plane : planes) {
+            locus_.evidence.solved.add(plane.counts);
+            locus_.evidence.cusps += plane.cusps.size();
+        }
+    }
+
+    CuspPlane<M> solved_at(double z) {
+        CuspPlane<M> plane;
+        plane.z = z;
+        Parameters<M> p = locus_.parameters;
+        p[Z] = z;
+        const auto points = PlaneSolver<M, X, Y>(p, options_.enumeration()).cusps(plane.counts);
+        std::vector<LocusPoint<M>> taken;
+        for (const auto& at : points) {
+            if (std::ranges::any_of(taken, [&](const auto& other) { return same(other, at, 1e-7); })) continue;
+            taken.push_back(at);
+            p[X] = at.x, p[Y] = at.y;
+            if (!within(at))
+                ++plane.outside;
+            else if (at_face(at) && refine_singularity<M, X, Y>(at.q, p, at.v).kind != SingularityKind::cusp)
+                ++plane.degenerate;
+            else
+                plane.cusps.push_back(at);
+        }
+        return plane;
+    }
+
+    /// Parts of the box, beyond which x or y is off the range; below 0 inside.
+    double beyond(const LocusPoint<M>& at) const {
+        const CuspBox& b = locus_.box;
+        return std::max(std::max(b.x_low - at.x, at.x - b.x_high) / (b.x_high - b.x_low),
+                        std::max(b.y_low - at.y, at.y - b.y_high) / (b.y_high - b.y_low));
+    }
+    bool within(const LocusPoint<M>& at) const { return beyond(at) < 1e-9; }
+    bool at_face(const LocusPoint<M>& at) const { return std::abs(beyond(at)) < 1e-9; }
+
+    /// The same cusp, or its mirror image.
+    bool same(const LocusPoint<M>& a, const LocusPoint<M>& b, double tolerance) const {
+        const CuspBox& box = locus_.box;
+        if (!(std::abs(a.x - b.x) <= tolerance * (box.x_high - box.x_low))) return false;
+        if (!(std::abs(a.y - b.y) <= tolerance * (box.y_high - box.y_low))) return false;
+        return same_unknowns<M>(a.q, b.q, tolerance) ||
+               (Formulation<M>::reflection_symmetric && same_unknowns<M>(a.q, b.q, tolerance, -1));
+    }
+
+    void trace_from(const CuspPlane<M>& plane, const LocusPoint<M>& cusp, std::vector<std::vector<bool>>& traced) {
+        Parameters<M> p = locus_.parameters;
+        p[X] = cusp.x, p[Y] = cusp.y, p[Z] = plane.z;
+        auto curve = trace_cusp_curve<M, X, Y, Z>(p, cusp.q, locus_.box, options_.curve);
+        if (curve.points.empty()) return;
+        for (std::size_t k = 0; k < locus_.planes.size(); ++k) {
+            const auto& other = locus_.planes[k];
+            for (const auto& crossing : crossings(curve, other.z)) {
+                ++locus_.evidence.crossings;
+                bool found = false;
+                for (std::size_t c = 0; c < other.cusps.size(); ++c)
+                    if (same(other.cusps[c], crossing, 1e-6)) traced[k][c] = found = true;
+                locus_.evidence.unsolved_crossings += !found;
+            }
+        }
+        locus_.curves.push_back(std::move(curve));
+    }
+
+    /// Where the curve crosses the plane. Between its points are its transitions, at which it may turn back.
+    std::vector<LocusPoint<M>> crossings(const CuspCurve<M>& curve, double z) const {
+        struct Node {
+            LocusPoint<M> at;
+            double z;
+        };
+        std::vector<Node> nodes;
+        for (std::size_t i = 0; i < curve.points.size(); ++i) {
+            const auto& point = curve.points[i];
+            nodes.push_back({{point.x, point.y, point.q, point.v}, point.z});
+            for (const auto& t : curve.transitions)
+                if (t.step == i) nodes.push_back({{t.x, t.y, t.at.q, t.at.v}, t.z});
+        }
+        std::vector<LocusPoint<M>> found;
+        for (std::size_t i = 0; i + 1 < nodes.size(); ++i) {
+            const Node &a = nodes[i], &b = nodes[i + 1];
+            if (!((a.z - z) * (b.z - z) <= 0)) continue;
+            const auto at = crossing(a.at, b.at, a.z == b.z ? 0 : (z - a.z) / (b.z - a.z), z);
+            if (std::ranges::none_of(found, [&](const auto& other) { return same(other, at, 1e-7); }))
+                found.push_back(at);
+        }
+        return found;
+    }
+
+    /// The cusp of the plane a part of the way from a to b; where Newton's method fails, the point of the chord.
+    LocusPoint<M> crossing(const LocusPoint<M>& a, const LocusPoint<M>& b, double part, double z) const {
+        const auto between = [&](double u, double v) { return u + part * (v - u); };
+        LocusPoint<M> at = a;
+        at.x = between(a.x, b.x), at.y = between(a.y, b.y);
+        for (int i = 0; i < n; ++i) {
+            const double d = b.q[i] - a.q[i];
+            at.q[i] = a.q[i] + part * (i < n_angles<M> ? std::remainder(d, 2 * std::numbers::pi) : d);
+        }
+        Parameters<M> p = locus_.parameters;
+        p[X] = at.x, p[Y] = at.y, p[Z] = z;
+        const auto cusp = refine_singularity<M, X, Y>(at.q, p, at.v);
+        const LocusPoint<M> refined{cusp.p[X], cusp.p[Y], cusp.q, cusp.v};
+        return cusp.converged && same(refined, at, 1e-2) ? refined : at;
+    }
+
+    CuspLocusOptions options_;
+    CuspLocus<M> locus_;
+};
+
+}  // namespace detail
+
+/// The curves of cusps of the model within the box of its parameters number X, Y and Z, the others being those of p.
+///
+/// Throws InvalidArgument for a box that is empty or not finite, for parameters that are not finite and for options out
+/// of range.
+template <PotentialModel M, int X, int Y, int Z>
+CuspLocus<M> find_cusp_locus(const Parameters<M>& p, const CuspBox& box, const CuspLocusOptions& options = {}) {
+    detail::check_active<M, X, Y, Z>();
+    require_finite(p, "p");
+    box.validate();
+    options.validate();
+    return detail::CuspLocusFinder<M, X, Y, Z>(p, box, options).run();
+}
+
+}  // namespace equilibria

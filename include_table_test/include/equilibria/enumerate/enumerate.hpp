@@ -1,0 +1,1 @@
+#include <equilibria/model/model.hpp>

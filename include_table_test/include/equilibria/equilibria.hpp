@@ -1,0 +1,1 @@
+#include <equilibria/io/svg.hpp>

@@ -1,0 +1,1 @@
+#include <equilibria/enumerate/enumerate.hpp>

@@ -1,0 +1,1 @@
+#include <equilibria/core/scalar.hpp>

@@ -1,0 +1,4 @@
+#include "body_beam/solve_definition.hpp"
+
+template class BodyBeamSolver<1, equilibria::mechanisms::BeamControl::speed>;
+template class BodyBeamSolver<1, equilibria::mechanisms::BeamControl::momentum>;

@@ -1,0 +1,415 @@
+// The motion of a rotating body with a damped elastic beam, and the relative equilibria in which it ends: section 2 of
+// the seed.
+//
+//   body_beam_motion --momentum 10 --damping 0.3,0.3,0.3 --runs 200 --threads 0 --json runs.json
+//   body_beam_motion --strain coupled --t-end 50 --samples 500 --csv motion.csv
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <equilibria/run/parallel.hpp>
+#include <equilibria/core/random.hpp>
+#include <equilibria/studies/rotating_body_beam/rotating_body_beam.hpp>
+#include <equilibria/studies/rotating_body_beam/rotating_body_beam_motion.hpp>
+#include <equilibria/model/derivatives.hpp>
+#include <equilibria/stability/inertia.hpp>
+#include <exception>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "support/body_beam_options.hpp"
+#include "support/command_line.hpp"
+#include "support/numbers.hpp"
+#include "support/output_file.hpp"
+
+namespace {
+
+using equilibria::mechanisms::BeamDamping, equilibria::mechanisms::BeamStrain, equilibria::mechanisms::BodyBeamEvidence,
+    equilibria::mechanisms::BodyBeamStatus;
+using Json = nlohmann::ordered_json;
+
+struct Options {
+    support::BodyBeamOptions body;
+    BeamDamping damping{0.3, 0.3, 0.3};
+    double momentum = 10, t_end = 0, tolerance = 1e-9, deflection = 0.1;
+    int samples = 1000, runs = 1;
+    std::uint64_t seed = 1;
+    unsigned threads = 1;
+};
+
+/// A relative equilibrium in which motions ended.
+struct Reached {
+    int runs = 0;
+    std::vector<double> axis, modes;  ///< n, u
+    double speed = 0, moment = 0, energy = 0;
+    equilibria::Inertia index;
+    double residual = 0;  ///< of the model's equations, the largest over the runs
+};
+
+struct Run {
+    BodyBeamStatus status;
+    double time, misalignment, modal_velocity, deflection, velocity_change;
+    BodyBeamEvidence evidence;
+    int equilibrium = -1;  ///< where it ended; none where it did not settle
+};
+
+std::string columns(int modes) {
+    std::string y = "t,q_w,q_x,q_y,q_z,w_1,w_2,w_3,a_1,a_2,a_3,space_a_1,space_a_2,space_a_3";
+    for (const char* name : {"u", "v"})
+        for (int d = 1; d <= 3; ++d)
+            for (int i = 1; i <= modes; ++i) y += "," + std::string(name) + std::to_string(d) + "_" + std::to_string(i);
+    return y + ",energy,dissipated,wobble";
+}
+
+/// The motion of the first of the starts, and the ends of all.
+struct Study {
+    BodyBeamStatus status = BodyBeamStatus::finished;
+    double time = 0;
+    BodyBeamEvidence evidence;
+    std::vector<std::vector<double>> rows;  ///< of the CSV: what `columns` names
+    double first_wobble = 0, last_wobble = 0, first_energy = 0, last_energy = 0;
+    std::vector<Run> runs;
+    std::vector<Reached> reached;
+};
+
+template <int K, BeamStrain Strain>
+struct Solver {
+    using Motion = equilibria::mechanisms::RotatingBodyBeamMotion<K, Strain>;
+    using M = typename Motion::Model;
+    using Start = equilibria::mechanisms::BodyBeamState<K>;
+
+    const Options& options;
+    Motion motion{support::body_beam_parameters<M>(options.body, 0), options.damping};
+
+    /// All from one generator: what run k starts from does not depend on the threads.
+    std::vector<Start> starts() const {
+        equilibria::Generator generator(options.seed);
+        std::vector<Start> y;
+        for (int k = 0; k < options.runs; ++k)
+            y.push_back(equilibria::mechanisms::random_body_beam_state<K>(generator, options.momentum,
+                                                                          options.body.length, options.deflection));
+        return y;
+    }
+
+    Study one() const {
+        std::vector<double> times;
+        for (int k = 0; k <= options.samples; ++k) times.push_back(options.t_end * k / options.samples);
+        const auto found = motion.integrate(starts().front(), times, {1e-12, 1e-13, 1'000'000'000});
+        Study y;
+        y.status = found.status, y.time = found.time, y.evidence = found.evidence;
+        for (const auto& x : found.samples) {
+            const auto& q = x.state.orientation;
+            std::vector<double> row{x.time, q.w(), q.x(), q.y(), q.z()};
+            for (const auto* v : {&x.angular_velocity, &x.state.momentum, &x.space_momentum})
+                row.insert(row.end(), v->begin(), v->end());
+            for (const auto* v : {&x.state.modes, &x.state.velocity}) row.insert(row.end(), v->begin(), v->end());
+            row.insert(row.end(), {x.energy, x.dissipated, x.wobble()});
+            y.rows.push_back(std::move(row));
+        }
+        if (!found.samples.empty()) {
+            y.first_wobble = found.samples.front().wobble(), y.last_wobble = found.samples.back().wobble();
+            y.first_energy = found.samples.front().energy, y.last_energy = found.samples.back().energy;
+        }
+        return y;
+    }
+
+    Study many() const {
+        const auto from = starts();
+        std::vector<equilibria::mechanisms::BodyBeamSettling<K>> ends(from.size());
+        equilibria::parallel_blocks(from.size(), 1, options.threads, [&](std::size_t first, std::size_t last) {
+            for (std::size_t k = first; k < last; ++k)
+                ends[k] = motion.settle(from[k], options.t_end, options.tolerance, {1e-12, 1e-13, 1'000'000'000});
+        });
+        Study y;
+        for (const auto& end : ends) {
+            Run run{end.status,
+                    end.last.time,
+                    end.residual.misalignment,
+                    end.residual.velocity,
+                    end.residual.deflection,
+                    end.velocity_change,
+                    end.evidence};
+            if (end.settled()) run.equilibrium = note(y.reached, end);
+            y.runs.push_back(run);
+        }
+        return y;
+    }
+
+private:
+    /// Which of the equilibria this is; n and -n are one.
+    int note(std::vector<Reached>& reached, const equilibria::mechanisms::BodyBeamSettling<K>& end) const {
+        auto q = motion.relative_equilibrium(end.last.state);
+        const int largest = static_cast<int>(std::distance(
+            q.begin(),
+            std::max_element(q.begin(), q.begin() + 3, [](double a, double b) { return std::abs(a) < std::abs(b); })));
+        const double sign = q[largest] < 0 ? -1 : 1;
+        for (int i = 0; i < 3; ++i) q[i] *= sign;
+        auto p = motion.parameters();
+        p[M::speed] = end.last.angular_velocity.norm();
+        double residual = 0;
+        for (const double f : equilibria::equations<M>(q, p)) residual = std::max(residual, std::abs(f));
+        const auto here = [&](const Reached& other) {
+            double square = 0;
+            for (std::size_t i = 0; i < 3; ++i) square += std::pow(other.axis[i] - q[i], 2);
+            for (std::size_t i = 0; i < other.modes.size(); ++i)
+                square += std::pow(other.modes[i] - q[M::first_mode + i], 2);
+            return square < 1e-12;
+        };
+        auto at = std::find_if(reached.begin(), reached.end(), here);
+        if (at == reached.end()) {
+            Reached y;
+            y.axis.assign(q.begin(), q.begin() + 3);
+            y.modes.assign(q.begin() + M::first_mode, q.begin() + M::multiplier);
+            y.speed = p[M::speed];
+            y.moment = q[M::multiplier];
+            y.energy = end.last.energy;
+            y.index = equilibria::inertia(
+                equilibria::mechanisms::momentum_hessian<K, Strain>(q, end.last.state.momentum.norm(), p));
+            at = reached.insert(at, y);
+        }
+        ++at->runs;
+        at->residual = std::max(at->residual, residual);
+        return static_cast<int>(at - reached.begin());
+    }
+};
+
+template <int K, BeamStrain Strain>
+Study study(const Options& options, bool many) {
+    const Solver<K, Strain> solver{options};
+    return many ? solver.many() : solver.one();
+}
+
+template <BeamStrain Strain>
+Study study(const Options& options, bool many) {
+    switch (options.body.modes) {
+        case 1: return study<1, Strain>(options, many);
+        case 2: return study<2, Strain>(options, many);
+        case 3: return study<3, Strain>(options, many);
+        default: return study<4, Strain>(options, many);
+    }
+}
+
+std::string csv(const Study& study, int modes) {
+    std::ostringstream out;
+    out.precision(17);
+    out << columns(modes) << '\n';
+    for (const auto& row : study.rows)
+        for (std::size_t k = 0; k < row.size(); ++k) out << row[k] << (k + 1 < row.size() ? ',' : '\n');
+    return out.str();
+}
+
+/// The largest over runs or equilibria.
+template <class Items, class Value>
+double worst(const Items& items, const Value& value) {
+    double y = 0;
+    for (const auto& item : items) y = std::max(y, value(item));
+    return y;
+}
+
+Json json(const BodyBeamEvidence& x) {
+    return {{"steps", x.steps},
+            {"evaluations", x.evaluations},
+            {"momentum_drift", x.momentum_drift},
+            {"energy_balance", x.energy_balance},
+            {"energy_increase", x.energy_increase}};
+}
+
+std::string json(const Options& o, const Study& study) {
+    Json out{{"body",
+              {{"mass", o.body.body_mass},
+               {"inertia", o.body.inertia},
+               {"centre", o.body.centre},
+               {"length", o.body.length},
+               {"mu", o.body.mu},
+               {"modes", o.body.modes},
+               {"strain", o.body.strain}}},
+             {"damping", {o.damping.bending_1, o.damping.bending_2, o.damping.stretching}},
+             {"momentum", o.momentum},
+             {"deflection", o.deflection},
+             {"seed", o.seed},
+             {"longest_time", o.t_end},
+             {"tolerance", o.tolerance},
+             {"equilibria", Json::array()},
+             {"runs", Json::array()}};
+    for (const auto& x : study.reached)
+        out["equilibria"].push_back({{"runs", x.runs},
+                                     {"axis", x.axis},
+                                     {"modes", x.modes},
+                                     {"speed", x.speed},
+                                     {"moment_of_inertia", x.moment},
+                                     {"energy", x.energy},
+                                     {"index", x.index.negative},
+                                     {"zero_eigenvalues", x.index.zero},
+                                     {"residual_of_model", x.residual}});
+    for (const auto& x : study.runs) {
+        Json run{{"status", to_string(x.status)}, {"time", x.time}};
+        run["equilibrium"] = x.equilibrium < 0 ? Json() : Json(x.equilibrium);
+        run["misalignment"] = x.misalignment;
+        run["modal_velocity"] = x.modal_velocity;
+        run["deflection_from_rest"] = x.deflection;
+        run["velocity_change"] = x.velocity_change;
+        run["evidence"] = json(x.evidence);
+        out["runs"].push_back(std::move(run));
+    }
+    return out.dump(2) + "\n";
+}
+
+void print(const Study& study) {
+    const auto settled = std::count_if(study.runs.begin(), study.runs.end(),
+                                       [](const Run& x) { return x.status == BodyBeamStatus::settled; });
+    std::printf("%zu runs, %lld settled", study.runs.size(), static_cast<long long>(settled));
+    for (const auto status : {BodyBeamStatus::time_over, BodyBeamStatus::too_many_steps, BodyBeamStatus::step_too_small,
+                              BodyBeamStatus::not_finite})
+        if (const auto n =
+                std::count_if(study.runs.begin(), study.runs.end(), [&](const Run& x) { return x.status == status; }))
+            std::printf(", %lld %s", static_cast<long long>(n), to_string(status));
+    std::printf(
+        "; relative equilibria, n and -n as one:\n  runs  index        speed       moment       energy   axis n"
+        "                         modes u\n");
+    for (const auto& x : study.reached) {
+        std::printf("%6d %6d %12.8f %12.8f %12.7f  ", x.runs, x.index.negative, x.speed, x.moment, x.energy);
+        for (const double n : x.axis) std::printf(" %9.6f", std::abs(n) < 5e-7 ? 0.0 : n);
+        std::printf("  ");
+        for (const double u : x.modes) std::printf(" %.4f", std::abs(u) < 5e-5 ? 0.0 : u);
+        std::printf("\n");
+    }
+    std::printf(
+        "at worst: momentum in space %.1e, energy balance %.1e, energy rising in a step %.1e, misalignment %.1e,\n"
+        "angular velocity over the last turn %.1e, the model's equations %.1e; the last at t = %.6g\n",
+        worst(study.runs, [](const Run& x) { return x.evidence.momentum_drift; }),
+        worst(study.runs, [](const Run& x) { return x.evidence.energy_balance; }),
+        worst(study.runs, [](const Run& x) { return x.evidence.energy_increase; }),
+        worst(study.runs, [](const Run& x) { return x.misalignment; }),
+        worst(study.runs, [](const Run& x) { return x.velocity_change; }),
+        worst(study.reached, [](const Reached& x) { return x.residual; }),
+        worst(study.runs, [](const Run& x) { return x.time; }));
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    Options options;
+    std::string momentum = "10", damping = "0.3,0.3,0.3", t_end, samples = "1000", seed = "1", runs = "200",
+                threads = "1", tolerance = "1e-9", deflection = "0.1", csv_name, json_name;
+    CLI::App app{
+        "The motion of a rotating body with a damped elastic beam, free in space, from random starts: with --csv one "
+        "motion, otherwise the relative equilibria in which many end."};
+    support::add_body_beam_options(app, options.body);
+    app.add_option("--momentum", momentum, "size of the angular momentum (default 10)");
+    app.add_option("--damping", damping, "k1,k2,k3 of bending and stretching (default 0.3,0.3,0.3)");
+    app.add_option("--t-end", t_end, "end of the motion (default 50), or the longest time to settle (default 10000)");
+    app.add_option("--samples", samples, "intervals of the CSV (default 1000)");
+    app.add_option("--seed", seed, "of the random starts (default 1)");
+    app.add_option("--deflection", deflection,
+                   "size of the lowest modes at the start, over length^(3/2) (default 0.1)");
+    app.add_option("--runs", runs, "starts (default 200)");
+    app.add_option("--tolerance", tolerance, "of the residual below which a motion has settled (default 1e-9)");
+    app.add_option("--threads", threads, "0: all of the machine's (default 1); the answer is the same");
+    app.add_option("--csv", csv_name, "write the motion of the first start to this file, or to stdout for -");
+    app.add_option("--json", json_name, "write the ends of the runs to this file, or to stdout for - (then no table)");
+    support::parse(app, "body_beam_motion", argc, argv);
+    support::check_body_beam(options.body);
+    try {
+        const auto positive = [](double x) { return x > 0; };
+        const bool one = app.count("--csv") > 0, many = !one || app.count("--runs") > 0 || app.count("--json") > 0;
+        options.momentum = support::number("--momentum", momentum, "must be a positive number", positive);
+        const auto k = support::three_numbers("--damping", damping, false);
+        if (*std::min_element(k.begin(), k.end()) < 0)
+            support::fail("--damping", damping, "must be 3 numbers, 0 or more, with commas between");
+        options.damping = {k[0], k[1], k[2]};
+        if (app.count("--t-end") > 0)
+            options.t_end = support::number("--t-end", t_end, "must be a positive number", positive);
+        options.samples = support::integer("--samples", samples, 1, 1'000'000);
+        options.seed = support::integer<std::uint64_t>("--seed", seed, 0, UINT64_MAX);
+        options.deflection = support::number("--deflection", deflection, "must be a number from 0 to 1",
+                                             [](double x) { return x >= 0 && x <= 1; });
+        options.runs = support::integer("--runs", runs, 1, 1'000'000);
+        options.tolerance = support::number("--tolerance", tolerance, "must be a number from 1e-12 to 1e-3",
+                                            [](double x) { return x >= 1e-12 && x <= 1e-3; });
+        options.threads = support::integer<unsigned>("--threads", threads, 0, 1024);
+        std::optional<support::OutputFile> csv_file, json_file;
+        if (one) csv_file.emplace("--csv", csv_name);
+        if (app.count("--json") > 0) json_file.emplace("--json", json_name);
+        if (csv_file && json_file && csv_name == json_name)
+            support::fail("--json", json_name, "must not be the file of --csv");
+
+        const auto solve = [&](bool all, double time) {
+            if (app.count("--t-end") == 0) options.t_end = time;
+            return options.body.coupled() ? study<BeamStrain::coupled>(options, all)
+                                          : study<BeamStrain::linear>(options, all);
+        };
+        bool good = true;
+        const bool quiet = (csv_file && csv_file->to_stdout()) || (json_file && json_file->to_stdout());
+        if (one) {
+            const Study y = solve(false, 50);
+            csv_file->write(csv(y, options.body.modes));
+            if (!quiet)
+                std::printf(
+                    "%s at t = %g; %llu steps; energy %.9g to %.9g, wobble %.6g to %.6g rad; momentum in space "
+                    "%.1e, energy balance %.1e\n",
+                    to_string(y.status), y.time, static_cast<unsigned long long>(y.evidence.steps), y.first_energy,
+                    y.last_energy, y.first_wobble, y.last_wobble, y.evidence.momentum_drift, y.evidence.energy_balance);
+            good = y.status == BodyBeamStatus::finished;
+        }
+        if (many) {
+            const Study y = solve(true, 10000);
+            if (json_file) json_file->write(json(options, y));
+            if (!quiet) print(y);
+            for (const auto& run : y.runs) good = good && run.status == BodyBeamStatus::settled;
+        }
+        return good ? 0 : 1;
+    } catch (const std::exception& error) {
+        support::fail("command line", "", error.what());
+    }
+}
+
+// clang-format off
+/* Refused:
+--momentum 0
+    body_beam_motion: --momentum 0: must be a positive number
+--damping 1,1
+    body_beam_motion: --damping 1,1: must be 3 finite numbers, with commas between
+--damping 1,-1,1
+    body_beam_motion: --damping 1,-1,1: must be 3 numbers, 0 or more, with commas between
+--t-end 0
+    body_beam_motion: --t-end 0: must be a positive number
+--samples 0
+    body_beam_motion: --samples 0: must be an integer from 1 to 1000000
+--seed -1
+    body_beam_motion: --seed -1: must be an integer from 0 to 18446744073709551615
+--deflection 2
+    body_beam_motion: --deflection 2: must be a number from 0 to 1
+--runs none
+    body_beam_motion: --runs none: must be an integer from 1 to 1000000
+--tolerance 1
+    body_beam_motion: --tolerance 1: must be a number from 1e-12 to 1e-3
+--threads -1
+    body_beam_motion: --threads -1: must be an integer from 0 to 1024
+--modes 5
+    body_beam_motion: --modes 5: must be an integer from 1 to 4
+--strain mixed
+    body_beam_motion: --strain mixed: must be linear or coupled
+--inertia 1,2,9
+    body_beam_motion: --inertia 1,2,9: must be moments of which none is larger than the sum of the others
+--inertia 1,2
+    body_beam_motion: --inertia 1,2: must be 3 positive numbers, with commas between
+--centre 0,0,
+    body_beam_motion: --centre 0,0,: must be 3 finite numbers, with commas between
+--centre 0,0,1 --inertia 1.2,1.2,0.8
+    body_beam_motion: --centre 0,0,1: must be where the inertia about it, --inertia less the share of --body-mass, is positive definite
+--mu 1,1.2,0
+    body_beam_motion: --mu 1,1.2,0: must be 3 positive numbers, with commas between
+--body-mass 0
+    body_beam_motion: --body-mass 0: must be a positive number
+--length
+    body_beam_motion: --length: must be followed by a value
+--csv .
+    body_beam_motion: --csv .: is a folder; must be a file that can be written
+--csv one --json one
+    body_beam_motion: --json one: must not be the file of --csv
+*/

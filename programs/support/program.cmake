@@ -1,0 +1,46 @@
+# Programs and examples are built and tested alike.
+find_package(CLI11 QUIET)
+find_package(nlohmann_json QUIET)
+
+# An executable `name` from the given sources. Where a package that the first one needs is missing, it is left out, and
+# the variable `built` says so.
+function(equilibria_program name source built)
+    file(READ ${source} text)
+    if((text MATCHES "\"support/command_line.hpp\"" AND NOT CLI11_FOUND)
+       OR (text MATCHES "<nlohmann/" AND NOT nlohmann_json_FOUND))
+        message(STATUS "Leaving out ${name}: it needs CLI11 and nlohmann_json")
+        set(${built} OFF PARENT_SCOPE)
+        return()
+    endif()
+    add_executable(${name} ${source} ${ARGN})
+    target_link_libraries(
+        ${name}
+        PRIVATE equilibria::equilibria $<TARGET_NAME_IF_EXISTS:CLI11::CLI11>
+                $<TARGET_NAME_IF_EXISTS:nlohmann_json::nlohmann_json>
+    )
+    equilibria_warnings(${name})
+    equilibria_native(${name})
+    set(${built} ON PARENT_SCOPE)
+endfunction()
+
+# A CTest case that runs tests/support/<script>.cmake on the program `name`, in a folder of its own: cases run side by side.
+function(equilibria_program_test test name source script)
+    add_test(
+        NAME ${test}
+        COMMAND
+            ${CMAKE_COMMAND} -DPROGRAM=$<TARGET_FILE:${name}> -DSOURCE=${source}
+            -DSCRATCH=${CMAKE_CURRENT_BINARY_DIR}/${name}/${script} -DREADME=${PROJECT_SOURCE_DIR}/README.md
+            -P ${PROJECT_SOURCE_DIR}/tests/support/${script}.cmake
+    )
+endfunction()
+
+# A source that ends with its output, or with what it refuses, is held to it.
+function(equilibria_output_tests test name source)
+    file(READ ${source} text)
+    if(text MATCHES "\n/\\* Output:\n")
+        equilibria_program_test(${test} ${name} ${source} example_output)
+    endif()
+    if(text MATCHES "\n/\\* Refused:\n")
+        equilibria_program_test(${test}/refusals ${name} ${source} refusals)
+    endif()
+endfunction()

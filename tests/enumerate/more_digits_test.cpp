@@ -1,0 +1,76 @@
+// Paths that fail in double are tracked with more digits, and only then called failed. To have such paths whatever the
+// compiler, double is given too few steps for some of the paths to a surface of equilibria.
+#include <equilibria/enumerate/more_digits.hpp>
+#include <equilibria/mechanisms/rotating_chain.hpp>
+
+#include "enumerate/model_enumerations.hpp"
+
+using namespace equilibria;
+
+namespace {
+
+using M = models::EqualAngles<4>;
+
+EnumerateOptions starved(std::uint64_t seed, unsigned threads = 1) {
+    EnumerateOptions options{.seed = seed, .threads = threads};
+    options.tracker.most_steps = 60;
+    return options;
+}
+
+}  // namespace
+
+TEST_CASE("paths that double gives up are ended with more digits") {
+    for (const std::uint64_t seed : {1u, 2u}) {
+        CAPTURE(seed);
+        const auto in_double = enumerate<M>({1, 0.7}, starved(seed));
+        CHECK(in_double.paths.failed > 0);
+        CHECK(in_double.paths.more_digits == 0);
+        for (const auto& f : in_double.failures) CHECK(f.reason != FailureReason::none);
+        const auto r = enumerate_carefully<M>({1, 0.7}, starved(seed));
+        tests::check_accounts(r);
+        CHECK(r.paths.more_digits > 0);
+        CHECK(r.paths.failed == 0);
+        CHECK(r.paths.finite == 16);
+        CHECK(r.paths.singular == 110);
+        CHECK(r.paths.at_infinity == 130);
+        REQUIRE(r.families.size() == 1);
+        CHECK(r.families[0].dimension == 2);
+        CHECK(r.families[0].paths() == 110);
+    }
+}
+
+TEST_CASE("where no path fails nothing is tracked with more digits") {
+    const auto in_double = enumerate<M>({1, 0.7});
+    REQUIRE(in_double.paths.failed == 0);
+    const auto r = enumerate_carefully<M>({1, 0.7});
+    CHECK(r.paths.more_digits == 0);
+    CHECK(tests::identical(r, in_double));
+}
+
+TEST_CASE("more digits are the same for any number of threads") {
+    const auto one = enumerate_carefully<M>({1, 0.7}, starved(1, 1)),
+               three = enumerate_carefully<M>({1, 0.7}, starved(1, 3));
+    CHECK(one.paths.more_digits > 0);
+    CHECK(one.paths.more_digits == three.paths.more_digits);
+    CHECK(tests::identical(one, three));
+}
+
+TEST_CASE("bad arguments are refused as by enumerate") {
+    CHECK(tests::refusal([] { enumerate_carefully<M>({1, std::nan("")}); }) == "parameters[1] = nan: must be finite");
+}
+
+TEST_CASE("paths from a solved instance, too") {
+    using Chain = mechanisms::TwoLinkChain;
+    const auto solved = enumerate<Chain>({.37, 1.5, 2.1});
+    EnumerateOptions options;
+    options.tracker.most_steps = 40;
+    // at rest 12 of the 16 roots are at infinity
+    const Parameters<Chain> at_rest{.3, 1.5, 0.};
+    CHECK(enumerate(solved, at_rest, options).paths.failed > 0);
+    const auto r = enumerate_carefully(solved, at_rest, options);
+    tests::check_accounts(r);
+    CHECK(r.paths.more_digits > 0);
+    CHECK(r.paths.failed == 0);
+    CHECK(r.paths.finite == 4);
+    CHECK(r.paths.at_infinity == 12);
+}

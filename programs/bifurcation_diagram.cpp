@@ -109,7 +109,7 @@ int main(int argc, char** argv) {
     const double alpha = support::number("--alpha", alpha_text, "must be a number between 0 and 1, both excluded",
                                          [](double a) { return a > 0 && a < 1; });
     const auto omega = support::range("--omega", omega_text, "must be LOW:HIGH, finite, with 0 <= LOW < HIGH", 0, 1e6);
-    equilibria::EnumerateOptions options;
+    equilibria::RunOptions options;
     options.seed = support::integer<std::uint64_t>("--seed", seed_text, 0, UINT64_MAX);
     std::optional<support::OutputFile> json_file, svg_file, png_file;
     if (app.count("--json") > 0) json_file.emplace("--json", json_name);

@@ -302,7 +302,7 @@ int main(int argc, char** argv) {
         support::number("--ratio", ratio_text, "must be a positive number", [](double r) { return r > 0; });
     const auto alpha = support::range("--alpha", alpha_text, "must be LOW:HIGH with 0 <= LOW < HIGH <= 1", 0, 1);
     const auto omega = support::range("--omega", omega_text, "must be LOW:HIGH, finite, with 0 <= LOW < HIGH", 0, 1e6);
-    equilibria::LocusOptions options{.threads = 0};
+    equilibria::LocusOptions options{.executor = equilibria::threads(0)};
     options.lines = support::integer("--lines", lines_text, 2, 1000);
     options.seed = support::integer<std::uint64_t>("--seed", seed_text, 0, UINT64_MAX);
     std::optional<support::OutputFile> json_file, svg_file, png_file, markdown_file, csv_file;

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
-#include <equilibria/run/parallel.hpp>
+#include <equilibria/run/threads.hpp>
 #include <equilibria/core/random.hpp>
 #include <equilibria/studies/rotating_body_beam/rotating_body_beam.hpp>
 #include <equilibria/studies/rotating_body_beam/rotating_body_beam_motion.hpp>
@@ -331,7 +331,7 @@ int main(int argc, char** argv) {
         options.runs = support::integer("--runs", runs, 1, 1'000'000);
         options.tolerance = support::number("--tolerance", tolerance, "must be a number from 1e-12 to 1e-3",
                                             [](double x) { return x >= 1e-12 && x <= 1e-3; });
-        options.threads = support::integer<unsigned>("--threads", threads, 0, 1024);
+        options.executor = equilibria::threads(support::integer<unsigned>("--threads"), threads, 0, 1024);
         std::optional<support::OutputFile> csv_file, json_file;
         if (one) csv_file.emplace("--csv", csv_name);
         if (app.count("--json") > 0) json_file.emplace("--json", json_name);

@@ -231,7 +231,7 @@ int main(int argc, char** argv) {
     data.nodes = order == "linear" ? 2 : order == "quadratic" ? 3 : 4;
     data.elements = support::integer<int>("--elements", elements_text, 1, 100000);
     data.links = support::integer<int>("--links", links_text, 1, 1000);
-    data.threads = support::integer<unsigned>("--threads", threads_text, 0, 1024);
+    data.executor = equilibria::threads(support::integer<unsigned>("--threads"), threads_text, 0, 1024);
     std::optional<support::OutputFile> json_file, csv_file, svg_file, png_file;
     if (given("--json")) json_file.emplace("--json", json_name);
     if (given("--csv")) csv_file.emplace("--csv", csv_name);
@@ -325,7 +325,7 @@ int main(int argc, char** argv) {
                 follow(structure, input.name.empty() ? model_name : input.name, input.parameter, value, input.measured,
                        {}, options, 0.02, false);
             };
-            const equilibria::fem::StructureOptions structure_options{.threads = data.threads};
+            const equilibria::fem::StructureOptions structure_options{.executor = equilibria::threads(data.threads)};
             if (input.conservative)
                 run(equilibria::fem::Structure(std::move(input.model), structure_options));
             else

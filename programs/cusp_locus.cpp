@@ -288,7 +288,7 @@ int main(int argc, char** argv) {
                                       std::numeric_limits<double>::min(), 1e6);
     const auto alpha = support::range("--alpha", alpha_text, "must be LOW:HIGH with 0 <= LOW < HIGH <= 1", 0, 1);
     const auto omega = support::range("--omega", omega_text, "must be LOW:HIGH, finite, with 0 <= LOW < HIGH", 0, 1e6);
-    equilibria::CuspLocusOptions options{.threads = 0};
+    equilibria::CuspLocusOptions options{.executor = equilibria::threads(0)};
     options.planes = support::integer("--planes", planes_text, 2, 1000);
     options.seed = support::integer<std::uint64_t>("--seed", seed_text, 0, UINT64_MAX);
     std::optional<support::OutputFile> json_file, svg_file, png_file;

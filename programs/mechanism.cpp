@@ -45,7 +45,7 @@ struct Study {
     std::optional<equilibria::LineEvents<M>> sweep;
 };
 
-Study study(const std::string& data, const equilibria::Parameters<M>& p, const equilibria::EnumerateOptions& options) {
+Study study(const std::string& data, const equilibria::Parameters<M>& p, const equilibria::RunOptions& options) {
     Study y{data, equilibria::enumerate<M>(p, options), {}, {}, {}};
     y.proof = equilibria::prove(y.set);
     for (const auto& e : y.set.equilibria) {
@@ -242,7 +242,7 @@ int main(int argc, char** argv) {
     support::parse(app, "mechanism", argc, argv);
     try {
         const auto p = mechanism.parameters();
-        equilibria::EnumerateOptions options;
+        equilibria::RunOptions options;
         options.seed = support::integer<std::uint64_t>("--seed", seed_text, 0, UINT64_MAX);
         std::optional<support::Range> sweep;
         if (app.count("--sweep-c2") > 0)

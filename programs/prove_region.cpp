@@ -162,7 +162,7 @@ int main(int argc, char** argv) {
     options.min_cell = support::number("--min-cell", cell_text, "must be a number from 1e-6 to 1e6",
                                        [](double c) { return c >= 1e-6 && c <= 1e6; });
     options.seed = support::integer<std::uint64_t>("--seed", seed_text, 0, UINT64_MAX);
-    options.threads = support::integer<unsigned>("--threads", threads_text, 0, 1024);
+    options.executor = equilibria::threads(support::integer<unsigned>("--threads"), threads_text, 0, 1024);
     options.progress = [&](double share) { bar.update(static_cast<std::uint64_t>(1e6 * share), 1000000); };
     std::optional<support::OutputFile> json_file, svg_file, png_file;
     if (app.count("--json") > 0) json_file.emplace("--json", json_name);

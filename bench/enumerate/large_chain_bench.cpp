@@ -27,7 +27,7 @@ std::uint64_t hash_of(const equilibria::Root<M>& root) {
 }
 
 template <int N>
-bool run(const equilibria::EnumerateOptions& options, bool stream) {
+bool run(const equilibria::RunOptions& options, bool stream) {
     using M = Chain<N>;
     std::uint64_t hash = 0;
     const auto report = [&](const auto& r, std::uint64_t distinct, std::uint64_t real) {
@@ -66,8 +66,8 @@ unsigned long long value(int argc, char** argv, const std::string& option, unsig
 }  // namespace
 
 int main(int argc, char** argv) {
-    equilibria::EnumerateOptions options;
-    options.threads = static_cast<unsigned>(value(argc, argv, "--threads", 1));
+    equilibria::RunOptions options;
+    options.executor = equilibria::threads(static_cast<unsigned>(value(argc), argv, "--threads", 1));
     options.seed = value(argc, argv, "--seed", 1);
     const auto links = value(argc, argv, "--links", 0);
     if (const char* file = text(argc, argv, "--checkpoint")) options.checkpoint = file;

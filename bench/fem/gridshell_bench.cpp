@@ -45,7 +45,7 @@ Structure gridshell(int bays, unsigned threads) {
             if (j < bays) beam(node(i, j), node(i, j + 1));
             if (i < bays && j < bays) beam(node(i, j), node(i + 1, j + 1));
         }
-    return Structure(std::move(model), {.threads = threads});
+    return Structure(std::move(model), {.executor = equilibria::threads(threads)});
 }
 
 double seconds(const auto& work) {

@@ -3,7 +3,7 @@
 #include <benchmark/benchmark.h>
 
 #include <equilibria/core/random.hpp>
-#include <equilibria/paths/path_solver.hpp>
+#include <equilibria/paths/track.hpp>
 #include <equilibria/homotopy/tracker.hpp>
 
 #include "../support.hpp"

@@ -2,7 +2,7 @@
 // Items are endpoints.
 #include <benchmark/benchmark.h>
 
-#include <equilibria/paths/path_solver.hpp>
+#include <equilibria/paths/track.hpp>
 
 #include "../support.hpp"
 

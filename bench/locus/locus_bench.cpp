@@ -25,7 +25,7 @@ template <Model M, int X, int Y>
 void plane(benchmark::State& state, const Parameters<M>& p, const PlaneWindow& window,
            RootRescue<CriticalSystem<M, X, Y>> rescue = nullptr) {
     Locus<M> locus;
-    for (auto _ : state) locus = trace_locus<M, X, Y>(p, window, {.threads = 0}, rescue);
+    for (auto _ : state) locus = trace_locus<M, X, Y>(p, window, {.executor = threads(0)}, rescue);
     const auto& e = locus.evidence;
     state.counters["paths"] = static_cast<double>(e.lines_solved.paths.total + e.cusps_solved.paths.total +
                                                   e.extremal_solved.paths.total +
@@ -43,7 +43,7 @@ void plane(benchmark::State& state, const Parameters<M>& p, const PlaneWindow& w
 template <Model M, int X>
 void line(benchmark::State& state, const Parameters<M>& p, double low, double high) {
     LineEvents<M> found;
-    for (auto _ : state) found = find_events<M, X>(p, low, high, {.threads = 0});
+    for (auto _ : state) found = find_events<M, X>(p, low, high, {.executor = threads(0)});
     state.counters["events"] = static_cast<double>(found.events.size());
     state.counters["complete"] = found.complete();
 }
@@ -60,7 +60,7 @@ void plane_mechanism(benchmark::State& state) {
 void plane_three_links(benchmark::State& state) {
     constexpr int mass_3 = Three::mass + 2;
     plane<Three, mass_3, Three::omega>(state, three_links, {0.1, 2, 0.5, 5},
-                                       careful_roots<CriticalSystem<Three, mass_3, Three::omega>>);
+                                       more_digits<CriticalSystem<Three, mass_3, Three::omega>>);
 }
 
 }  // namespace

@@ -66,7 +66,7 @@ public:
     RelativeEquilibria operator()(const BodyBeamValues& p) const;
 
 private:
-    equilibria::EnumerateOptions options() const;
+    equilibria::RunOptions options() const;
 
     BodyBeamRun run_;
     bool circles_, agreed_ = false;

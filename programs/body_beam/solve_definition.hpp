@@ -78,7 +78,7 @@ BodyBeamSolver<K, Control>::BodyBeamSolver(const BodyBeamValues& body, BodyBeamR
         o.checkpoint = run_.checkpoint;
         if (draw > 1 && !o.checkpoint.empty()) o.checkpoint += "." + std::to_string(draw);
         auto member =
-            equilibria::enumerate_carefully<Model, equilibria::StartKind::parameter>(Model::generic(p, generator), o);
+            equilibria::enumerate_with_more_digits<Model, equilibria::Moving<Model>>(Model::generic(p, generator), o);
         generic_roots_.push_back(member.distinct());
         generic_seconds_ += member.seconds;
         const bool better = regular(member) && (!regular(generic_) || member.distinct() > generic_.distinct());
@@ -89,8 +89,8 @@ BodyBeamSolver<K, Control>::BodyBeamSolver(const BodyBeamValues& body, BodyBeamR
 }
 
 template <int K, BeamControl Control>
-equilibria::EnumerateOptions BodyBeamSolver<K, Control>::options() const {
-    return {.seed = run_.seed, .threads = run_.threads};
+equilibria::RunOptions BodyBeamSolver<K, Control>::options() const {
+    return {.seed = run_.seed, .executor = equilibria::threads(run_.threads)};
 }
 
 template <int K, BeamControl Control>
@@ -102,8 +102,8 @@ RelativeEquilibria BodyBeamSolver<K, Control>::operator()(const BodyBeamValues& 
         throw equilibria::InvalidArgument("p", "a body without symmetry",
                                           "must be as symmetric about the third axis as the solver's");
     const auto set = regular(generic_)
-                         ? equilibria::enumerate_carefully(generic_, target, options())
-                         : equilibria::enumerate_carefully<Model, equilibria::StartKind::parameter>(target, options());
+                         ? equilibria::enumerate_with_more_digits(generic_, target, options())
+                         : equilibria::enumerate_with_more_digits<Model, equilibria::Moving<Model>>(target, options());
     RelativeEquilibria y{.generic = generic_.paths,
                          .paths = set.paths,
                          .followed = regular(generic_),
@@ -117,7 +117,7 @@ RelativeEquilibria BodyBeamSolver<K, Control>::operator()(const BodyBeamValues& 
         y.alarms += std::string(y.alarms.empty() ? "" : ", ") + "generic members differ in their numbers of roots";
     std::vector<equilibria::Certificate> certificates;
     if (run_.prove) {
-        auto proof = equilibria::prove(set, {.threads = run_.threads});
+        auto proof = equilibria::prove(set, {.executor = equilibria::threads(run_.threads)});
         y.proved_distinct = proof.distinct;
         y.proved_real = proof.real;
         y.proving_seconds = proof.seconds;

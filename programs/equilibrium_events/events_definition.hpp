@@ -38,7 +38,7 @@ ChainEvents chain_events(const Chain& chain, const Options& options) {
     }
     p[Model::omega] = options.low;
     p[Model::gravity] = chain.gravity;
-    equilibria::EnumerateOptions how{.seed = options.seed, .threads = options.threads, .progress = options.progress};
+    equilibria::RunOptions how{.seed = options.seed, .executor = equilibria::threads(options.threads), .progress = options.progress};
     const auto found = equilibria::find_events<Model, Model::omega>(p, options.low, options.high, how);
 
     ChainEvents result{.events = {},
@@ -82,7 +82,7 @@ ChainEvents chain_events(const Chain& chain, const Options& options) {
         how.progress = nullptr;
         for (ChainInterval& interval : result.intervals) {
             p[Model::omega] = interval.at;
-            const auto proof = equilibria::prove(equilibria::enumerate<Model>(p, how), {.threads = options.threads});
+            const auto proof = equilibria::prove(equilibria::enumerate<Model>(p, how), {.executor = equilibria::threads(options.threads)});
             interval.proof = {proof.distinct,
                               proof.real,
                               proof.undecided,

@@ -23,7 +23,7 @@ ChainResult enumerate_chain(const Chain& chain, const Options& options) {
     p[Model::gravity] = chain.gravity;
     const auto found = equilibria::enumerate<Model>(
         p, {.seed = options.seed,
-            .threads = options.threads,
+            .executor = equilibria::threads(options.threads),
             .progress = options.progress,
             .checkpoint = options.checkpoint,
             .cancel = options.cancel});
@@ -58,7 +58,7 @@ ChainResult enumerate_chain(const Chain& chain, const Options& options) {
                                   equilibria::family_kind(family.dimension) + " of solutions (" +
                                   std::to_string(family.paths()) + " paths)");
     if (options.prove) {
-        const auto proof = equilibria::prove(found, {.threads = options.threads});
+        const auto proof = equilibria::prove(found, {.executor = equilibria::threads(options.threads)});
         result.proof = {proof.distinct, proof.real,  proof.non_real,       proof.undecided,
                         proof.duplicates, proof.index, proof.contradictions, proof.more_digits,
                         proof.bound ? proof.bound->value : 0, proof.complete, proof.reason, proof.seconds};

@@ -88,7 +88,7 @@ CasePoint at_parameter(double at) {
 
 BucklingCase make(Model model, const CaseData& data, int tip, const char* parameter, double low, double high,
                   double first_step) {
-    BucklingCase y{.structure = Structure(std::move(model), {.threads = data.threads}),
+    BucklingCase y{.structure = Structure(std::move(model), {.executor = equilibria::threads(data.threads)}),
                    .tip = tip,
                    .parameter = parameter,
                    .options = {.low = low, .high = high, .most_steps = 2000}};

@@ -69,7 +69,7 @@ TEST_CASE("Fast starts turn over before they are trapped, and threads change not
     for (int k = 0; k < 60; ++k) starts.push_back({{uniform(generator, -pi, pi)}, {uniform(generator, -4, 4)}});
     BasinOptions options;
     const auto one = find_basins<TwoWells>(p, all, starts, options);
-    options.threads = 2;
+    options.executor = threads(2);
     const auto two = find_basins<TwoWells>(p, all, starts, options);
     int shallow = 0, later = 0;
     for (std::size_t k = 0; k < starts.size(); ++k) {

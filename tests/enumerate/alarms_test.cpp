@@ -46,8 +46,8 @@ RootSet<M> symmetric_set(int orbits) {
 
 TEST_CASE("no alarm over a symmetric set, for any number of threads") {
     const auto set = symmetric_set(3000);
-    for (const unsigned threads : {1u, 3u}) {
-        const Alarms a = check_alarms(set, threads);
+    for (const unsigned count : {1u, 3u}) {
+        const Alarms a = check_alarms(set, threads(count));
         CHECK_FALSE(a.raised());
         CHECK(a.sentences().empty());
         CHECK((a.conjugates.applied && a.mirror.applied && a.duplicates.applied && a.poincare_hopf.applied));

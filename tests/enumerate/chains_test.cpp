@@ -9,9 +9,9 @@ namespace {
 
 /// The benchmark chain: its number of equilibria, the same bits whatever the number of threads.
 template <int N>
-void check_benchmark_chain(std::uint64_t real, const std::vector<unsigned>& threads) {
+void check_benchmark_chain(std::uint64_t real, const std::vector<unsigned>& counts) {
     std::vector<RootSet<Chain<N>>> results;
-    for (const unsigned k : threads) results.push_back(enumerate<Chain<N>>(benchmark_chain<N>(), {.threads = k}));
+    for (const unsigned k : counts) results.push_back(enumerate<Chain<N>>(benchmark_chain<N>(), {.executor = threads(k)}));
     check_generic_chain<N>(results[0]);
     CHECK(results[0].real() == real);
     for (const auto& r : results) CHECK(identical(r, results[0]));
@@ -24,7 +24,7 @@ void check_seeds(int seeds) {
     for (const auto& p : {benchmark_chain<N>(), random_chain<N>(generator)}) {
         std::uint64_t real = 0;
         for (int seed = 1; seed <= seeds; ++seed) {
-            const auto r = enumerate<Chain<N>>(p, {.seed = static_cast<std::uint64_t>(seed), .threads = 2});
+            const auto r = enumerate<Chain<N>>(p, {.seed = static_cast<std::uint64_t>(seed), .executor = threads(2)});
             check_generic_chain<N>(r);
             if (seed == 1) real = r.real();
             CHECK(r.real() == real);
@@ -35,7 +35,7 @@ void check_seeds(int seeds) {
 /// Theorem 3.1: at small omega exactly the 2^N points with each angle 0 or pi, the index being the number of angles pi.
 template <int N>
 void check_small_omega(double omega) {
-    const auto r = enumerate<Chain<N>>(benchmark_chain<N>(omega), {.threads = 2});
+    const auto r = enumerate<Chain<N>>(benchmark_chain<N>(omega), {.executor = threads(2)});
     check_generic_chain<N>(r);
     REQUIRE(r.real() == std::uint64_t{1} << N);
     std::int64_t binomial = 1;

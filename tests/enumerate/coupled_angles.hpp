@@ -17,7 +17,7 @@ void check_coupled_angles(std::uint64_t all_to_all, std::uint64_t neighbours, in
     for (int seed = 1; seed <= seeds; ++seed) {
         Parameters<M> p;
         for (double& x : p) x = uniform(generator, 0.3, 1.3);
-        const EnumerateOptions options{.seed = static_cast<std::uint64_t>(seed), .threads = 2};
+        const RunOptions options{.seed = static_cast<std::uint64_t>(seed), .executor = threads(2)};
         for (const std::uint64_t expected : {all_to_all, neighbours}) {
             if (expected == neighbours)
                 for (int i = 0; i < N; ++i)

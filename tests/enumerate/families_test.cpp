@@ -111,8 +111,8 @@ TEST_CASE("a curve without real points is a curve too, and is not called real") 
 }
 
 TEST_CASE("a family is the same for any number of threads") {
-    const auto one = enumerate<models::EqualAngles<3>>({1, 0.7}, {.threads = 1});
-    CHECK(tests::identical(one, enumerate<models::EqualAngles<3>>({1, 0.7}, {.threads = 3})));
+    const auto one = enumerate<models::EqualAngles<3>>({1, 0.7}, {.executor = threads(1)});
+    CHECK(tests::identical(one, enumerate<models::EqualAngles<3>>({1, 0.7}, {.executor = threads(3)})));
 }
 
 TEST_CASE("a surface of equilibria, real and not") {

@@ -11,22 +11,18 @@ namespace {
 
 using M = models::EqualAngles<4>;
 
-EnumerateOptions starved(std::uint64_t seed, unsigned threads = 1) {
-    EnumerateOptions options{.seed = seed, .threads = threads};
-    options.tracker.most_steps = 60;
-    return options;
-}
+constexpr TrackerOptions starved{.most_steps = 60};
 
 }  // namespace
 
 TEST_CASE("paths that double gives up are ended with more digits") {
     for (const std::uint64_t seed : {1u, 2u}) {
         CAPTURE(seed);
-        const auto in_double = enumerate<M>({1, 0.7}, starved(seed));
+        const auto in_double = enumerate<M>({1, 0.7}, {.seed = seed}, starved);
         CHECK(in_double.paths.failed > 0);
         CHECK(in_double.paths.more_digits == 0);
         for (const auto& f : in_double.failures) CHECK(f.reason != FailureReason::none);
-        const auto r = enumerate_carefully<M>({1, 0.7}, starved(seed));
+        const auto r = enumerate_with_more_digits<M>({1, 0.7}, {.seed = seed}, starved);
         tests::check_accounts(r);
         CHECK(r.paths.more_digits > 0);
         CHECK(r.paths.failed == 0);
@@ -42,32 +38,31 @@ TEST_CASE("paths that double gives up are ended with more digits") {
 TEST_CASE("where no path fails nothing is tracked with more digits") {
     const auto in_double = enumerate<M>({1, 0.7});
     REQUIRE(in_double.paths.failed == 0);
-    const auto r = enumerate_carefully<M>({1, 0.7});
+    const auto r = enumerate_with_more_digits<M>({1, 0.7});
     CHECK(r.paths.more_digits == 0);
     CHECK(tests::identical(r, in_double));
 }
 
 TEST_CASE("more digits are the same for any number of threads") {
-    const auto one = enumerate_carefully<M>({1, 0.7}, starved(1, 1)),
-               three = enumerate_carefully<M>({1, 0.7}, starved(1, 3));
+    const auto one = enumerate_with_more_digits<M>({1, 0.7}, {}, starved),
+               three = enumerate_with_more_digits<M>({1, 0.7}, {.executor = threads(3)}, starved);
     CHECK(one.paths.more_digits > 0);
     CHECK(one.paths.more_digits == three.paths.more_digits);
     CHECK(tests::identical(one, three));
 }
 
 TEST_CASE("bad arguments are refused as by enumerate") {
-    CHECK(tests::refusal([] { enumerate_carefully<M>({1, std::nan("")}); }) == "parameters[1] = nan: must be finite");
+    CHECK(tests::refusal([] { enumerate_with_more_digits<M>({1, std::nan("")}); }) == "parameters[1] = nan: must be finite");
 }
 
 TEST_CASE("paths from a solved instance, too") {
     using Chain = mechanisms::TwoLinkChain;
     const auto solved = enumerate<Chain>({.37, 1.5, 2.1});
-    EnumerateOptions options;
-    options.tracker.most_steps = 40;
+    const TrackerOptions options{.most_steps = 40};
     // at rest 12 of the 16 roots are at infinity
     const Parameters<Chain> at_rest{.3, 1.5, 0.};
-    CHECK(enumerate(solved, at_rest, options).paths.failed > 0);
-    const auto r = enumerate_carefully(solved, at_rest, options);
+    CHECK(enumerate(solved, at_rest, {}, options).paths.failed > 0);
+    const auto r = enumerate_with_more_digits(solved, at_rest, {}, options);
     tests::check_accounts(r);
     CHECK(r.paths.more_digits > 0);
     CHECK(r.paths.failed == 0);

@@ -9,17 +9,17 @@ using mechanisms::TwoLinkChain;
 
 TEST_CASE("parameters and options out of range are refused with a sentence") {
     const Parameters<TwoLinkChain> p{.3, 1.5, 2};
-    const auto solve = [](const Parameters<TwoLinkChain>& q, const EnumerateOptions& o = {}) {
-        return tests::refusal([&] { enumerate<TwoLinkChain>(q, o); });
+    const auto solve = [](const Parameters<TwoLinkChain>& q, const TrackerOptions& o = {}) {
+        return tests::refusal([&] { enumerate<TwoLinkChain>(q, {}, o); });
     };
     CHECK(solve(p) == "nothing was refused");
     CHECK(solve({.3, std::nan(""), 2}) == "parameters[1] = nan: must be finite");
     CHECK(solve({.3, 1.5, -INFINITY}) == "parameters[2] = -inf: must be finite");
-    CHECK(solve(p, {.threads = 2000}) == "threads = 2000: must be 0 (all) to 1024");
+    CHECK(tests::refusal([] { threads(2000); }) == "threads = 2000: must be 0 (all) to 1024");
 
     const auto tracker = [&](auto change) {
-        EnumerateOptions o;
-        change(o.tracker);
+        TrackerOptions o;
+        change(o);
         return solve(p, o);
     };
     CHECK(tracker([](auto& t) { t.contraction = 0; }) == "contraction = 0: must be in (0, 0.05]");
@@ -35,8 +35,8 @@ TEST_CASE("parameters and options out of range are refused with a sentence") {
 TEST_CASE("progress is told in order, up to the end") {
     std::vector<std::uint64_t> told;
     std::uint64_t all = 0;
-    EnumerateOptions options;
-    options.threads = 2;
+    RunOptions options;
+    options.executor = threads(2);
     options.progress = [&](std::uint64_t done, std::uint64_t of) { told.push_back(done), all = of; };
     const auto r = enumerate<TwoLinkChain>({.3, 1.5, 2}, options);
     REQUIRE(told.size() >= 2);
@@ -55,9 +55,9 @@ TEST_CASE("the result remembers the seed and the parameters") {
 }
 
 TEST_CASE("a path that may take few steps fails, is counted and says why") {
-    EnumerateOptions options;
-    options.tracker.most_steps = 3;
-    const auto r = enumerate<TwoLinkChain>({.3, 1.5, 2}, options);
+    TrackerOptions options;
+    options.most_steps = 3;
+    const auto r = enumerate<TwoLinkChain>({.3, 1.5, 2}, {}, options);
     tests::check_accounts(r);
     CHECK(r.paths.failed == 12);  // the four that rest need no step
     CHECK_FALSE(r.clean());

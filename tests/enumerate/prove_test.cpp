@@ -154,10 +154,10 @@ TEST_CASE("on a fold nothing is proved of the double roots") {
 
 TEST_CASE("the threads change nothing, and options out of range are refused") {
     const auto set = enumerate<Chain<4>>(benchmark_chain<4>());
-    const auto one = prove(set, {.threads = 1}), two = prove(set, {.threads = 2});
+    const auto one = prove(set, {.executor = threads(1)}), two = prove(set, {.executor = threads(2)});
     REQUIRE(one.certificates.size() == two.certificates.size());
     for (std::size_t k = 0; k < one.certificates.size(); ++k)
         CHECK(one.certificates[k].radius == two.certificates[k].radius);
-    CHECK_THROWS_WITH(prove(set, {.threads = 2000}), "threads = 2000: must be 0 (all) to 1024");
+    CHECK_THROWS_WITH(threads(2000), "threads = 2000: must be 0 (all) to 1024");
     CHECK_THROWS_WITH(prove(set, {.most_digits = 20}), "most_digits = 20: must be 15, 34 or 68");
 }

@@ -8,8 +8,8 @@ TEST_CASE("the reflected and the general start find the same roots") {
     Generator generator(7);
     for (int k = 0; k < 2 * tests::thoroughness; ++k) {
         const auto p = k == 0 ? tests::benchmark_chain<3>() : tests::random_chain<3>(generator);
-        const auto reflected = enumerate<Chain<3>, StartKind::reflected>(p, {.seed = 3});
-        const auto general = enumerate<Chain<3>, StartKind::general>(p, {.seed = 4});
+        const auto reflected = enumerate<Chain<3>, Reflected<Chain<3>>>(p, {.seed = 3});
+        const auto general = enumerate<Chain<3>, TotalDegree<Chain<3>>>(p, {.seed = 4});
         tests::check_generic_chain<3>(reflected);
         tests::check_generic_chain<3>(general);
         // roots of condition 1e8 would still agree to 1e-8; these do to 1e-9
@@ -33,18 +33,20 @@ struct UnevenDegrees {
 template <class M>
 void check_numbering() {
     Generator generator(1);
-    Array<double, n_unknowns<M>> scale;
-    for (double& s : scale) s = 1;
-    const TotalDegreeStart<M> start(StartKind::reflected, scale, generator);
-    const detail::StartPoints<M> points(start);
+    Parameters<M> p;
+    for (double& x : p) x = uniform(generator, 0.5, 1.5);
+    const Reflected<M> start(ModelSystem<M>(p), generator);
+    const PathNumbering& numbering = start.numbering();
     std::uint64_t pairs = 0, resting = 0;
     for (std::uint64_t path = 0; path < static_cast<std::uint64_t>(total_degree<M>()); ++path) {
-        const std::uint64_t image = points.mirror(path);
-        if (image == path) CHECK(points.resting_path(resting++) == path);
-        if (image > path) CHECK(points.pair_path(pairs++) == path);
+        const std::uint64_t image = numbering.mirror(path);
+        CHECK(numbering.mirror(image) == path);
+        if (image == path) CHECK(numbering.resting_path(resting++) == path);
+        if (image > path) CHECK(numbering.tracked_path(pairs++) == path);
     }
-    CHECK(points.pairs() == pairs);
-    CHECK(points.resting() == resting);
+    CHECK(numbering.total() == static_cast<std::uint64_t>(total_degree<M>()));
+    CHECK(numbering.tracked() == pairs);
+    CHECK(numbering.resting() == resting);
 }
 
 }  // namespace
@@ -59,7 +61,7 @@ TEST_CASE("starts are numbered without a list of them: those that rest, and one 
 TEST_CASE("the roots come in conjugate pairs and in mirror pairs") {
     Generator generator(8);
     for (int k = 0; k < 2 * tests::thoroughness; ++k) {
-        const auto r = enumerate<Chain<3>, StartKind::general>(tests::random_chain<3>(generator));
+        const auto r = enumerate<Chain<3>, TotalDegree<Chain<3>>>(tests::random_chain<3>(generator));
         CHECK(tests::distance(tests::conjugated(r.roots), r.roots) < 1e-9);
         CHECK(tests::distance(tests::mirrored(r.roots), r.roots) < 1e-9);
     }

@@ -9,9 +9,6 @@
 
 using namespace equilibria;
 
-static_assert(EquationsModel<WithTorques<tests::Chain<3>>> && EquationsModel<WithTorques<models::CoupledAngles<3>>>);
-static_assert(total_degree<WithTorques<tests::Chain<3>>>() == total_degree<tests::Chain<3>>());
-
 namespace {
 
 template <class M>
@@ -34,7 +31,7 @@ void check_trace(const RootSet<M>& set, bool raised) {
 using Cheap = std::array<bool, 4>;
 template <class M>
 Cheap cheap(const RootSet<M>& set) {
-    const Alarms a = check_alarms(set, 2);
+    const Alarms a = check_alarms(set, threads(2));
     return {a.poincare_hopf.raised(), a.conjugates.raised(), a.mirror.raised(), a.duplicates.raised()};
 }
 
@@ -138,7 +135,7 @@ TEST_CASE("planted faults of the roots of three coupled angles") {
 
 TEST_CASE("the trace test depends on the seed alone, and says where it does not apply") {
     auto set = enumerate<tests::Chain<3>>(tests::benchmark_chain<3>());
-    const auto one = torque_trace(set, {.seed = 7, .threads = 1}), two = torque_trace(set, {.seed = 7, .threads = 2});
+    const auto one = torque_trace(set, {.seed = 7, .executor = threads(1)}), two = torque_trace(set, {.seed = 7, .executor = threads(2)});
     CHECK(one.value == two.value);
     CHECK(one.applied);
     CHECK(set.alarms.trace.sentence == "the trace test was not done");

@@ -149,7 +149,7 @@ TEST_CASE("Assembly gives the same bits with any number of threads") {
     add_straight_beam<2>(model, {100, 50, 50, 1, 1, 2}, a, b, Vector3d::UnitY(), 2000);
     model.fix(a, spatial);
     model.load(b, {0, -1, 0});
-    const Structure one(model), two(model, {.threads = 2});
+    const Structure one(model), two(model, {.executor = threads(2)});
     const auto q = random_state(one, draw, 1e-5);
     CHECK((one.residual(q, 0.3) - two.residual(q, 0.3)).norm() == 0);
     CHECK((one.tangent(q, 0.3) - two.tangent(q, 0.3)).norm() == 0);

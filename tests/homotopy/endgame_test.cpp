@@ -41,19 +41,16 @@ struct SlowQuartic {
 
 template <class M>
 struct Ends {
-    static constexpr auto kind = StartKind::general;
     std::vector<Endpoint<M>> ends;
 
     explicit Ends(const Parameters<M>& p, std::uint64_t seed = 1) {
         Generator generator(seed);
-        const auto target = coefficients<M, double>(p);
-        const auto scale = detail::equation_scales<M, double>(target);
-        const TotalDegreeStart<M> start(kind, scale, generator);
-        const auto h = Homotopy<M, kind, double>::total_degree(target, start);
-        const detail::Polisher<M, kind, double> polisher(h, p, scale);
-        const detail::StartPoints<M> points(start);
+        const ModelSystem<M> target(p);
+        const TotalDegree<M> start(target, generator);
+        const ModelHomotopy<M, TotalDegree<M>> h(target, start);
+        const detail::Polisher polisher(h);
         for (std::uint64_t path = 0; path < static_cast<std::uint64_t>(total_degree<M>()); ++path)
-            ends.push_back(detail::Endgame<M, kind, double>(h, polisher, TrackerOptions{}).from_start(points(path)));
+            ends.push_back(detail::Endgame<ModelHomotopy<M, TotalDegree<M>>>(h, polisher, TrackerOptions{}).from_start(start.point(path)));
     }
     void check(PathStatus status, int winding) const {
         for (const auto& end : ends) {

@@ -1,7 +1,7 @@
 // Evaluation of the homotopies: against the model's own function, finite differences, and Taylor's theorem.
 #include <complex>
 
-#include <equilibria/paths/path_solver.hpp>
+#include <equilibria/enumerate/enumerate.hpp>
 #include <equilibria/mechanisms/rotating_chain.hpp>
 
 #include "support/catch.hpp"
@@ -54,25 +54,25 @@ struct Dense {
 double size(const Z& z) { return std::sqrt(norm2(z)); }
 
 /// A homotopy of each kind at random parameters.
-template <class M, StartKind Kind>
-Homotopy<M, Kind, double> random_homotopy(Generator& generator, const Parameters<M>& p) {
-    const auto target = coefficients<M, double>(p);
-    if constexpr (Kind == StartKind::parameter) {
+template <class M, class StartSystem>
+ModelHomotopy<M, StartSystem> random_homotopy(Generator& generator, const Parameters<M>& p) {
+    const ModelSystem<M> target(p);
+    if constexpr (StartSystem::moving) {
         const auto from = coefficients<M, double>(random_parameters<M>(generator));
-        return Homotopy<M, Kind, double>::parameter(from, target, unit_complex(generator));
+        return {target, StartSystem(from, unit_complex(generator), {})};
     } else {
-        const TotalDegreeStart<M> start(Kind, detail::equation_scales<M, double>(target), generator);
-        return Homotopy<M, Kind, double>::total_degree(target, start);
+        return {target, StartSystem(target, generator)};
     }
 }
 
-template <class M, StartKind Kind>
+template <class M, class StartSystem>
 struct Case {
+    using H = ModelHomotopy<M, StartSystem>;
     static constexpr int n = n_unknowns<M>;
     Generator generator{static_cast<std::uint64_t>(n) + 10};
     Parameters<M> p = random_parameters<M>(generator);
-    Homotopy<M, Kind, double> h = random_homotopy<M, Kind>(generator, p);
-    detail::Evaluation<M, Kind, double, double, double> evaluation{h};
+    H h = random_homotopy<M, StartSystem>(generator, p);
+    typename H::template Evaluation<double, double> evaluation{h};
 
     void at_the_target_it_is_the_model() {
         for (int k = 0; k < 20; ++k) {
@@ -126,7 +126,7 @@ struct Case {
         const auto along = [&](double by, Z(&value)[n]) {
             Z step[n];
             for (int u = 0; u < n; ++u) step[u] = by * (given[0][u] + by * given[1][u]);
-            detail::Evaluation<M, Kind, double, double, double>(h).value(moved<M, double>(q, step), t + by, value);
+            typename H::template Evaluation<double, double>(h).value(moved<M, double>(q, step), t + by, value);
         };
         Z minus2[n], minus1[n], plus1[n], plus2[n];
         along(-2 * e, minus2), along(-e, minus1), along(e, plus1), along(2 * e, plus2);
@@ -145,35 +145,35 @@ struct Case {
 }  // namespace
 
 TEST_CASE("homotopy of the chain, reflected start") {
-    Case<mechanisms::RotatingChain<3>, StartKind::reflected>().all();
+    Case<mechanisms::RotatingChain<3>, Reflected<mechanisms::RotatingChain<3>>>().all();
 }
-TEST_CASE("homotopy of the chain, general start") { Case<mechanisms::RotatingChain<3>, StartKind::general>().all(); }
+TEST_CASE("homotopy of the chain, general start") { Case<mechanisms::RotatingChain<3>, TotalDegree<mechanisms::RotatingChain<3>>>().all(); }
 TEST_CASE("homotopy of the chain, from other parameters") {
-    Case<mechanisms::RotatingChain<3>, StartKind::parameter>().all();
+    Case<mechanisms::RotatingChain<3>, Moving<mechanisms::RotatingChain<3>>>().all();
 }
-TEST_CASE("homotopy of equations without a potential") { Case<models::CoupledAngles<3>, StartKind::general>().all(); }
-TEST_CASE("homotopy with a coordinate") { Case<models::ElasticPendulum, StartKind::general>().all(); }
-TEST_CASE("homotopy with multiples, powers and phases") { Case<models::Everything, StartKind::general>().all(); }
+TEST_CASE("homotopy of equations without a potential") { Case<models::CoupledAngles<3>, TotalDegree<models::CoupledAngles<3>>>().all(); }
+TEST_CASE("homotopy with a coordinate") { Case<models::ElasticPendulum, TotalDegree<models::ElasticPendulum>>().all(); }
+TEST_CASE("homotopy with multiples, powers and phases") { Case<models::Everything, TotalDegree<models::Everything>>().all(); }
 TEST_CASE("homotopy with multiples, powers and phases, from other parameters") {
-    Case<models::Everything, StartKind::parameter>().all();
+    Case<models::Everything, Moving<models::Everything>>().all();
 }
 
 TEST_CASE("homotopy of more terms than are unrolled, from other parameters") {
-    static_assert(!detail::Evaluation<Dense, StartKind::parameter, double, double, double>::unrolled);
-    Case<Dense, StartKind::parameter>().all();
+    using H = ModelHomotopy<Dense, Moving<Dense>>;
+    static_assert(std::is_same_v<H::Evaluation<double, double>, detail::TableEvaluation<H, double, double>>);
+    Case<Dense, Moving<Dense>>().all();
 }
 
 TEST_CASE("a total-degree start is the same homotopy, compiled alone or with the parameter homotopies, unrolled or not") {
     const auto check = []<class M>(M) {
         constexpr int n = n_unknowns<M>;
         Generator generator(7);
-        const auto target = coefficients<M, double>(random_parameters<M>(generator));
-        const auto scale = detail::equation_scales<M, double>(target);
-        const TotalDegreeStart<M> start(StartKind::general, scale, generator);
-        const auto alone = Homotopy<M, StartKind::general, double>::total_degree(target, start);
-        const auto together = Homotopy<M, StartKind::parameter, double>::total_degree(target, start);
-        detail::Evaluation<M, StartKind::general, double, double, double> a(alone);
-        detail::Evaluation<M, StartKind::parameter, double, double, double> b(together);
+        const ModelSystem<M> target(random_parameters<M>(generator));
+        Generator one(3), two(3);
+        const ModelHomotopy<M, TotalDegree<M>> alone(target, TotalDegree<M>(target, one));
+        const ModelHomotopy<M, Moving<M>> together(target, Moving<M>(target, two));
+        typename ModelHomotopy<M, TotalDegree<M>>::template Evaluation<double, double> a(alone);
+        typename ModelHomotopy<M, Moving<M>>::template Evaluation<double, double> b(together);
         for (const double t : {0.0, 0.3, 1.0}) {
             const auto q = random_point<M>(generator);
             Z f[n], g[n], j[n][n], k[n][n];
@@ -202,15 +202,14 @@ TEST_CASE("a total-degree start is the same homotopy, compiled alone or with the
 
 TEST_CASE("a total-degree homotopy is its start system at t = 0, and linear in t") {
     using M = mechanisms::RotatingChain<3>;
-    Case<M, StartKind::general> c;
+    Case<M, TotalDegree<M>> c;
     Generator generator(10 + 3);
     const auto p = random_parameters<M>(generator);
-    const TotalDegreeStart<M> start(StartKind::general, detail::equation_scales<M, double>(coefficients<M, double>(p)),
-                                    generator);
+    const TotalDegree<M> start(ModelSystem<M>(p), generator);
     Point<M, double> q;
     for (int i = 0; i < 3; ++i) {
-        set_lane(q.c[i], 0, start.points(i)[1].c);
-        set_lane(q.s[i], 0, start.points(i)[1].s);
+        set_lane(q.c[i], 0, start.system().points(i)[1].c);
+        set_lane(q.s[i], 0, start.system().points(i)[1].s);
     }
     Z zero[3], one[3], third[3];
     c.evaluation.value(q, 0.0, zero);
@@ -226,10 +225,11 @@ TEST_CASE("all lanes evaluate alike, and so do complex times") {
     using M = mechanisms::RotatingChain<3>;
     using R = Lanes<native_lanes>;
     Generator generator(5);
-    const auto h = random_homotopy<M, StartKind::reflected>(generator, random_parameters<M>(generator));
-    detail::Evaluation<M, StartKind::reflected, double, R, R> lanes(h);
-    detail::Evaluation<M, StartKind::reflected, double, double, double> scalar(h);
-    detail::Evaluation<M, StartKind::reflected, double, double, Z> complex_time(h);
+    const auto h = random_homotopy<M, Reflected<M>>(generator, random_parameters<M>(generator));
+    using H = ModelHomotopy<M, Reflected<M>>;
+    H::Evaluation<R, R> lanes(h);
+    H::Evaluation<double, double> scalar(h);
+    H::Evaluation<double, Z> complex_time(h);
     Point<M, R> pack{};
     Point<M, double> q[native_lanes];
     R t = broadcast<R>(0.0);

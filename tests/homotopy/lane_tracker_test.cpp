@@ -14,19 +14,18 @@ namespace {
 
 using M = mechanisms::TwoLinkChain;
 using Pack = Lanes<native_lanes>;
-constexpr auto kind = StartKind::general;
 
 struct Paths {
     Generator generator{1};
-    Array<double, Formulation<M>::terms> target = coefficients<M, double>(Parameters<M>{.3, 1.5, 2});
-    TotalDegreeStart<M> start{kind, detail::equation_scales<M, double>(target), generator};
-    Homotopy<M, kind, double> h = Homotopy<M, kind, double>::total_degree(target, start);
-    detail::StartPoints<M> points{start};
+    ModelSystem<M> target{Parameters<M>{.3, 1.5, 2}};
+    TotalDegree<M> start{target, generator};
+    ModelHomotopy<M, TotalDegree<M>> h{target, start};
 
     template <class R, bool Pivoted = false>
     std::vector<Endpoint<M>> track(const std::vector<std::uint64_t>& paths) const {
         std::vector<Endpoint<M>> ends(paths.size());
-        track_lanes<R, Pivoted>(h, TrackerOptions{}, std::span(paths), points, std::span(ends));
+        const auto point = [&](std::uint64_t k) { return start.point(k); };
+        track_lanes<R, Pivoted>(h, TrackerOptions{}, std::span(paths), point, std::span(ends));
         return ends;
     }
 };

@@ -14,13 +14,12 @@ using Digits50 = boost::multiprecision::number<boost::multiprecision::cpp_bin_fl
 
 TEST_CASE("paths tracked with 50 digits arrive where those of double do") {
     using M = models::Pendulum;
-    constexpr auto kind = StartKind::general;
     const Parameters<M> p{0.5};
     Generator generator(1);
-    const auto target = coefficients<M, double>(p);
-    const TotalDegreeStart<M> start(kind, detail::equation_scales<M, double>(target), generator);
-    const auto h = Homotopy<M, kind, double>::total_degree(target, start);
-    const detail::StartPoints<M> points(start);
+    const ModelSystem<M> target(p);
+    const TotalDegree<M> start(target, generator);
+    const ModelHomotopy<M, TotalDegree<M>> h(target, start);
+    const auto points = [&](std::uint64_t k) { return start.point(k); };
     const std::vector<std::uint64_t> paths{0, 1};
     std::vector<Endpoint<M>> ends(2), exact(2);
     track_lanes<double, true>(h, TrackerOptions{}, std::span(paths), points, std::span(ends));
@@ -46,17 +45,15 @@ struct Cubic {
 /// The ends of all paths, endgame included, with 50 digits.
 template <class M>
 std::vector<Endpoint<M>> ends(const Parameters<M>& p, std::uint64_t seed) {
-    constexpr auto kind = StartKind::general;
     Generator generator(seed);
-    const auto target = coefficients<M, double>(p);
-    const auto scale = detail::equation_scales<M, double>(target);
-    const TotalDegreeStart<M> start(kind, scale, generator);
-    const auto h = Homotopy<M, kind, double>::total_degree(target, start);
-    const detail::Polisher<M, kind, double> polisher(h, p, scale);
-    const detail::StartPoints<M> points(start);
+    const ModelSystem<M> target(p);
+    const TotalDegree<M> start(target, generator);
+    const ModelHomotopy<M, TotalDegree<M>> h(target, start);
+    const detail::Polisher polisher(h);
     std::vector<Endpoint<M>> y;
     for (std::uint64_t path = 0; path < static_cast<std::uint64_t>(total_degree<M>()); ++path)
-        y.push_back(detail::Endgame<M, kind, double, Digits50>(h, polisher, TrackerOptions{}).from_start(points(path)));
+        y.push_back(detail::Endgame<ModelHomotopy<M, TotalDegree<M>>, Digits50>(h, polisher, TrackerOptions{})
+                        .from_start(start.point(path)));
     return y;
 }
 

@@ -2,7 +2,7 @@
 #include <cmath>
 #include <complex>
 
-#include <equilibria/paths/path_solver.hpp>
+#include <equilibria/enumerate/enumerate.hpp>
 #include <equilibria/mechanisms/rotating_chain.hpp>
 
 #include "support/catch.hpp"
@@ -24,16 +24,14 @@ struct TwinRoots {
 /// A polisher of the model at p. The homotopy's start plays no part at t = 1.
 template <class M>
 struct Polished {
-    static constexpr auto kind = StartKind::general;
-    Parameters<M> p;
+    using H = ModelHomotopy<M, TotalDegree<M>>;
+    ModelSystem<M> target;
     Generator generator{1};
-    Array<double, Formulation<M>::terms> target = coefficients<M, double>(p);
-    Array<double, n_unknowns<M>> scale = detail::equation_scales<M, double>(target);
-    TotalDegreeStart<M> start{kind, scale, generator};
-    Homotopy<M, kind, double> h = Homotopy<M, kind, double>::total_degree(target, start);
-    detail::Polisher<M, kind, double> polisher{h, p, scale};
+    TotalDegree<M> start{target, generator};
+    H h{target, start};
+    detail::Polisher<H> polisher{h};
 
-    explicit Polished(const Parameters<M>& parameters) : p(parameters) {}
+    explicit Polished(const Parameters<M>& p) : target(p) {}
 
     Point<M, double> at(const Array<std::complex<double>, n_angles<M>>& theta) const {
         Point<M, double> q;

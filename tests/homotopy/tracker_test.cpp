@@ -2,7 +2,7 @@
 #include <cmath>
 #include <limits>
 
-#include <equilibria/paths/path_solver.hpp>
+#include <equilibria/enumerate/enumerate.hpp>
 #include <equilibria/homotopy/tracker.hpp>
 #include <equilibria/mechanisms/rotating_chain.hpp>
 
@@ -13,25 +13,24 @@ using namespace equilibria;
 namespace {
 
 using M = mechanisms::RotatingChain<3>;
-constexpr auto kind = StartKind::general;
+using H = ModelHomotopy<M, TotalDegree<M>>;
 using Z = Complex<double>;
 
 /// A path of a chain, followed with small steps to t = 0.3.
 struct OnAPath {
-    Parameters<M> p{1.1, 1.2, 1.3, 1.05, 1.2, 1.45, 1.7, 1};
+    ModelSystem<M> target{{1.1, 1.2, 1.3, 1.05, 1.2, 1.45, 1.7, 1}};
     Generator generator{3};
-    Array<double, Formulation<M>::terms> target = coefficients<M, double>(p);
-    TotalDegreeStart<M> start{kind, detail::equation_scales<M, double>(target), generator};
-    Homotopy<M, kind, double> h = Homotopy<M, kind, double>::total_degree(target, start);
+    TotalDegree<M> start{target, generator};
+    H h{target, start};
     TrackerOptions options;
-    detail::Stepper<M, kind, double, double> stepper{h, options};
+    detail::Stepper<H, double> stepper{h, options};
     Point<M, double> q;
     double t = 0;
 
     OnAPath() {
         for (int i = 0; i < 3; ++i) {
-            set_lane(q.c[i], 0, start.points(i)[2].c);
-            set_lane(q.s[i], 0, start.points(i)[2].s);
+            set_lane(q.c[i], 0, start.system().points(i)[2].c);
+            set_lane(q.s[i], 0, start.system().points(i)[2].s);
         }
         while (t < 0.3) advance(std::min(0.01, 0.3 - t));
         stepper.expand(q, t);
@@ -48,7 +47,7 @@ struct OnAPath {
 
 double residual(const OnAPath& path, const Point<M, double>& q, double t) {
     Z f[3];
-    detail::Evaluation<M, kind, double, double, double>(path.h).value(q, t, f);
+    H::Evaluation<double, double>(path.h).value(q, t, f);
     double sum = 0;
     for (const Z& z : f) sum += std::sqrt(norm2(z));
     return sum;
@@ -95,18 +94,36 @@ TEST_CASE("an accepted step is on the path") {
     }
 }
 
-TEST_CASE("a step is cut to a part of the distance to the nearest pole, and refused where it predicts badly") {
+TEST_CASE("a step is cut to a part of the distance to the nearest pole") {
     OnAPath path;
     const auto outcome = path.stepper.step(path.q, path.t, 10);
     CHECK(outcome.step < 1);
     CHECK(outcome.next_step > 0);
-    TrackerOptions careless;
-    careless.pole_fraction = 0.99;
-    careless.largest_turn = 0.5;
-    detail::Stepper<M, kind, double, double> stepper(path.h, careless);
+    TrackerOptions half = path.options;
+    half.pole_fraction /= 2;
+    detail::Stepper<H, double> stepper(path.h, half);
     stepper.expand(path.q, path.t);
-    const auto long_step = stepper.step(path.q, path.t, 0.5);
-    if (!long_step.accepted) CHECK(long_step.next_step <= 0.5 * long_step.step);
+    CHECK(stepper.step(path.q, path.t, 10).step == Approx(outcome.step / 2).epsilon(1e-6));
+}
+
+TEST_CASE("a step that predicts badly is refused, and the next one is shorter") {
+    // contractions as small as rounding are asked for: no step of this length has one
+    OnAPath path;
+    TrackerOptions strict = path.options;
+    strict.contraction = strict.largest_contraction = 1e-9;
+    detail::Stepper<H, double> stepper(path.h, strict);
+    stepper.expand(path.q, path.t);
+    const auto refused = stepper.step(path.q, path.t, 0.1);
+    CHECK_FALSE(refused.accepted);
+    CHECK(refused.next_step <= 0.5 * refused.step);
+    // and one that turns an angle too far
+    TrackerOptions still = path.options;
+    still.largest_turn = 1e-4;
+    detail::Stepper<H, double> slow(path.h, still);
+    slow.expand(path.q, path.t);
+    const auto turned = slow.step(path.q, path.t, 0.1);
+    CHECK_FALSE(turned.accepted);
+    CHECK(turned.next_step <= 0.5 * turned.step);
 }
 
 TEST_CASE("numbers that are not numbers are refused, and the step shrinks") {
@@ -122,7 +139,7 @@ TEST_CASE("numbers that are not numbers are refused, and the step shrinks") {
 
 TEST_CASE("a segment of the complex t-plane: there and back") {
     OnAPath path;
-    detail::Stepper<M, kind, double, double, Z, true> stepper(path.h, path.options);
+    detail::Stepper<H, double, Z, true> stepper(path.h, path.options);
     const auto follow = [&](Point<M, double>& q, Z from, Z by) {
         stepper.set_segment(from, by);
         for (double tau = 0, h = 0.02; tau < 1;) {
@@ -137,12 +154,10 @@ TEST_CASE("a segment of the complex t-plane: there and back") {
     auto q = path.q;
     follow(q, {0.3, 0}, {0.1, 0.05});
     follow(q, {0.4, 0.05}, {-0.1, -0.05});
-    Z f[3];
     for (int i = 0; i < 3; ++i) {
         CHECK(std::sqrt(norm2(q.c[i] - path.q.c[i])) < 1e-9);
         CHECK(std::sqrt(norm2(q.s[i] - path.q.s[i])) < 1e-9);
     }
-    (void)f;
 }
 
 TEST_CASE("tightened options are valid, and tighter") {

@@ -178,7 +178,7 @@ TEST_CASE("A chain measured from other directions has the same events") {
     const Parameters<Chain> p{0.4, 1.5, 0};
     const auto straight = find_events<Chain, Chain::omega>(p, 0, 5);
     const auto turned =
-        find_events<TurnedChain, TurnedChain::omega>({p[0], p[1], p[2]}, 0, 5, {.seed = 5, .threads = 2});
+        find_events<TurnedChain, TurnedChain::omega>({p[0], p[1], p[2]}, 0, 5, {.seed = 5, .executor = threads(2)});
     check_accounts(straight);
     check_accounts(turned);
     // facts.md, alpha = .4
@@ -292,7 +292,7 @@ TEST_CASE("A wide segment has the events of a narrow one") {
 TEST_CASE("A search for events refuses what it cannot do") {
     constexpr int torque = TorquePendulum::torque;
     constexpr double infinity = std::numeric_limits<double>::infinity(), nan = std::numeric_limits<double>::quiet_NaN();
-    const auto on = [](double low, double high, const EnumerateOptions& options = {}) {
+    const auto on = [](double low, double high, const RunOptions& options = {}) {
         return refusal([&] { find_events<TorquePendulum, torque>({0, 1}, low, high, options); });
     };
     const std::string range = ": must be finite and run from the smaller to the larger value";
@@ -303,7 +303,6 @@ TEST_CASE("A search for events refuses what it cannot do") {
     std::atomic<bool> cancel = false;
     CHECK(on(0, 1, {.checkpoint = "here"}) == "checkpoint = here: must be empty: it keeps a single enumeration");
     CHECK(on(0, 1, {.cancel = &cancel}) == "cancel = given: must be empty: a search for events cannot be cancelled");
-    CHECK(on(0, 1, {.threads = 2000}) == "threads = 2000: must be 0 (all) to 1024");
     CHECK(refusal([] {
               find_events<TorquePendulum, torque>({0, nan}, 0, 1);
           }) == "parameters[1] = nan: must be finite");

@@ -26,17 +26,17 @@ namespace {
 /// How `text` begins before the part of it that depends on the compiler.
 bool starts_with(const std::string& text, const std::string& begin) { return text.rfind(begin, 0) == 0; }
 
-template <class M, StartKind Kind = natural_start<M>()>
-std::string refused(const Parameters<M>& p, const EnumerateOptions& options) {
-    const std::string begin = "checkpoint = " + options.checkpoint + ": ";
-    const std::string said = tests::refusal([&] { enumerate<M, Kind>(p, options); });
+template <class M, class StartSystem = NaturalStart<M>>
+std::string refused(const Parameters<M>& p, const RunOptions& run, const TrackerOptions& tracker = {}) {
+    const std::string begin = "checkpoint = " + run.checkpoint + ": ";
+    const std::string said = tests::refusal([&] { enumerate<M, StartSystem>(p, run, tracker); });
     return starts_with(said, begin) ? said.substr(begin.size()) : said;
 }
 
 /// Cancels `run`, an enumeration with the given options, after about `part` of the paths, again and again, until it
 /// gets to its end; returns the result and how often it was cancelled.
 template <class Run>
-auto with_interruptions(EnumerateOptions options, double part, int& cancellations, Run&& run) {
+auto with_interruptions(RunOptions options, double part, int& cancellations, Run&& run) {
     std::atomic<bool> cancel = false;
     std::uint64_t done = 0, before = 0;
     options.cancel = &cancel;
@@ -55,6 +55,11 @@ auto with_interruptions(EnumerateOptions options, double part, int& cancellation
         // at least one block was finished
         REQUIRE(done > before);
     }
+}
+
+/// Makes paths cross.
+TrackerOptions careless() {
+    return {.contraction = 0.05, .largest_contraction = 0.1, .largest_turn = 0.5, .pole_fraction = 0.99};
 }
 
 Endpoint<models::Everything> random_endpoint(Generator& generator) {
@@ -168,43 +173,37 @@ TEST_CASE("records that do not fit the run are refused with their number") {
 TEST_CASE("cancelled and resumed, the result is that of a run that was never interrupted") {
     const auto p = tests::benchmark_chain<4>();
     const auto whole = enumerate<Chain<4>>(p);
-    for (const unsigned threads : {1u, 2u}) {
+    for (const unsigned count : {1u, 2u}) {
         const ScratchFile scratch("resumed.ckpt");
         int cancellations = 0;
-        const auto resumed = with_interruptions({.threads = threads, .checkpoint = scratch.name()}, 0.2, cancellations,
-                                                [&](const EnumerateOptions& o) { return enumerate<Chain<4>>(p, o); });
+        const auto resumed =
+            with_interruptions({.executor = threads(count), .checkpoint = scratch.name()}, 0.2, cancellations,
+                               [&](const RunOptions& o) { return enumerate<Chain<4>>(p, o); });
         CHECK(cancellations > 0);
         CHECK(tests::identical(resumed, whole));
         CHECK(resumed.paths.tracked == whole.paths.tracked);
         // and once more, from the finished file
         const auto before = scratch.bytes();
-        const auto read = enumerate<Chain<4>>(p, {.threads = 3 - threads, .checkpoint = scratch.name()});
+        const auto read = enumerate<Chain<4>>(p, {.executor = threads(3 - count), .checkpoint = scratch.name()});
         CHECK(tests::identical(read, whole));
         CHECK(scratch.bytes() == before);
     }
 }
 
 TEST_CASE("paths to infinity, failed, singular and retracked ones are resumed as they are") {
-    EnumerateOptions few_steps;
-    few_steps.tracker.most_steps = 12;
-    EnumerateOptions careless;  // crossings
-    careless.tracker.contraction = 0.05;
-    careless.tracker.largest_contraction = 0.1;
-    careless.tracker.pole_fraction = 0.99;
-    careless.tracker.largest_turn = 0.5;
-    careless.seed = 72;
+    TrackerOptions few_steps;
+    few_steps.most_steps = 12;
     Generator generator(5);
     auto crossing = tests::random_chain<3>(generator);
     for (int k = 1; k < 36; ++k) crossing = tests::random_chain<3>(generator);
     const auto rotating = tests::benchmark_chain<3>(), resting = tests::benchmark_chain<3>(0.0),
                degenerate = tests::chain<3>({1, 1, 1}, {1, 1, 1}, 1.7, 0);
-    const auto check = [](const Parameters<Chain<3>>& p, EnumerateOptions options) {
-        const auto whole = enumerate<Chain<3>>(p, options);
+    const auto check = [](const Parameters<Chain<3>>& p, const TrackerOptions& tracker, std::uint64_t seed = 1) {
+        const auto whole = enumerate<Chain<3>>(p, {.seed = seed}, tracker);
         const ScratchFile scratch("kinds.ckpt");
-        options.checkpoint = scratch.name();
         int cancellations = 0;
-        const auto resumed = with_interruptions(options, 0.1, cancellations,
-                                                [&](const EnumerateOptions& o) { return enumerate<Chain<3>>(p, o); });
+        const auto resumed = with_interruptions({.seed = seed, .checkpoint = scratch.name()}, 0.1, cancellations,
+                                                [&](const RunOptions& o) { return enumerate<Chain<3>>(p, o, tracker); });
         CHECK(tests::identical(resumed, whole));
         CHECK(resumed.failures.size() == whole.failures.size());
         return whole.paths;
@@ -212,7 +211,7 @@ TEST_CASE("paths to infinity, failed, singular and retracked ones are resumed as
     CHECK(check(rotating, few_steps).retracked > 0);
     CHECK(check(resting, {}).at_infinity > 0);
     CHECK(check(degenerate, {}).singular > 0);
-    check(crossing, careless);
+    check(crossing, careless(), 72);
 }
 
 TEST_CASE("a parameter homotopy is resumed too, from the same solved instance only") {
@@ -223,7 +222,7 @@ TEST_CASE("a parameter homotopy is resumed too, from the same solved instance on
     const ScratchFile scratch("parameter.ckpt");
     int cancellations = 0;
     const auto resumed = with_interruptions({.checkpoint = scratch.name()}, 0.2, cancellations,
-                                            [&](const EnumerateOptions& o) { return enumerate(solved, p, o); });
+                                            [&](const RunOptions& o) { return enumerate(solved, p, o); });
     CHECK(tests::identical(resumed, whole));
     const auto other = enumerate<Chain<3>>(tests::benchmark_chain<3>(1.6));
     const auto said = tests::refusal([&] { enumerate(other, p, {.checkpoint = scratch.name()}); });
@@ -235,37 +234,37 @@ TEST_CASE("a parameter homotopy is resumed too, from the same solved instance on
 TEST_CASE("the checkpoint of another model, seed, parameter, start or option is refused by name and left alone") {
     const ScratchFile scratch("other_run.ckpt");
     const auto p = tests::benchmark_chain<3>();
-    const EnumerateOptions options{.seed = 5, .checkpoint = scratch.name()};
+    const RunOptions options{.seed = 5, .checkpoint = scratch.name()};
     enumerate<Chain<3>>(p, options);
     const auto before = scratch.bytes();
     const auto said = [&](auto change) {
         auto q = p;
         auto o = options;
-        change(q, o);
-        return refused<Chain<3>>(q, o);
+        TrackerOptions tracker;
+        change(q, o, tracker);
+        return refused<Chain<3>>(q, o, tracker);
     };
-    CHECK(starts_with(said([](auto&, auto& o) { o.seed = 6; }),
+    CHECK(starts_with(said([](auto&, auto& o, auto&) { o.seed = 6; }),
                       "is of another run: its seed is 5, this run's is 6; its homotopy is "));
-    CHECK(starts_with(said([](auto& q, auto&) { q[3] = 0.5; }),
+    CHECK(starts_with(said([](auto& q, auto&, auto&) { q[3] = 0.5; }),
                       "is of another run: its parameters[3] is 1.05, this run's is 0.5; its homotopy is "));
-    CHECK(said([](auto&, auto& o) { o.tracker.contraction = 0.002; }) ==
+    CHECK(said([](auto&, auto&, auto& o) { o.contraction = 0.002; }) ==
           "is of another run: its contraction is 0.001, this run's is 0.002");
-    CHECK(said([](auto&, auto& o) { o.tracker.largest_contraction = 0.03; }) ==
+    CHECK(said([](auto&, auto&, auto& o) { o.largest_contraction = 0.03; }) ==
           "is of another run: its largest_contraction is 0.02, this run's is 0.029999999999999999");
-    CHECK(said([](auto&, auto& o) { o.tracker.largest_turn = 0.25; }) ==
+    CHECK(said([](auto&, auto&, auto& o) { o.largest_turn = 0.25; }) ==
           "is of another run: its largest_turn is 0.40000000000000002, this run's is 0.25");
-    CHECK(said([](auto&, auto& o) { o.tracker.pole_fraction = 0.5; }) ==
+    CHECK(said([](auto&, auto&, auto& o) { o.pole_fraction = 0.5; }) ==
           "is of another run: its pole_fraction is 0.40000000000000002, this run's is 0.5");
-    CHECK(said([](auto&, auto& o) { o.tracker.smallest_step = 0.0009765625; }) ==
+    CHECK(said([](auto&, auto&, auto& o) { o.smallest_step = 0.0009765625; }) ==
           "is of another run: its smallest_step is 9.9999999999999998e-13, this run's is 0.0009765625");
-    CHECK(said([](auto&, auto& o) { o.tracker.endgame_start = 0.0625; }) ==
+    CHECK(said([](auto&, auto&, auto& o) { o.endgame_start = 0.0625; }) ==
           "is of another run: its endgame_start is 1.0000000000000001e-05, this run's is 0.0625");
-    CHECK(said([](auto&, auto& o) { o.tracker.most_steps = 100; }) ==
+    CHECK(said([](auto&, auto&, auto& o) { o.most_steps = 100; }) ==
           "is of another run: its most_steps is 3000, this run's is 100");
-    CHECK(said([](auto&, auto& o) { o.threads = 2; }) == "nothing was refused");
-    CHECK(
-        refused<Chain<3>, StartKind::general>(p, options).find("its start is reflected, this run's is total degree") !=
-        std::string::npos);
+    CHECK(said([](auto&, auto& o, auto&) { o.executor = threads(2); }) == "nothing was refused");
+    CHECK(refused<Chain<3>, TotalDegree<Chain<3>>>(p, options)
+              .find("its start is reflected, this run's is total degree") != std::string::npos);
     const auto other_model = refused<Chain<2>>(tests::benchmark_chain<2>(), options);
     CHECK(starts_with(other_model, "is of another run: its model is "));
     CHECK(other_model.find("RotatingChain<3> (3 angles, 0 coordinates, ") != std::string::npos);
@@ -276,7 +275,7 @@ TEST_CASE("the checkpoint of another model, seed, parameter, start or option is 
 TEST_CASE("a checkpoint that is cut or damaged is refused and left alone") {
     const ScratchFile scratch("damaged.ckpt");
     const auto p = tests::benchmark_chain<3>();
-    const EnumerateOptions options{.checkpoint = scratch.name()};
+    const RunOptions options{.checkpoint = scratch.name()};
     enumerate<Chain<3>>(p, options);
     const auto sound = scratch.bytes();
     auto damaged = sound;
@@ -315,22 +314,23 @@ TEST_CASE("without a checkpoint a cancelled run says what it did not finish") {
 }
 
 TEST_CASE("streamed roots are those of a run that keeps them, and take no part in a cancelled one") {
-    const auto check = [](const Parameters<Chain<3>>& p, EnumerateOptions options) {
-        const auto whole = enumerate<Chain<3>>(p, options);
+    const auto check = [](const Parameters<Chain<3>>& p, RunOptions options, const TrackerOptions& tracker = {}) {
+        const auto whole = enumerate<Chain<3>>(p, options, tracker);
         const ScratchFile scratch("streamed.ckpt");
         options.checkpoint = scratch.name();
         std::vector<Root<Chain<3>>> roots;
         std::vector<Equilibrium<Chain<3>>> equilibria;
         int cancellations = 0;
-        const auto streamed = with_interruptions(options, 0.3, cancellations, [&](const EnumerateOptions& o) {
+        const auto streamed = with_interruptions(options, 0.3, cancellations, [&](const RunOptions& o) {
             CHECK(roots.empty());
-            return enumerate<Chain<3>>(p, o, [&](const Root<Chain<3>>& root, const Equilibrium<Chain<3>>* e) {
+            const auto take = [&](const Root<Chain<3>>& root, const Equilibrium<Chain<3>>* e) {
                 roots.push_back(root);
                 if (e) equilibria.push_back(*e);
-            });
+            };
+            return enumerate<Chain<3>>(p, o, take, tracker);
         });
         RootSet<Chain<3>> kept = whole;
-        detail::sort_by_path(roots);
+        std::sort(roots.begin(), roots.end(), [](const auto& a, const auto& b) { return a.path < b.path; });
         kept.roots = roots;
         const auto order = [](const auto& e) { return std::tuple(e.index, e.nullity, e.path); };
         std::sort(equilibria.begin(), equilibria.end(), [&](auto& a, auto& b) { return order(a) < order(b); });
@@ -347,19 +347,13 @@ TEST_CASE("streamed roots are those of a run that keeps them, and take no part i
         CHECK(streamed.largest_real_imaginary == whole.largest_real_imaginary);
         CHECK(streamed.smallest_nonreal_imaginary == whole.smallest_nonreal_imaginary);
     };
-    check(tests::benchmark_chain<3>(), {.threads = 2});
+    check(tests::benchmark_chain<3>(), {.executor = threads(2)});
     check(tests::benchmark_chain<3>(0.0), {});
     Generator generator(5);
     auto crossing = tests::random_chain<3>(generator);
     for (int k = 1; k < 36; ++k) crossing = tests::random_chain<3>(generator);
     check(tests::chain<3>({1, 1, 1}, {1, 1, 1}, 1.7, 0), {});
-    EnumerateOptions careless;
-    careless.tracker.contraction = 0.05;
-    careless.tracker.largest_contraction = 0.1;
-    careless.tracker.pole_fraction = 0.99;
-    careless.tracker.largest_turn = 0.5;
-    careless.seed = 72;
-    check(crossing, careless);  // one path does cross, with g++
+    check(crossing, {.seed = 72}, careless());  // one path does cross, with g++
 
     const auto ignore = [](const auto&, const auto*) {};
     CHECK(tests::refusal([&] { enumerate<Chain<3>>(tests::benchmark_chain<3>(), {}, ignore); }) ==
@@ -373,13 +367,13 @@ TEST_CASE("killed at any moment and resumed, the result is the same", "[kill]") 
     int kills = 0;
     for (int round = 0; round < 4; ++round) {
         const ScratchFile scratch("killed.ckpt");
-        const EnumerateOptions options{.threads = round % 2 == 0 ? 1u : 2u, .checkpoint = scratch.name()};
+        const RunOptions options{.executor = threads(round % 2 == 0 ? 1u : 2u), .checkpoint = scratch.name()};
         for (int attempt = 0;; ++attempt) {
             const pid_t child = fork();
             REQUIRE(child >= 0);
             if (child == 0) {
                 // slow enough to be hit: a real run's blocks take a second
-                EnumerateOptions slow = options;
+                RunOptions slow = options;
                 slow.progress = [](auto, auto) { std::this_thread::sleep_for(std::chrono::milliseconds(2)); };
                 _exit(enumerate<Chain<4>>(p, slow).clean() ? 0 : 1);
             }

@@ -28,34 +28,29 @@ using PolynomialOf = TrigonometricPolynomial<n_angles<M>, n_coordinates<M>, C>;
 
 namespace detail {
 
-/// The equations as polynomials, their coefficients for the parameters p. A model derived from another one may give
-/// them itself, by a static `polynomials<C>(p)`.
+/// The equations as polynomials, their coefficients for the parameters p.
 template <class M, class C>
 constexpr std::vector<PolynomialOf<M, C>> symbolic_equations(const Parameters<M, C>& p) {
-    if constexpr (requires { M::template polynomials<C>(p); }) {
-        return M::template polynomials<C>(p);
+    using Polynomial = PolynomialOf<M, C>;
+    using Scalar = SymbolicScalar<n_angles<M>, n_coordinates<M>, C>;
+    using Angle = SymbolicAngle<n_angles<M>, n_coordinates<M>, C>;
+    typename Scalar::Pool pool;
+    Array<Angle, n_angles<M>> theta;
+    Array<Scalar, n_coordinates<M>> x;
+    Parameters<M, Scalar> q;
+    for (int i = 0; i < theta.size(); ++i) theta[i] = Angle(&pool, i);
+    for (int j = 0; j < x.size(); ++j)
+        x[j] = Scalar(&pool, Polynomial(Polynomial::Basis::single(n_angles<M> + j, 1), C(1)));
+    for (int k = 0; k < q.size(); ++k) q[k] = Scalar(p[k]);
+    std::vector<Polynomial> f;
+    if constexpr (PotentialModel<M>) {
+        const Polynomial v = Scalar(call_potential(M{}, theta, x, q)).polynomial();
+        for (int i = 0; i < n_unknowns<M>; ++i) f.push_back(derivative(v, i));
     } else {
-        using Polynomial = PolynomialOf<M, C>;
-        using Scalar = SymbolicScalar<n_angles<M>, n_coordinates<M>, C>;
-        using Angle = SymbolicAngle<n_angles<M>, n_coordinates<M>, C>;
-        typename Scalar::Pool pool;
-        Array<Angle, n_angles<M>> theta;
-        Array<Scalar, n_coordinates<M>> x;
-        Parameters<M, Scalar> q;
-        for (int i = 0; i < theta.size(); ++i) theta[i] = Angle(&pool, i);
-        for (int j = 0; j < x.size(); ++j)
-            x[j] = Scalar(&pool, Polynomial(Polynomial::Basis::single(n_angles<M> + j, 1), C(1)));
-        for (int k = 0; k < q.size(); ++k) q[k] = Scalar(p[k]);
-        std::vector<Polynomial> f;
-        if constexpr (PotentialModel<M>) {
-            const Polynomial v = Scalar(call_potential(M{}, theta, x, q)).polynomial();
-            for (int i = 0; i < n_unknowns<M>; ++i) f.push_back(derivative(v, i));
-        } else {
-            const auto values = call_equations(M{}, theta, x, q);
-            for (const auto& value : values) f.push_back(Scalar(value).polynomial());
-        }
-        return f;
+        const auto values = call_equations(M{}, theta, x, q);
+        for (const auto& value : values) f.push_back(Scalar(value).polynomial());
     }
+    return f;
 }
 
 /// Generic parameters: in [0.25, 1), 53 random bits each (splitmix64), so that no relation with small integers holds,
@@ -203,7 +198,7 @@ struct Formulation {
     /// Whether F(-theta) = -F(theta): every term has an odd number of sines. Then theta -> -theta maps equilibria to
     /// equilibria. (Angles only: with plain coordinates the library does not use the reflection.)
     static constexpr bool reflection_symmetric = [] {
-        if (n_coordinates < M >> 0) return false;
+        if (n_coordinates<M> != 0) return false;
         for (const auto& t : support) {
             int sines = 0;
             for (int u = 0; u < unknowns; ++u) sines += t.monomial.code(u) < 0;

@@ -16,7 +16,7 @@ namespace equilibria {
 template <int Angles, int Coordinates>
 class Monomial {
 public:
-    static constexpr int unknowns = Angles + Coordinates;
+    static constexpr int angles = Angles, unknowns = Angles + Coordinates;
     static constexpr int highest = 127;  ///< the largest multiple of an angle and power of a coordinate
 
     constexpr int code(int unknown) const {

@@ -31,16 +31,21 @@ template <class M>
 struct ExactSystem {
     std::vector<ExactTerm<M>> terms;
 
+    ExactSystem() = default;
+    /// From an equation each, polynomials over exact numbers.
+    template <class Polynomials>
+    explicit ExactSystem(const Polynomials& equations) {
+        int equation = 0;
+        for (const auto& f : equations) {
+            for (const auto& t : f.terms()) terms.push_back({equation, t.monomial, t.coefficient});
+            ++equation;
+        }
+    }
+
     /// The system at the parameters p, each a number or an interval. Throws InvalidArgument where a coefficient is not
     /// finite or divides by 0 there.
     static ExactSystem at(const Parameters<M, ExactBall>& p) {
-        ExactSystem y;
-        int equation = 0;
-        for (const auto& f : detail::symbolic_equations<M, ExactBall>(p)) {
-            for (const auto& t : f.terms()) y.terms.push_back({equation, t.monomial, t.coefficient});
-            ++equation;
-        }
-        return y;
+        return ExactSystem(detail::symbolic_equations<M, ExactBall>(p));
     }
     static ExactSystem at(const Parameters<M>& p) {
         Parameters<M, ExactBall> exact;

@@ -14,7 +14,7 @@
 #include <equilibria/dynamics/lagrange_second_kind.hpp>
 #include <equilibria/dynamics/motion.hpp>
 #include <equilibria/model/model.hpp>
-#include <equilibria/run/parallel.hpp>
+#include <equilibria/run/threads.hpp>
 
 namespace equilibria {
 
@@ -24,7 +24,7 @@ struct BasinOptions {
     /// A motion has settled when the energy that it has left above an equilibrium is below this share of the barrier:
     /// the height of the lowest unstable equilibrium above it.
     double settled_share = 1e-8;
-    unsigned threads = 1;  ///< 0: one each core. It does not change the result.
+    Executor executor{};  ///< serial, or threads(n); does not change the result
 };
 
 /// Where a motion ended.
@@ -115,7 +115,7 @@ std::vector<Settled<M>> find_basins(const Parameters<M>& p, const Equilibria& eq
     };
 
     std::vector<Settled<M>> y(starts.size());
-    parallel_blocks(starts.size(), 1, options.threads, [&](std::size_t from, std::size_t to) {
+    options.executor.for_blocks(starts.size(), 1, [&](std::size_t from, std::size_t to) {
         for (std::size_t k = from; k < to; ++k) y[k] = follow(starts[k]);
     });
     return y;

@@ -18,7 +18,7 @@
 #include <vector>
 
 #include <equilibria/enumerate/root_set.hpp>
-#include <equilibria/run/parallel.hpp>
+#include <equilibria/run/run_options.hpp>
 
 namespace equilibria {
 
@@ -44,14 +44,14 @@ class RootPartners {
 public:
     std::uint64_t without_conjugate = 0, without_mirror_image = 0, doubled = 0;
 
-    RootPartners(const std::vector<Root<M>>& roots, unsigned threads) : roots_(&roots), entries_(roots.size()) {
-        parallel_blocks(roots.size(), 4096, threads, [&](std::size_t first, std::size_t last) {
+    RootPartners(const std::vector<Root<M>>& roots, const Executor& executor) : roots_(&roots), entries_(roots.size()) {
+        executor.for_blocks(roots.size(), 4096, [&](std::size_t first, std::size_t last) {
             for (std::size_t k = first; k < last; ++k) entries_[k] = entry(roots[k], k);
         });
         std::sort(entries_.begin(), entries_.end(),
                   [](const Entry& a, const Entry& b) { return std::pair(a.key, a.root) < std::pair(b.key, b.root); });
         std::vector<std::array<std::uint8_t, 3>> found(roots.size());
-        parallel_blocks(roots.size(), 4096, threads, [&](std::size_t first, std::size_t last) {
+        executor.for_blocks(roots.size(), 4096, [&](std::size_t first, std::size_t last) {
             for (std::size_t e = first; e < last; ++e) found[e] = partners(e);
         });
         for (const auto& f : found) without_conjugate += !f[0], without_mirror_image += !f[1], doubled += f[2];
@@ -113,34 +113,47 @@ private:
 
 }  // namespace detail
 
+namespace detail {
+
+inline std::string counted(const Alarm& a) { return std::to_string(static_cast<std::int64_t>(a.value)); }
+
+/// The sum of (-1)^index over nondegenerate equilibria, given by their indices.
+inline Alarm poincare_hopf(const std::vector<std::int64_t>& by_index, bool only_angles, bool regular) {
+    Alarm y;
+    if (!only_angles) {
+        y.sentence = "Poincare-Hopf does not apply: the unknowns are not only angles";
+    } else if (!regular) {
+        y.sentence = "Poincare-Hopf does not apply: there are singular roots";
+    } else {
+        std::int64_t sum = 0;
+        for (std::size_t k = 0; k < by_index.size(); ++k) sum += k % 2 == 0 ? by_index[k] : -by_index[k];
+        y.applied = true;
+        y.value = static_cast<double>(sum);
+        y.sentence = "the sum of (-1)^index is " + counted(y) + ", on a torus it is 0";
+    }
+    return y;
+}
+
+}  // namespace detail
+
 /// The tests that cost no path, done on the set as it is. set.alarms is not read: `enumerate` stores there what this
 /// returns. The trace test comes out as not applied.
 template <Model M>
-Alarms check_alarms(const RootSet<M>& set, unsigned threads = 1) {
+Alarms check_alarms(const RootSet<M>& set, const Executor& executor = {}) {
     Alarms y;
-    const auto count = [](const Alarm& a) { return std::to_string(static_cast<std::int64_t>(a.value)); };
-    if (n_coordinates < M >> 0) {
-        y.poincare_hopf.sentence = "Poincare-Hopf does not apply: the unknowns are not only angles";
-    } else if (set.degenerate() > 0 || set.paths.singular > 0) {
-        y.poincare_hopf.sentence = "Poincare-Hopf does not apply: there are singular roots";
-    } else {
-        std::int64_t sum = 0;
-        for (const auto& e : set.equilibria) sum += e.index % 2 == 0 ? 1 : -1;
-        y.poincare_hopf.applied = true;
-        y.poincare_hopf.value = static_cast<double>(sum);
-        y.poincare_hopf.sentence = "the sum of (-1)^index is " + count(y.poincare_hopf) + ", on a torus it is 0";
-    }
-    const detail::RootPartners<M> partners(set.roots, threads);
+    y.poincare_hopf = detail::poincare_hopf(set.by_index(), n_coordinates<M> == 0,
+                                            set.degenerate() == 0 && set.paths.singular == 0);
+    const detail::RootPartners<M> partners(set.roots, executor);
     y.conjugates = {true, static_cast<double>(partners.without_conjugate), 0, {}};
-    y.conjugates.sentence = count(y.conjugates) + " roots lack their complex conjugate";
+    y.conjugates.sentence = detail::counted(y.conjugates) + " roots lack their complex conjugate";
     if (Formulation<M>::reflection_symmetric) {
         y.mirror = {true, static_cast<double>(partners.without_mirror_image), 0, {}};
-        y.mirror.sentence = count(y.mirror) + " roots lack their image under theta -> -theta";
+        y.mirror.sentence = detail::counted(y.mirror) + " roots lack their image under theta -> -theta";
     } else {
         y.mirror.sentence = "the model has no symmetry theta -> -theta";
     }
     y.duplicates = {true, static_cast<double>(partners.doubled), 0, {}};
-    y.duplicates.sentence = count(y.duplicates) + " roots are closer to another one than regular roots can be";
+    y.duplicates.sentence = detail::counted(y.duplicates) + " roots are closer to another one than regular roots can be";
     y.trace.sentence = "the trace test was not done";
     return y;
 }

@@ -16,7 +16,7 @@
 
 #include <equilibria/enumerate/root_set.hpp>
 #include <equilibria/model/derivatives.hpp>
-#include <equilibria/run/parallel.hpp>
+#include <equilibria/run/run_options.hpp>
 #include <equilibria/stability/inertia.hpp>
 
 namespace equilibria::detail {
@@ -90,27 +90,35 @@ Equilibrium<M> classified(const Root<M>& root, const Unknowns<M>& q, const Param
     return e;
 }
 
-/// Fills in the equilibria of a set of roots, in parallel, and sorts them.
+/// The real roots among roots, classified.
 template <Model M>
-void find_equilibria(RootSet<M>& set, unsigned threads) {
-    std::vector<std::uint8_t> real(set.roots.size());
-    std::vector<Unknowns<M>> at(set.roots.size());
-    parallel_blocks(set.roots.size(), 4096, threads, [&](std::size_t first, std::size_t last) {
-        for (std::size_t k = first; k < last; ++k) real[k] = is_real(set.roots[k], set.parameters, at[k]);
+struct RealRoots {
+    std::vector<Equilibrium<M>> equilibria;  ///< by index, then nullity, then path
+    /// The largest imaginary part among the real roots, the smallest among the others (infinity where there are none).
+    double largest_real_imaginary = 0, smallest_nonreal_imaginary = std::numeric_limits<double>::infinity();
+};
+
+template <Model M>
+RealRoots<M> classify(const std::vector<Root<M>>& roots, const Parameters<M>& p, const Executor& executor) {
+    std::vector<std::uint8_t> real(roots.size());
+    std::vector<Unknowns<M>> at(roots.size());
+    executor.for_blocks(roots.size(), 4096, [&](std::size_t first, std::size_t last) {
+        for (std::size_t k = first; k < last; ++k) real[k] = is_real(roots[k], p, at[k]);
     });
-    set.smallest_nonreal_imaginary = std::numeric_limits<double>::infinity();
-    for (std::size_t k = 0; k < set.roots.size(); ++k) {
-        const double imaginary = largest_imaginary(set.roots[k]);
+    RealRoots<M> y;
+    for (std::size_t k = 0; k < roots.size(); ++k) {
+        const double imaginary = largest_imaginary(roots[k]);
         if (real[k]) {
-            set.equilibria.push_back(classified(set.roots[k], at[k], set.parameters));
-            set.largest_real_imaginary = std::max(set.largest_real_imaginary, imaginary);
+            y.equilibria.push_back(classified(roots[k], at[k], p));
+            y.largest_real_imaginary = std::max(y.largest_real_imaginary, imaginary);
         } else {
-            set.smallest_nonreal_imaginary = std::min(set.smallest_nonreal_imaginary, imaginary);
+            y.smallest_nonreal_imaginary = std::min(y.smallest_nonreal_imaginary, imaginary);
         }
     }
     const auto order = [](const Equilibrium<M>& e) { return std::tuple(e.index, e.nullity, e.path); };
-    std::sort(set.equilibria.begin(), set.equilibria.end(),
+    std::sort(y.equilibria.begin(), y.equilibria.end(),
               [&](const auto& a, const auto& b) { return order(a) < order(b); });
+    return y;
 }
 
 }  // namespace equilibria::detail

@@ -1,6 +1,5 @@
 /// \file
-/// Takes the endpoints that lie on families of solutions out of the roots of an enumeration: probed one by one, then
-/// connected by walks on the families, and led to real points where there are any.
+/// Which roots of an enumeration lie on families of solutions: probed one by one, then connected by walks on the families, and led to real points where there are any.
 #pragma once
 
 #include <algorithm>
@@ -12,7 +11,7 @@
 #include <equilibria/enumerate/detail/family_probe.hpp>
 #include <equilibria/enumerate/root_set.hpp>
 #include <equilibria/homotopy/polish.hpp>
-#include <equilibria/run/parallel.hpp>
+#include <equilibria/run/run_options.hpp>
 
 namespace equilibria::detail {
 
@@ -156,12 +155,9 @@ FamilyProbe::System family_system(const P& polisher, const Array<double, n_unkno
     return [&polisher, unit](const FamilyProbe::Vector& q, FamilyProbe::Vector& f, FamilyProbe::Vector& j) {
         constexpr int n = n_unknowns<M>;
         constexpr auto at = [](int i) { return static_cast<std::size_t>(i); };
-        Point<M, double> point;
-        for (int i = 0; i < n_angles<M>; ++i) {
-            set_lane(point.c[i], 0, std::cos(q[at(i)]));
-            set_lane(point.s[i], 0, std::sin(q[at(i)]));
-        }
-        for (int i = n_angles<M>; i < n; ++i) set_lane(point.x[i - n_angles<M>], 0, unit[i] * q[at(i)]);
+        Array<std::complex<double>, n> place;
+        for (int i = 0; i < n; ++i) place[i] = i < n_angles<M> ? q[at(i)] : unit[i] * q[at(i)];
+        const Point<M, double> point = point_at<M>(place);
         Complex<double> value[n], slope[n][n];
         double size[n];
         polisher.linearize(point, value, slope, size);
@@ -174,27 +170,35 @@ FamilyProbe::System family_system(const P& polisher, const Array<double, n_unkno
     };
 }
 
-/// Moves the roots of `set` that lie on families to set.families, and counts their paths as singular.
+/// The roots that are isolated, and the families that the others lie on.
+template <Model M>
+struct RootFamilies {
+    std::vector<Root<M>> isolated;    ///< in the order of the roots
+    std::vector<Family<M>> families;  ///< surfaces first, then by path
+    std::uint64_t regular_paths = 0;  ///< of points on families that had passed for regular roots
+};
+
+/// Tells the roots that lie on families of solutions from those that are isolated.
 template <Model M, class P>
-[[gnu::cold]] void find_families(RootSet<M>& set, const P& polisher, unsigned threads) {
+[[gnu::cold]] RootFamilies<M> split_families(const std::vector<Root<M>>& roots, const P& polisher,
+                                             const Executor& executor) {
     constexpr int n = n_unknowns<M>;
     std::vector<std::size_t> suspects;
-    for (std::size_t k = 0; k < set.roots.size(); ++k)
-        if (set.roots[k].status == PathStatus::singular || !(set.roots[k].condition < suspect_condition))
-            suspects.push_back(k);
-    if (suspects.empty()) return;
+    for (std::size_t k = 0; k < roots.size(); ++k)
+        if (roots[k].status == PathStatus::singular || !(roots[k].condition < suspect_condition)) suspects.push_back(k);
+    if (suspects.empty()) return {roots, {}, 0};
     Array<double, n> unit;
     for (int u = 0; u < n; ++u) {
         unit[u] = 1;
         for (const std::size_t k : suspects)
-            if (u >= n_angles<M>) unit[u] = std::max(unit[u], std::abs(set.roots[k].q[u]));
+            if (u >= n_angles<M>) unit[u] = std::max(unit[u], std::abs(roots[k].q[u]));
     }
     const FamilyProbe probe(n, family_system<M>(polisher, unit));
     std::vector<FamilyProbe::Vector> points(suspects.size());
     std::vector<FamilyProbe::Finding> found(suspects.size());
-    parallel_blocks(suspects.size(), 16, threads, [&](std::size_t first, std::size_t last) {
+    executor.for_blocks(suspects.size(), 16, [&](std::size_t first, std::size_t last) {
         for (std::size_t k = first; k < last; ++k) {
-            for (int u = 0; u < n; ++u) points[k].push_back(set.roots[suspects[k]].q[u] / unit[u]);
+            for (int u = 0; u < n; ++u) points[k].push_back(roots[suspects[k]].q[u] / unit[u]);
             found[k] = probe.at(points[k]);
         }
     });
@@ -212,12 +216,14 @@ template <Model M, class P>
         for (int u = 0; u < n; ++u) y[u] = q[static_cast<std::size_t>(u)] * unit[u];
         return y;
     };
+    RootFamilies<M> y;
+    std::vector<bool> on_family(roots.size());
     for (const auto& group : FamilyFinder(probe, n, n_angles<M>).groups(points, found)) {
         Family<M> family{group.dimension, std::nullopt, {}};
         for (const std::size_t m : group.members) {
-            Root<M>& root = set.roots[member[m]];
-            const auto w = static_cast<std::uint64_t>(root.paths);
-            if (root.status == PathStatus::finite) set.paths.finite -= w, set.paths.singular += w;
+            const Root<M>& root = roots[member[m]];
+            on_family[member[m]] = true;
+            if (root.status == PathStatus::finite) y.regular_paths += static_cast<std::uint64_t>(root.paths);
             FamilyPoint<M> point{root.q,
                                  found[m].nullity,
                                  {},
@@ -229,7 +235,6 @@ template <Model M, class P>
                                  root.paths};
             for (const auto& t : found[m].tangent) point.tangent.push_back(scaled(t));
             family.points.push_back(point);
-            root.paths = 0;  // to be erased
         }
         if (group.real_point) {
             const auto q = scaled(*group.real_point);
@@ -237,12 +242,14 @@ template <Model M, class P>
             for (int u = 0; u < n; ++u)
                 real[u] = u < n_angles<M> ? std::remainder(q[u].real(), 2 * std::numbers::pi) : q[u].real();
         }
-        set.families.push_back(std::move(family));
+        y.families.push_back(std::move(family));
     }
-    std::erase_if(set.roots, [](const Root<M>& root) { return root.paths == 0; });
+    for (std::size_t k = 0; k < roots.size(); ++k)
+        if (!on_family[k]) y.isolated.push_back(roots[k]);
     const auto order = [](const Family<M>& f) { return std::pair(-f.dimension, f.points.front().path); };
-    std::sort(set.families.begin(), set.families.end(),
+    std::sort(y.families.begin(), y.families.end(),
               [&](const auto& a, const auto& b) { return order(a) < order(b); });
+    return y;
 }
 
 }  // namespace equilibria::detail

@@ -15,13 +15,13 @@ namespace equilibria {
 namespace detail {
 
 /// Tracks a path again with 32 digits, and if it fails once more with 64.
-template <Model M, StartKind Kind, class C>
-void rescue_path(const Homotopy<M, Kind, C>& homotopy, const Polisher<M, Kind, C>& polisher,
-                 const TrackerOptions& options, const Point<M, double>& start, Endpoint<M>& end) {
+template <class H>
+void track_with_more_digits(const H& homotopy, const Polisher<H>& polisher, const TrackerOptions& options,
+                            const Point<typename H::System, double>& start, Endpoint<typename H::System>& end) {
     const auto track = [&]<class R>(R) {
         if (end.status != PathStatus::failed) return;
         const std::int32_t steps = end.steps;
-        end = Endgame<M, Kind, C, R>(homotopy, polisher, options).from_start(start);
+        end = Endgame<H, R>(homotopy, polisher, options).from_start(start);
         end.steps += steps;
     };
     track(Multiprecision<32>());
@@ -30,24 +30,26 @@ void rescue_path(const Homotopy<M, Kind, C>& homotopy, const Polisher<M, Kind, C
 
 }  // namespace detail
 
-/// For solve_multihomogeneous, solve_from and trace_locus.
-template <Model M>
-inline constexpr RootRescue<M> careful_roots = &detail::rescue_path<LinearProduct<M>, StartKind::parameter, double>;
+/// For solve_multihomogeneous and trace_locus; System: anything with as many angles and coordinates.
+template <class System>
+inline constexpr MoreDigitsOf<System> more_digits =
+    &detail::track_with_more_digits<MultihomogeneousHomotopy<System::n_angles, System::n_coordinates>>;
 
 /// `enumerate`, but paths that fail in double, tightened steps included, are tracked with more digits before they count
 /// as failed; paths.more_digits says how many were. A path costs up to a second then.
-template <Model M, StartKind Kind = natural_start<M>()>
-RootSet<M> enumerate_carefully(const Parameters<M>& p, const EnumerateOptions& options = {}) {
-    detail::check_arguments<M, Kind>(p, options);
-    return detail::enumerate_total_degree<M, Kind>(p, options, &detail::rescue_path<M, Kind, double>);
+template <Model M, class StartSystem = NaturalStart<M>>
+RootSet<M> enumerate_with_more_digits(const Parameters<M>& p, const RunOptions& run = {},
+                                      const TrackerOptions& options = {}) {
+    return detail::enumerate_all<M, StartSystem>(p, run, options,
+                                                 &detail::track_with_more_digits<ModelHomotopy<M, StartSystem>>);
 }
 
 /// The same for the equilibria at p from those of a solved instance.
 template <Model M>
-RootSet<M> enumerate_carefully(const RootSet<M>& solved, const Parameters<M>& p, const EnumerateOptions& options = {}) {
-    detail::check_arguments<M>(solved, p, options);
-    return detail::enumerate_from<M>(solved.roots, solved.parameters, p, options,
-                                     &detail::rescue_path<M, StartKind::parameter, double>);
+RootSet<M> enumerate_with_more_digits(const RootSet<M>& solved, const Parameters<M>& p, const RunOptions& run = {},
+                                      const TrackerOptions& options = {}) {
+    return detail::enumerate_by_parameters<M>(solved, p, run, options,
+                                              &detail::track_with_more_digits<ModelHomotopy<M, Moving<M>>>);
 }
 
 }  // namespace equilibria

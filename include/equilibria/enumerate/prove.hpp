@@ -24,16 +24,14 @@
 #include <equilibria/core/multiprecision.hpp>
 #include <equilibria/enumerate/classify.hpp>
 #include <equilibria/enumerate/root_set.hpp>
-#include <equilibria/run/parallel.hpp>
+#include <equilibria/run/run_options.hpp>
 
 namespace equilibria {
 
 struct ProveOptions {
-    unsigned threads = 1;  ///< 0: all of the machine's; does not change the result
     int most_digits = 68;  ///< the most decimal digits that a proof may take: 15 (doubles), 34 or 68
 
     void validate() const {
-        require(threads <= 1024, "threads", threads, "must be 0 (all) to 1024");
         require(most_digits == 15 || most_digits == 34 || most_digits == 68, "most_digits", most_digits,
                 "must be 15, 34 or 68");
     }
@@ -74,8 +72,8 @@ public:
     static constexpr int most_digits = 68;
     using Most = Multiprecision<most_digits>;
 
-    Prover(const RootSet<M>& set, const ProveOptions& options)
-        : set_(set), options_(options), exact_(ExactSystem<M>::at(set.parameters)), system_(exact_) {}
+    Prover(const RootSet<M>& set, const RunOptions& run, const ProveOptions& options)
+        : set_(set), run_(run), options_(options), exact_(ExactSystem<M>::at(set.parameters)), system_(exact_) {}
 
     Proof<M> run() {
         const auto begin = std::chrono::steady_clock::now();
@@ -140,7 +138,7 @@ private:
 
     /// The test in doubles, a root a lane.
     void in_packs(const std::vector<std::size_t>& members, bool real) {
-        parallel_blocks(members.size(), 64 * native_lanes, options_.threads, [&](std::size_t first, std::size_t last) {
+        run_.executor.for_blocks(members.size(), 64 * native_lanes, [&](std::size_t first, std::size_t last) {
             for (std::size_t at = first; at < last; at += native_lanes) {
                 Point<M, Pack> q;
                 for (int l = 0; l < native_lanes; ++l) {
@@ -162,7 +160,7 @@ private:
         if (members.empty() || options_.most_digits < 34) return;
         const BallSystem<M, Multiprecision<34>> twice(exact_);
         const BallSystem<M, Most> most(exact_);
-        parallel_blocks(members.size(), 1, options_.threads, [&](std::size_t first, std::size_t last) {
+        run_.executor.for_blocks(members.size(), 1, [&](std::size_t first, std::size_t last) {
             for (std::size_t at = first; at < last; ++at) {
                 const std::size_t k = members[at];
                 with_digits<34>(twice, k);
@@ -271,6 +269,7 @@ private:
     }
 
     const RootSet<M>& set_;
+    RunOptions run_;
     ProveOptions options_;
     ExactSystem<M> exact_;
     BallSystem<M, double> system_;
@@ -282,11 +281,13 @@ private:
 
 }  // namespace detail
 
-/// Proves what can be proved of the roots of an enumeration. Throws InvalidArgument for options out of range.
+/// Proves what can be proved of the roots of an enumeration. Throws InvalidArgument for options out of range, and for a run with
+/// a checkpoint or a cancel.
 template <Model M>
-Proof<M> prove(const RootSet<M>& set, const ProveOptions& options = {}) {
+Proof<M> prove(const RootSet<M>& set, const RunOptions& run = {}, const ProveOptions& options = {}) {
     options.validate();
-    return detail::Prover<M>(set, options).run();
+    run.require_whole("a proof");
+    return detail::Prover<M>(set, run, options).run();
 }
 
 }  // namespace equilibria

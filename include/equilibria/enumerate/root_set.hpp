@@ -11,12 +11,12 @@
 
 #include <equilibria/algebra/formulation.hpp>
 #include <equilibria/enumerate/alarm.hpp>
+#include <equilibria/enumerate/count_verdict.hpp>
 #include <equilibria/enumerate/family.hpp>
 #include <equilibria/model/derivatives.hpp>
 #include <equilibria/paths/path_counts.hpp>
 #include <equilibria/paths/root.hpp>
 #include <equilibria/stability/inertia.hpp>
-#include <equilibria/stability/morse.hpp>
 
 namespace equilibria {
 
@@ -62,13 +62,11 @@ struct RootSet {
     /// Whether the run was cancelled before all paths were finished. What is here is what was found until then; paths that
     /// ran into each other are not told apart.
     bool cancelled() const { return paths.cancelled > 0; }
-    /// Whether nothing speaks against the count of equilibria: the run was not cancelled, no path failed, every root is
-    /// regular and reached by a path of its own, no alarm is raised, and the Morse relations hold where they apply.
-    bool clean() const {
-        return !cancelled() && !alarms.raised() && paths.failed == 0 && paths.singular == 0 && degenerate() == 0 &&
-               paths.finite == distinct() &&
-               (!morse_applies() || morse());
+    CountVerdict verdict() const {
+        return {&paths, &alarms, distinct(), degenerate(), by_index(), n_coordinates<M> == 0 && PotentialModel<M>};
     }
+    /// Whether nothing speaks against the count of equilibria, see CountVerdict.
+    bool clean() const { return verdict().clean(); }
 
     /// Nondegenerate equilibria of each index 0 .. n.
     std::vector<std::int64_t> by_index() const {
@@ -77,13 +75,9 @@ struct RootSet {
             if (!e.degenerate()) ++counts[static_cast<std::size_t>(e.index)];
         return counts;
     }
-    /// Whether the Morse relations of the n-torus apply: only angles, a potential, nothing degenerate, a finished run.
-    /// (Singular endpoints that are not real may lie on curves of equilibria.)
-    bool morse_applies() const {
-        return n_coordinates<M> == 0 && PotentialModel<M> && degenerate() == 0 && paths.singular == 0 && !cancelled();
-    }
-    /// The Morse relations hold. False where they do not apply.
-    bool morse() const { return morse_applies() && morse_relations(by_index()).all(); }
+    /// Whether the Morse relations of the n-torus apply, and whether they do and hold.
+    bool morse_applies() const { return verdict().morse_applies(); }
+    bool morse() const { return verdict().morse(); }
 
     friend std::ostream& operator<<(std::ostream& out, const RootSet& r) {
         out << r.paths.total << " paths: " << r.paths.finite << " finite, " << r.paths.at_infinity << " at infinity, "

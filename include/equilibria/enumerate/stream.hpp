@@ -8,10 +8,11 @@
 #pragma once
 
 #include <algorithm>
+#include <chrono>
 #include <concepts>
 #include <cstdint>
 #include <limits>
-#include <ostream>
+#include <utility>
 #include <vector>
 
 #include <equilibria/enumerate/enumerate.hpp>
@@ -30,53 +31,68 @@ struct StreamedRoots {
     std::vector<std::int64_t> by_index = std::vector<std::int64_t>(static_cast<std::size_t>(n_unknowns<M>) + 1);
     double largest_real_imaginary = 0;  ///< as of RootSet
     double smallest_nonreal_imaginary = std::numeric_limits<double>::infinity();
+    /// Poincare-Hopf's alone; the others look at all roots at once, which are not kept.
+    Alarms alarms;
     double tracking_seconds = 0, seconds = 0;
 
-    bool cancelled() const { return paths.cancelled > 0; }
-    bool morse_applies() const {
-        return n_coordinates<M> == 0 && PotentialModel<M> && degenerate == 0 && paths.singular == 0 && !cancelled();
+    CountVerdict verdict() const {
+        return {&paths, &alarms, distinct, degenerate, by_index, n_coordinates<M> == 0 && PotentialModel<M>};
     }
-    bool morse() const { return morse_applies() && morse_relations(by_index).all(); }
+    bool cancelled() const { return verdict().cancelled(); }
+    bool morse_applies() const { return verdict().morse_applies(); }
+    bool morse() const { return verdict().morse(); }
     /// As RootSet::clean.
-    bool clean() const {
-        return !cancelled() && paths.failed == 0 && paths.singular == 0 && degenerate == 0 &&
-               paths.finite == distinct && (!morse_applies() || morse());
-    }
+    bool clean() const { return verdict().clean(); }
 };
 
-/// `enumerate`, with the roots handed to take(root, equilibrium) one after the other; the equilibrium is nullptr where
-/// the root is not real. A mirror image comes after its original, otherwise they come by path number; roots that are
-/// their own mirror images are last. Sorted by path they are those of `enumerate`, bit by bit.
+/// What takes streamed roots: the equilibrium is nullptr where the root is not real.
+template <class T, class M>
+concept RootTaker = std::invocable<T&, const Root<M>&, const Equilibrium<M>*>;
+
+/// `enumerate`, with the roots handed to take(root, equilibrium) one after the other. A mirror image comes after its original,
+/// otherwise they come by path number; roots that are their own mirror images are last. Sorted by path they are those of
+/// `enumerate`, bit by bit.
 ///
-/// options.checkpoint must name a file, of about 32 n + 40 bytes a tracked path for n angles. Of a cancelled run no
-/// root is handed on. Throws InvalidArgument as `enumerate` does, and what `take` throws.
-template <Model M, StartKind Kind = natural_start<M>(), class Take>
-requires std::invocable < Take&, const Root<M>
-&, const Equilibrium<M>* >
-       StreamedRoots<M> enumerate(const Parameters<M>& p, const EnumerateOptions& options, Take&& take) {
+/// run.checkpoint must name a file, of about 32 n + 40 bytes a tracked path for n angles. Of a cancelled run no root is handed
+/// on. Throws InvalidArgument as `enumerate` does, and what `take` throws.
+template <Model M, class StartSystem = NaturalStart<M>, RootTaker<M> Take>
+StreamedRoots<M> enumerate(const Parameters<M>& p, const RunOptions& run, Take&& take,
+                           const TrackerOptions& options = {}) {
     require_finite(p, "parameters");
     options.validate();
-    require(!options.checkpoint.empty(), "checkpoint", "''", "must name a file: roots that are streamed wait there");
+    require(!run.checkpoint.empty(), "checkpoint", "''", "must name a file: roots that are streamed wait there");
     const auto begin = std::chrono::steady_clock::now();
+    Generator generator(run.seed);
+    const ModelSystem<M> target(p);
+    const StartSystem start(target, generator);
+    const ModelHomotopy<M, StartSystem> homotopy(target, start);
+    PathSet<M> paths = track<ModelHomotopy<M, StartSystem>>(homotopy, start, run, options, nullptr, true);
+    auto [counts, failures] = account_for(paths);
     StreamedRoots<M> set;
-    const auto take_root = [&](const Root<M>& root) {
-        if (set.cancelled()) return;
-        ++set.distinct;
-        const double imaginary = detail::largest_imaginary(root);
-        Unknowns<M> q;
-        if (!detail::is_real(root, p, q)) {
-            set.smallest_nonreal_imaginary = std::min(set.smallest_nonreal_imaginary, imaginary);
-            take(root, static_cast<const Equilibrium<M>*>(nullptr));
-            return;
-        }
-        const Equilibrium<M> e = detail::classified(root, q, p);
-        ++set.real;
-        set.degenerate += e.degenerate();
-        if (!e.degenerate()) ++set.by_index[static_cast<std::size_t>(e.index)];
-        set.largest_real_imaginary = std::max(set.largest_real_imaginary, imaginary);
-        take(root, &e);
-    };
-    detail::solve_total_degree<M, Kind>(set, p, options, true, nullptr, take_root, [](const auto&) {});
+    set.parameters = p;
+    set.seed = run.seed;
+    set.paths = counts;
+    set.failures = std::move(failures);
+    set.tracking_seconds = paths.effort.tracking_seconds;
+    if (!set.cancelled())
+        merge(paths, [&](const Root<M>& root) {
+            ++set.distinct;
+            const double imaginary = detail::largest_imaginary(root);
+            Unknowns<M> q;
+            if (!detail::is_real(root, p, q)) {
+                set.smallest_nonreal_imaginary = std::min(set.smallest_nonreal_imaginary, imaginary);
+                take(root, static_cast<const Equilibrium<M>*>(nullptr));
+                return;
+            }
+            const Equilibrium<M> e = detail::classified(root, q, p);
+            ++set.real;
+            set.degenerate += e.degenerate();
+            if (!e.degenerate()) ++set.by_index[static_cast<std::size_t>(e.index)];
+            set.largest_real_imaginary = std::max(set.largest_real_imaginary, imaginary);
+            take(root, &e);
+        });
+    set.alarms.poincare_hopf =
+        detail::poincare_hopf(set.by_index, n_coordinates<M> == 0, set.degenerate == 0 && set.paths.singular == 0);
     set.seconds = detail::seconds_since(begin);
     return set;
 }

@@ -13,151 +13,149 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <cstdint>
 #include <cstdio>
 #include <string>
-#include <type_traits>
+#include <utility>
 #include <vector>
 
 #include <equilibria/enumerate/root_set.hpp>
-#include <equilibria/paths/path_solver.hpp>
+#include <equilibria/paths/coincidence.hpp>
+#include <equilibria/paths/complex_roots.hpp>
+#include <equilibria/run/run_options.hpp>
+#include <equilibria/system/sparse_system.hpp>
 
 namespace equilibria {
 
-/// The equations of M, an angles-only model, plus a constant torque each. Parameters: those of M, then the torques.
-template <Model M>
-requires(n_coordinates<M> == 0) struct WithTorques {
-    static constexpr int n_angles = equilibria::n_angles<M>;
-    static constexpr int first_torque = equilibria::n_parameters<M>;
-    static constexpr int n_parameters = first_torque + n_angles;
-
-    constexpr auto equations(const auto& theta, const auto& p) const {
-        using S = scalar_of<decltype(theta)>;
-        detail::AnglesOf<M, S> angle;
-        for (int i = 0; i < n_angles; ++i) angle[i] = {cos(theta[i]), sin(theta[i])};
-        Array<std::remove_cvref_t<decltype(p[0])>, first_torque> own;
-        for (int k = 0; k < first_torque; ++k) own[k] = p[k];
-        Unknowns<M, S> f = detail::equations_at<M, S>(angle, {}, own);
-        for (int i = 0; i < n_angles; ++i) f[i] = f[i] + p[first_torque + i];
-        return f;
-    }
-
-    /// The same as polynomials, from those of M.
-    template <class C>
-    static constexpr auto polynomials(const Array<C, n_parameters>& p) {
-        Parameters<M, C> own;
-        for (int k = 0; k < first_torque; ++k) own[k] = p[k];
-        auto f = detail::symbolic_equations<M, C>(own);
-        for (int i = 0; i < n_angles; ++i) f[static_cast<std::size_t>(i)] += PolynomialOf<M, C>(p[first_torque + i]);
-        return f;
-    }
-};
+/// A system with a constant added to each of its equations: torques, where the unknowns are angles.
+template <int Angles, int Coordinates>
+SparseSystem<Angles, Coordinates> with_torques(const SparseSystem<Angles, Coordinates>& system,
+                                               const Array<double, Angles + Coordinates>& torque) {
+    auto equations = system.equations();
+    for (std::size_t i = 0; i < equations.size(); ++i) equations[i] += torque[static_cast<int>(i)];
+    return SparseSystem<Angles, Coordinates>(equations);
+}
 
 namespace detail {
 
 /// Sums over points of z_i and of 1/z_i, and of their absolute values.
-template <Model M>
+template <int Angles>
 struct TorqueTrace {
-    Array<std::complex<double>, 2 * n_angles<M>> sum;
-    Array<double, 2 * n_angles<M>> size;
+    Array<std::complex<double>, 2 * Angles> sum;
+    Array<double, 2 * Angles> size;
 
-    void add(double weight, const Point<WithTorques<M>, double>& q) {
-        for (int i = 0; i < n_angles<M>; ++i) {
-            const std::complex<double> c = lane(q.c[i], 0), s = lane(q.s[i], 0), turned(-s.imag(), s.real());
-            const std::complex<double> z[] = {c + turned, c - turned};
-            for (int k = 0; k < 2; ++k) sum[2 * i + k] += weight * z[k], size[2 * i + k] += weight * std::abs(z[k]);
+    void add(double weight, const Array<std::complex<double>, Angles>& theta) {
+        for (int i = 0; i < Angles; ++i) {
+            const std::complex<double> z = std::exp(std::complex<double>(-theta[i].imag(), theta[i].real()));
+            const std::complex<double> both[] = {z, 1.0 / z};
+            for (int k = 0; k < 2; ++k)
+                sum[2 * i + k] += weight * both[k], size[2 * i + k] += std::abs(weight) * std::abs(both[k]);
         }
+    }
+    /// The largest sum, relative to its terms.
+    double largest() const {
+        double y = 0;
+        for (int k = 0; k < sum.size(); ++k)
+            if (size[k] > 0) y = std::max(y, std::abs(sum[k]) / size[k]);
+        return y;
     }
 };
 
-}  // namespace detail
-
-/// The trace test on the roots of `set`, to be stored in set.alarms.trace. options: seed of the torques, threads,
-/// tracker. It applies to angles-only models whose paths have all ended at regular roots or at infinity.
+/// The trace test of one set of roots.
 template <Model M>
-Alarm torque_trace(const RootSet<M>& set, const EnumerateOptions& options = {}) {
-    Alarm y;
-    y.tolerance = 1e-9;
-    options.validate();
-    if constexpr (n_coordinates < M >> 0) {
-        y.sentence = "the trace test does not apply: the unknowns are not only angles";
-        return y;
-    } else {
-        if (set.paths.failed > 0 || set.paths.singular > 0) {
-            y.sentence = "the trace test does not apply: there are failed or singular paths";
-            return y;
-        }
-        using W = WithTorques<M>;
-        using H = Homotopy<W, StartKind::parameter, double>;
-        std::vector<Point<W, double>> starts(set.roots.size());
-        for (std::size_t k = 0; k < starts.size(); ++k)
-            for (int i = 0; i < n_angles<M>; ++i) {
-                set_lane(starts[k].c[i], 0, std::cos(set.roots[k].q[i]));
-                set_lane(starts[k].s[i], 0, std::sin(set.roots[k].q[i]));
-            }
+class TorqueTraceTest {
+public:
+    static constexpr int n = n_angles<M>;
+    using Unknowns = UnknownsOf<n, 0>;
+    using Instance = SolvedInstance<n, 0>;
+
+    TorqueTraceTest(const RootSet<M>& set, const RunOptions& run, const TrackerOptions& options)
+        : set_(&set), run_(run), options_(options), system_(sparse_system<M>(set.parameters)), generator_(run.seed) {
+        run_.checkpoint.clear();  // it would be of the enumeration
         // a root that is there twice is followed once, and counts twice
-        std::vector<double> weight(starts.size(), 1);
-        for (const auto& group : detail::CoincidenceFinder<W>(false).groups(
-                 starts.size(), [&](std::size_t k) { return &starts[k]; }, 1e-8))
+        std::vector<Point<M, double>> points;
+        for (const auto& root : set.roots) points.push_back(point_at<M>(root.q));
+        std::vector<double> weight(points.size(), 1);
+        for (const auto& group : CoincidenceFinder<M>(false).groups(
+                 points.size(), [&](std::size_t k) { return &points[k]; }, 1e-8))
             for (const std::size_t k : group) weight[k] = k == group.front() ? static_cast<double>(group.size()) : 0;
-        std::vector<std::uint64_t> paths;
-        for (std::size_t k = 0; k < starts.size(); ++k)
-            if (weight[k] > 0) paths.push_back(k);
-        const auto start = [&](std::uint64_t k) { return starts[paths[k]]; };
-        EnumerateOptions own = options;  // a checkpoint would be of the enumeration
-        own.checkpoint.clear();
-        Parameters<W> at{};
-        for (int k = 0; k < n_parameters<M>; ++k) at[k] = set.parameters[k];
-        const auto from = coefficients<W, double>(at);
-        const auto scale = detail::equation_scales<W, double>(from);
-        Generator generator(options.seed);
+        for (std::size_t k = 0; k < points.size(); ++k)
+            if (weight[k] > 0) starts_.push_back(set.roots[k].q), weights_.push_back(weight[k]);
+    }
+
+    Alarm alarm() {
+        Alarm y;
+        y.tolerance = 1e-9;
         for (int attempt = 0; attempt < 3 && !y.applied; ++attempt) {
-            detail::TorqueTrace<M> difference;
-            const auto add = [&](double by, const detail::TorqueTrace<M>& t) {
-                for (int k = 0; k < t.sum.size(); ++k) {
-                    difference.sum[k] += by * t.sum[k];
-                    difference.size[k] += std::abs(by) * t.size[k];
-                }
-            };
-            Array<double, n_angles<M>> torque;
-            for (int i = 0; i < n_angles<M>; ++i)
-                torque[i] = (generator() & 1 ? 1 : -1) * uniform(generator, 0.1, 0.3) * scale[i];
+            Array<double, n> torque;
+            for (int i = 0; i < n; ++i)
+                torque[i] = (generator_() & 1 ? 1 : -1) * uniform(generator_, 0.1, 0.3) * system_.scale()[i];
+            TorqueTrace<n> difference;
             std::uint64_t lost = 0;
-            for (const double s : {1.0, -1.0}) {
-                for (int i = 0; i < n_angles<M>; ++i) at[W::first_torque + i] = s * torque[i];
-                detail::PathSolver<W, StartKind::parameter, double> solver(
-                    H::parameter(from, coefficients<W, double>(at), unit_complex(generator)), at, scale, own);
-                PathCounts counts;
-                detail::TorqueTrace<M> trace;
-                auto ends = solver.store(paths.size(), start, "torques", false);
-                solver.run(ends, start, {}, false, counts);
-                if (!ends.complete()) {
+            for (const double s : {1.0, -1.0})
+                if (!add_traced(s, torque, difference, lost)) {
                     y.sentence = "the trace test was cancelled";
                     return y;
                 }
-                for (std::uint64_t k = 0; k < ends.size(); ++k) {
-                    lost += ends[k].status != PathStatus::finite;
-                    trace.add(weight[paths[k]], ends[k].q);
-                }
-                add(1, trace);
-            }
             if (lost > 0) {
                 y.sentence =
                     "the trace test is undecided: " + std::to_string(lost) + " of its paths reached no regular root";
                 continue;
             }
-            detail::TorqueTrace<M> trace;
-            for (const auto& q : starts) trace.add(1, q);
-            add(-2, trace);
+            for (std::size_t k = 0; k < starts_.size(); ++k) difference.add(-2 * weights_[k], starts_[k]);
             y.applied = true;
-            for (int k = 0; k < difference.sum.size(); ++k)
-                if (difference.size[k] > 0)
-                    y.value = std::max(y.value, std::abs(difference.sum[k]) / difference.size[k]);
+            y.value = difference.largest();
             char value[32];
             std::snprintf(value, sizeof value, "%.1e", y.value);
             y.sentence = std::string("the sums of z and 1/z along a line of torques have a second difference of ") +
                          value + " of their size" + (y.raised() ? ": a root is lost or doubled" : "");
         }
         return y;
+    }
+
+private:
+    /// Adds the sums at the torques s tau; `lost` is increased by the paths that reached no regular root. False where the run
+    /// was cancelled.
+    bool add_traced(double s, Array<double, n> torque, TorqueTrace<n>& difference, std::uint64_t& lost) {
+        for (double& value : torque) value *= s;
+        const auto to = with_torques(system_, torque);
+        const Instance start(system_, to, unit_complex(generator_), starts_);
+        PathSet<Unknowns> paths = track(SparseHomotopy<n, 0, Instance>(to, start), start, run_, options_);
+        for (std::size_t k = 0; k < paths.size(); ++k) {
+            if (!paths.finished(k)) return false;
+            lost += paths[k].status != PathStatus::finite;
+            difference.add(weights_[k], root_of(paths[k], k).q);
+        }
+        return true;
+    }
+
+    const RootSet<M>* set_;
+    RunOptions run_;
+    TrackerOptions options_;
+    SparseSystem<n, 0> system_;
+    Generator generator_;
+    typename Instance::Points starts_;
+    std::vector<double> weights_;
+};
+
+}  // namespace detail
+
+/// The trace test on the roots of `set`, to be stored in set.alarms.trace. It applies to angles-only models whose paths have
+/// all ended at regular roots or at infinity. The run's seed is that of the torques. Throws InvalidArgument for options out
+/// of range.
+template <Model M>
+Alarm torque_trace(const RootSet<M>& set, const RunOptions& run = {}, const TrackerOptions& options = {}) {
+    options.validate();
+    Alarm y;
+    y.tolerance = 1e-9;
+    if constexpr (n_coordinates<M> != 0) {
+        y.sentence = "the trace test does not apply: the unknowns are not only angles";
+        return y;
+    } else if (set.paths.failed > 0 || set.paths.singular > 0) {
+        y.sentence = "the trace test does not apply: there are failed or singular paths";
+        return y;
+    } else {
+        return detail::TorqueTraceTest<M>(set, run, options).alarm();
     }
 }
 

@@ -11,7 +11,7 @@
 #include <Eigen/SparseCore>
 
 #include <equilibria/fem/element.hpp>
-#include <equilibria/run/parallel.hpp>
+#include <equilibria/run/threads.hpp>
 
 namespace equilibria::fem {
 
@@ -48,10 +48,10 @@ public:
     }
 
     /// Calls evaluate(e, out) for all elements, side by side, and add(e, out) in their order.
-    void for_each(unsigned threads, const auto& evaluate, const auto& add) const {
+    void for_each(const Executor& executor, const auto& evaluate, const auto& add) const {
         const std::size_t elements = group_->size();
         // an evaluation takes about a microsecond, a thread's start tens
-        const std::size_t chunk = threads == 1 || elements < 256 ? 1 : std::min<std::size_t>(elements, 8192);
+        const std::size_t chunk = executor.workers() == 1 || elements < 256 ? 1 : std::min<std::size_t>(elements, 8192);
         std::vector<ElementValues> out(std::min(chunk, elements));
         for (ElementValues& values : out) {
             values.residual.resize(static_cast<Eigen::Index>(size_));
@@ -60,7 +60,7 @@ public:
         }
         for (std::size_t begin = 0; begin < elements; begin += chunk) {
             const std::size_t count = std::min(chunk, elements - begin);
-            parallel_blocks(count, 64, threads, [&](std::size_t first, std::size_t last) {
+            executor.for_blocks(count, 64, [&](std::size_t first, std::size_t last) {
                 for (std::size_t k = first; k < last; ++k) evaluate(begin + k, out[k]);
             });
             for (std::size_t k = 0; k < count; ++k) add(begin + k, out[k]);

@@ -37,7 +37,7 @@ struct StructureState {
 struct StructureOptions {
     double length = 0;            ///< of weights; 0: the diagonal of the box around all nodes
     ConstraintScale scale{0, 0};  ///< of the augmented Lagrangian; 0: the largest stiffness of the other elements
-    unsigned threads = 1;         ///< of assembly, 0 for one each core; does not change the result
+    Executor executor{};          ///< of assembly: serial, or threads(n); does not change the result
 };
 
 /// Conservative: all elements and loads have an energy, and K is symmetric; else K is taken for unsymmetric.
@@ -281,7 +281,7 @@ private:
                         const auto& add) const {
         const ElementGroup& group = assembly.group();
         assembly.for_each(
-            options_.threads,
+            options_.executor,
             [&](std::size_t e, ElementValues& out) {
                 const int m = group.multipliers();
                 const double* lambda =

@@ -30,16 +30,17 @@ namespace detail {
 
 /// R: double, or a multiprecision float, which tracks and closes loops with more digits; what is polished, and what
 /// counts as regular, is decided in double all the same.
-template <Model M, StartKind Kind, class C, class R = double>
+template <class H, class R = double>
 class Endgame {
 public:
+    using M = typename H::System;
     using Z = Complex<R>;
     using At = Point<M, R>;
     using Loop = ClosedLoop<M, R>;
-    using Tracker = Stepper<M, Kind, C, R, Complex<R>, true>;
+    using Tracker = Stepper<H, R, Complex<R>, true>;
     static constexpr int n = n_unknowns<M>;
 
-    Endgame(const Homotopy<M, Kind, C>& h, const Polisher<M, Kind, C>& polisher, const TrackerOptions& options)
+    Endgame(const H& h, const Polisher<H>& polisher, const TrackerOptions& options)
         : options_(options), stepper_(h, options), closing_(h, closing(options)), polisher_(&polisher) {}
 
     /// Tracks the path from its start, slowly, and ends it with the endgame wherever it leads.
@@ -309,7 +310,7 @@ private:
 
     TrackerOptions options_;
     Tracker stepper_, closing_;  // from the start, and near t = 1
-    const Polisher<M, Kind, C>* polisher_;
+    const Polisher<H>* polisher_;
 };
 
 }  // namespace detail

@@ -17,7 +17,7 @@ enum class Arrival : std::uint8_t {
 };
 
 /// What became of a path, with the evidence.
-template <Model M>
+template <class M>
 struct Endpoint {
     Point<M, double> q;
     double t = 0;               ///< where the lane tracker left it

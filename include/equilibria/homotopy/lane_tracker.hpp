@@ -13,11 +13,13 @@ namespace equilibria {
 
 /// Tracks from t = 0 the paths that start at `start(path)`, a Point<M, double>, for each of `paths`; where
 /// paths[k] was left goes to ends[k] (q, t, steps, arrival, reason). R: the pack of lanes, or a scalar type.
-template <class R, bool Pivoted, Model M, StartKind Kind, class C, class Start>
-void track_lanes(const Homotopy<M, Kind, C>& homotopy, const TrackerOptions& options,
-                 std::span<const std::uint64_t> paths, Start&& start, std::span<Endpoint<M>> ends) {
+template <class R, bool Pivoted, class H, class StartPoint>
+void track_lanes(const H& homotopy, const TrackerOptions& options,
+                 std::span<const std::uint64_t> paths, StartPoint&& start,
+                 std::span<Endpoint<typename H::System>> ends) {
+    using M = typename H::System;
     constexpr int width = LaneTraits<R>::width;
-    detail::Stepper<M, Kind, C, R, R, Pivoted> stepper(homotopy, options);
+    detail::Stepper<H, R, R, Pivoted> stepper(homotopy, options);
     Point<M, R> q{};
     R t = broadcast<R>(1.0), h = broadcast<R>(0.0);
     std::int64_t path[width];

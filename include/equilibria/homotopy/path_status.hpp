@@ -28,7 +28,7 @@ struct PolishedEvidence {
     double correction = 0;  ///< the last Newton correction, largest change of an unknown
 };
 
-constexpr std::string_view name(PathStatus status) {
+constexpr std::string_view to_string(PathStatus status) {
     switch (status) {
         case PathStatus::finite: return "finite";
         case PathStatus::at_infinity: return "at infinity";
@@ -36,7 +36,7 @@ constexpr std::string_view name(PathStatus status) {
         default: return "failed";
     }
 }
-constexpr std::string_view name(FailureReason reason) {
+constexpr std::string_view to_string(FailureReason reason) {
     switch (reason) {
         case FailureReason::none: return "none";
         case FailureReason::step_too_small: return "step too small";

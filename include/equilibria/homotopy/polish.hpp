@@ -2,41 +2,40 @@
 /// Newton's method at t = 1, on all lanes at once, and the condition number of the Jacobian there.
 ///
 /// The residual is the model's own function, not its polynomial form: what is polished is a solution of the equations
-/// that the user wrote. (With complex parameters, which only generic instances have, the polynomials serve.)
+/// that the user wrote. (A system that is data has its polynomials alone.)
 #pragma once
 
 #include <algorithm>
 #include <complex>
 
 #include <equilibria/core/linear_solve.hpp>
-#include <equilibria/homotopy/detail/evaluation.hpp>
-#include <equilibria/homotopy/tracker.hpp>
+#include <equilibria/homotopy/path_status.hpp>
+#include <equilibria/homotopy/point.hpp>
 #include <equilibria/model/derivatives.hpp>
 
 namespace equilibria {
 
 namespace detail {
 
-template <Model M, StartKind Kind, class C>
+template <class H>
 class Polisher {
 public:
+    using M = typename H::System;
     static constexpr int n = n_unknowns<M>;
 
-    /// p: the target's real parameters (ignored where C is complex); scale: of each equation.
-    Polisher(const Homotopy<M, Kind, C>& h, const Parameters<M, C>& p, const Array<double, n>& scale)
-        : h_(&h), p_(p), scale_(scale) {}
+    explicit Polisher(const H& h) : h_(&h), scale_(h.scale()) {}
 
     /// Polishes the points q in place, one a lane.
     template <class R>
     void run(Point<M, R>& q, PolishedEvidence* evidence) const {
         using Z = Complex<R>;
-        Evaluation<M, Kind, C, R, Time<R>> evaluation(*h_);
+        typename H::template Evaluation<R, Time<R>> evaluation(*h_);
         PivotedFactorization<R, n> lu;
         Z f[n], j[n][n];
         R last = broadcast<R>(0.0);
         for (int round = 0; round < 3; ++round) {
             evaluation.jacobian(q, Time<R>{} + 1.0, f, j);
-            residual(q, f);
+            h_->residual(q, f);
             complete(j);
             lu.factor(j);
             for (Z& entry : f) entry = -entry;
@@ -54,10 +53,10 @@ public:
     /// The evidence at the points q as they are.
     template <class R>
     void assess(const Point<M, R>& q, PolishedEvidence* evidence) const {
-        Evaluation<M, Kind, C, R, Time<R>> evaluation(*h_);
+        typename H::template Evaluation<R, Time<R>> evaluation(*h_);
         Complex<R> f[n], j[n][n];
         evaluation.jacobian(q, Time<R>{} + 1.0, f, j);
-        residual(q, f);
+        h_->residual(q, f);
         complete(j);
         R unit[n], size[n];
         measure(q, j, unit, size);
@@ -113,26 +112,15 @@ private:
 
     void linearize(const Point<M, double>& q, Complex<double> (&f)[n], Complex<double> (&j)[n][n], double (&unit)[n],
                    double (&size)[n]) const {
-        Evaluation<M, Kind, C, double, Complex<double>> evaluation(*h_);
+        typename H::template Evaluation<double, Complex<double>> evaluation(*h_);
         evaluation.jacobian(q, Complex<double>(1.0), f, j);
-        residual(q, f);
+        h_->residual(q, f);
         complete(j);
         measure(q, j, unit, size);
     }
     template <class R>
-    void residual(const Point<M, R>& q, Complex<R> (&f)[n]) const {
-        if constexpr (std::is_same_v<C, double>) {
-            AnglesOf<M, Complex<R>> theta;
-            CoordinatesOf<M, Complex<R>> x;
-            for (int i = 0; i < n_angles<M>; ++i) theta[i] = {q.c[i], q.s[i]};
-            for (int i = 0; i < n_coordinates<M>; ++i) x[i] = q.x[i];
-            const auto own = equations_at<M, Complex<R>>(theta, x, p_);
-            for (int i = 0; i < n; ++i) f[i] = own[i];
-        }
-    }
-    template <class R>
     static void complete(Complex<R> (&j)[n][n]) {
-        if constexpr (Formulation<M>::has_potential)
+        if constexpr (H::symmetric)
             for (int r = 0; r < n; ++r)
                 for (int c = 0; c < r; ++c) j[r][c] = j[c][r];
     }
@@ -172,8 +160,7 @@ private:
         return largest;
     }
 
-    const Homotopy<M, Kind, C>* h_;
-    Parameters<M, C> p_;
+    const H* h_;
     Array<double, n> scale_;
 };
 

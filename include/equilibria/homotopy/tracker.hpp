@@ -17,7 +17,6 @@
 #include <type_traits>
 
 #include <equilibria/core/linear_solve.hpp>
-#include <equilibria/homotopy/detail/evaluation.hpp>
 #include <equilibria/homotopy/path_status.hpp>
 #include <equilibria/homotopy/tracker_options.hpp>
 
@@ -27,16 +26,17 @@ namespace detail {
 
 /// One predictor-corrector step for all lanes. The driver owns t, the refilling of lanes and the end of paths.
 ///
-/// Time: R, and the path runs along the reals; or Complex<R>, and it runs along the segment t = origin + tau direction.
-template <Model M, StartKind Kind, class C, class R, class Time = R, bool Pivoted = !Formulation<M>::has_potential>
+/// H: a homotopy. Time: R, and the path runs along the reals; or Complex<R>, and it runs along the segment t = origin + tau direction.
+template <class H, class R, class Time = R, bool Pivoted = !H::symmetric>
 class Stepper {
 public:
+    using M = typename H::System;
     using Z = Complex<R>;
     using Mask = typename LaneTraits<R>::Mask;
     static constexpr int n = n_unknowns<M>;
     using Factorization = std::conditional_t<Pivoted, PivotedFactorization<R, n>, SymmetricFactorization<R, n>>;
 
-    Stepper(const Homotopy<M, Kind, C>& h, const TrackerOptions& options)
+    Stepper(const H& h, const TrackerOptions& options)
         : options_(options), evaluation_(h), origin_(Time{}), direction_(Time{} + 1.0) {}
 
     /// The segment that tau in [0, 1] runs along.
@@ -150,7 +150,7 @@ private:
             return direction_ * d;
     }
     void complete(Z (&j)[n][n]) const {
-        if constexpr (Pivoted && Formulation<M>::has_potential)
+        if constexpr (Pivoted && H::symmetric)
             for (int r = 0; r < n; ++r)
                 for (int c = 0; c < r; ++c) j[r][c] = j[c][r];
     }
@@ -193,7 +193,7 @@ private:
     }
 
     TrackerOptions options_;
-    Evaluation<M, Kind, C, R, Time> evaluation_;
+    typename H::template Evaluation<R, Time> evaluation_;
     Factorization lu_;
     Time origin_, direction_;
     Z taylor_[3][n];

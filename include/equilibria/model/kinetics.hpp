@@ -153,7 +153,7 @@ Unknowns<M, S> generalised_forces(double t, const Unknowns<M, S>& q, const Unkno
 template <DynamicModel M, class S = double>
 ConstraintValues<M, S> constraints(const Unknowns<M, S>& q, const Parameters<M, S>& p) {
     ConstraintValues<M, S> y;
-    if constexpr (n_constraints < M >> 0) {
+    if constexpr (n_constraints<M> != 0) {
         const auto values = detail::at_unknowns<M, S>(q, [&](const auto&... at) {
             static_assert(
                 requires { M{}.constraints(at..., p); },

@@ -15,7 +15,7 @@
 
 namespace equilibria::detail {
 
-template <Model M>
+template <class M>
 class CoincidenceFinder {
 public:
     /// reflected: a point and its mirror image theta -> -theta count as the same.

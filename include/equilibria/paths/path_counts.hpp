@@ -14,8 +14,15 @@ struct PathCounts {
     std::uint64_t tracked = 0;      ///< paths that were computed; the others are their mirror images, or rest
     std::uint64_t retracked = 0;    ///< paths tracked again, more carefully
     std::uint64_t crossed = 0;      ///< among those: paths that had run into another one's endpoint
-    std::uint64_t more_digits = 0;  ///< paths tracked with more digits than double has (`enumerate_carefully`)
+    std::uint64_t more_digits = 0;  ///< paths tracked with more digits than double has (enumerate/more_digits.hpp)
     std::uint64_t steps = 0;
+    /// With so many of the finite paths counted as singular: their endpoints are not isolated.
+    PathCounts with_singular(std::uint64_t moved) const {
+        PathCounts y = *this;
+        y.finite -= moved;
+        y.singular += moved;
+        return y;
+    }
     bool accounted_for() const { return finite + at_infinity + singular + failed + cancelled == total; }
 };
 

@@ -11,8 +11,8 @@
 
 namespace equilibria {
 
-/// A solution of the equilibrium equations, real or not.
-template <Model M>
+/// A solution of a system of equations, real or not. M: the model or the unknowns of the system.
+template <class M>
 struct Root {
     /// Angles in radians, real parts in (-pi, pi], imaginary parts any; then the plain coordinates.
     Array<std::complex<double>, n_unknowns<M>> q;
@@ -25,7 +25,7 @@ struct Root {
 };
 
 /// A path that failed, why, and where it was last.
-template <Model M>
+template <class M>
 struct FailedPath {
     std::uint64_t path = 0;
     FailureReason reason = FailureReason::none;

@@ -145,8 +145,8 @@ inline std::string build_name() {
 }
 
 /// The header of a run: `numbers` stands for the coefficients of the homotopy and all start points.
-template <Model M, class C>
-std::vector<CheckpointFile::Field> checkpoint_header(const Parameters<M, C>& p, std::uint64_t seed,
+template <Model M>
+std::vector<CheckpointFile::Field> checkpoint_header(const Parameters<M>& p, std::uint64_t seed,
                                                      std::string_view start, const Fingerprint& numbers,
                                                      const TrackerOptions& tracker, std::uint64_t paths,
                                                      std::uint64_t block) {
@@ -180,7 +180,7 @@ std::vector<CheckpointFile::Field> checkpoint_header(const Parameters<M, C>& p, 
 }
 
 /// The blocks of endpoints in a checkpoint.
-template <Model M>
+template <class M>
 class Checkpoint {
 public:
     static constexpr std::uint64_t endpoint_size = 16 * (2 * n_angles<M> + n_coordinates<M>)+4 * 8 + 4 + 2 + 3;

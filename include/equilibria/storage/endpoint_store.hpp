@@ -19,7 +19,7 @@
 
 namespace equilibria::detail {
 
-template <Model M>
+template <class M>
 class EndpointStore {
 public:
     /// For `size` paths in memory.
@@ -47,7 +47,7 @@ public:
 
     /// Keeps a finished block; with a checkpoint it is on the disk afterwards. From any thread, each block once.
     void put(std::uint64_t which, std::span<const Endpoint<M>> ends, std::uint64_t retracked) {
-        const std::lock_guard lock(guard_);
+        const std::lock_guard lock(*guard_);
         if (file_) file_->append(which, ends, retracked);
         enter(which, ends, retracked);
     }
@@ -101,7 +101,7 @@ private:
     std::vector<std::uint8_t> has_;
     std::vector<Endpoint<M>> ends_;
     std::unique_ptr<Checkpoint<M>> file_;
-    std::mutex guard_;
+    std::unique_ptr<std::mutex> guard_ = std::make_unique<std::mutex>();
     std::map<std::uint64_t, Endpoint<M>> replaced_;
     std::set<std::uint64_t> unsettled_;
     std::array<Window, 3> windows_;

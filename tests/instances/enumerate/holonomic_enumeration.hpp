@@ -7,6 +7,6 @@
 #include "instances/enumerate/chain_proofs.hpp"
 
 #ifdef EQUILIBRIA_SHARED_INSTANCES
-extern template INSTANCES_ENUMERATION(equilibria::mechanisms::HolonomicMechanism, general);
+extern template INSTANCES_ENUMERATION(equilibria::mechanisms::HolonomicMechanism, TotalDegree);
 extern template INSTANCES_PROOF(equilibria::mechanisms::HolonomicMechanism);
 #endif

@@ -10,5 +10,5 @@ extern template equilibria::LineEvents<equilibria::mechanisms::HolonomicMechanis
 equilibria::find_events<equilibria::mechanisms::HolonomicMechanism,
                         equilibria::mechanisms::HolonomicMechanism::stiffness_2>(
     const equilibria::Parameters<equilibria::mechanisms::HolonomicMechanism>&, double, double,
-    const equilibria::EnumerateOptions&);
+    const equilibria::RunOptions&);
 #endif

@@ -9,7 +9,7 @@
         equilibria::mechanisms::TwoLinkChain, equilibria::mechanisms::TwoLinkChain::alpha,               \
         equilibria::mechanisms::TwoLinkChain::omega, equilibria::mechanisms::TwoLinkChain::ratio>(       \
         const equilibria::Parameters<equilibria::mechanisms::TwoLinkChain>&, const equilibria::CuspBox&, \
-        const equilibria::CuspLocusOptions&)
+        const equilibria::RunOptions&, const equilibria::CuspLocusOptions&)
 
 #ifdef EQUILIBRIA_SHARED_INSTANCES
 extern template INSTANCES_TWO_LINK_CUSPS;

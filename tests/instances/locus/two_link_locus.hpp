@@ -10,10 +10,10 @@
     equilibria::trace_locus<equilibria::mechanisms::TwoLinkChain, equilibria::mechanisms::TwoLinkChain::alpha, \
                             equilibria::mechanisms::TwoLinkChain::omega>(                                      \
         const equilibria::Parameters<equilibria::mechanisms::TwoLinkChain>&, const equilibria::PlaneWindow&,   \
-        const equilibria::LocusOptions&,                                                                       \
-        equilibria::RootRescue<equilibria::CriticalSystem<equilibria::mechanisms::TwoLinkChain,                \
-                                                          equilibria::mechanisms::TwoLinkChain::alpha,         \
-                                                          equilibria::mechanisms::TwoLinkChain::omega>>)
+        const equilibria::RunOptions&, const equilibria::LocusOptions&,                                        \
+        equilibria::MoreDigitsOf<equilibria::CriticalSystem<equilibria::mechanisms::TwoLinkChain,              \
+                                                            equilibria::mechanisms::TwoLinkChain::alpha,       \
+                                                            equilibria::mechanisms::TwoLinkChain::omega>>)
 
 #ifdef EQUILIBRIA_SHARED_INSTANCES
 extern template INSTANCES_TWO_LINK_LOCUS;

@@ -12,14 +12,14 @@
     equilibria::LocusProof                                                                                     \
     equilibria::prove_locus<equilibria::mechanisms::TwoLinkChain, equilibria::mechanisms::TwoLinkChain::alpha, \
                             equilibria::mechanisms::TwoLinkChain::omega>(                                      \
-        const equilibria::Locus<equilibria::mechanisms::TwoLinkChain>&, unsigned)
+        const equilibria::Locus<equilibria::mechanisms::TwoLinkChain>&, const equilibria::RunOptions&)
 
 #define INSTANCES_TWO_LINK_REGION_PROOF                                                                         \
     equilibria::RegionProof                                                                                     \
     equilibria::prove_region<equilibria::mechanisms::TwoLinkChain, equilibria::mechanisms::TwoLinkChain::alpha, \
                              equilibria::mechanisms::TwoLinkChain::omega>(                                      \
         const equilibria::Parameters<equilibria::mechanisms::TwoLinkChain>&, const equilibria::PlaneWindow&,    \
-        const equilibria::ProveRegionOptions&)
+        const equilibria::RunOptions&, const equilibria::ProveRegionOptions&)
 
 #ifdef EQUILIBRIA_SHARED_INSTANCES
 extern template INSTANCES_TWO_LINK_LOCUS_PROOF;

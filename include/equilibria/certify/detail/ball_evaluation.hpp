@@ -99,7 +99,7 @@ public:
 
 private:
     std::size_t index(int u, int code) const {
-        if (n_coordinates < M >> 0 && u >= n_angles<M>) return static_cast<std::size_t>(offset_[u] + code - 1);
+        if (n_coordinates<M> != 0 && u >= n_angles<M>) return static_cast<std::size_t>(offset_[u] + code - 1);
         return static_cast<std::size_t>(offset_[u] + (code > 0 ? 2 * (code - 1) : 2 * (-code - 1) + 1));
     }
     static void complex_angle(const Complex<R>& c, const Complex<R>& s, Ball<R>& cosine, Ball<R>& sine) {

@@ -13,7 +13,7 @@
 
 namespace equilibria::detail {
 
-template <Model M, class R>
+template <class M, class R>
 struct ClosedLoop {
     using Z = Complex<R>;
     using At = Point<M, R>;

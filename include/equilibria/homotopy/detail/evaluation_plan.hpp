@@ -14,11 +14,10 @@
 
 #include <equilibria/algebra/formulation.hpp>
 #include <equilibria/core/array.hpp>
-#include <equilibria/homotopy/total_degree_start.hpp>
 
 namespace equilibria::detail {
 
-template <class M, StartKind Kind>
+template <class M, class Start>
 struct EvaluationPlan {
     using F = Formulation<M>;
     static constexpr int n = n_unknowns<M>;
@@ -101,11 +100,6 @@ struct EvaluationPlan {
         int equation, own_code, first, last;
         bool in_start;
     };
-    static constexpr bool start_has(int i, int code) {
-        if (code > F::degrees[i] || code < -F::degrees[i]) return false;
-        if (i >= n_angles<M>) return code == 0 || code == F::degrees[i];
-        return Kind != StartKind::reflected || code < 0;
-    }
     static constexpr std::vector<Group> find_groups() {
         std::vector<Group> y;
         for (int i = 0; i < n; ++i) {
@@ -113,7 +107,7 @@ struct EvaluationPlan {
             for (int code = -highest(i); code <= highest(i); ++code) {
                 int last = at;
                 while (last < F::first[i + 1] && F::support[last].own_code() == code) ++last;
-                if (last > at || start_has(i, code)) y.push_back({i, code, at, last, start_has(i, code)});
+                if (last > at || Start::has_term(i, code)) y.push_back({i, code, at, last, Start::has_term(i, code)});
                 at = last;
             }
         }
@@ -124,30 +118,6 @@ struct EvaluationPlan {
         Array<Group, n_groups> y;
         const auto found = find_groups();
         for (int k = 0; k < n_groups; ++k) y[k] = found[static_cast<std::size_t>(k)];
-        return y;
-    }();
-
-    // What loops over groups and operands look up at run time.
-
-    /// The factor of each group's own unknown; -1 for 1.
-    static constexpr Array<int, n_groups> own_factors = [] {
-        Array<int, n_groups> y{};
-        for (int g = 0; g < y.size(); ++g) y[g] = factor(groups[g].equation, groups[g].own_code);
-        return y;
-    }();
-    /// The unknown of each factor.
-    static constexpr Array<int, factors> unknowns_of_factors = [] {
-        Array<int, factors> y{};
-        for (int f = 0; f < y.size(); ++f) y[f] = unknown_of(f);
-        return y;
-    }();
-    /// Bit u: the operand depends on unknown u.
-    static constexpr Array<std::uint32_t, factors + n_nodes> dependence = [] {
-        static_assert(n <= 32);
-        Array<std::uint32_t, factors + n_nodes> y{};
-        for (int f = 0; f < factors; ++f) y[f] = std::uint32_t{1} << unknown_of(f);
-        for (int m = 0; m < n_nodes; ++m)
-            y[factors + m] = y[nodes[m].left] | y[nodes[m].right];
         return y;
     }();
 };

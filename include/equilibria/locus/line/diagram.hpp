@@ -38,9 +38,9 @@ struct BifurcationDiagram {
 /// Throws InvalidArgument as find_events does.
 template <Model M, int Active>
 BifurcationDiagram<M> trace_diagram(const Parameters<M>& p, double low, double high,
-                                    const EnumerateOptions& options = {}, PathOptions path = {.first_step = 1e-3, .largest_step = 0.02}) {
+                                    const RunOptions& run = {}, PathOptions path = {.first_step = 1e-3, .largest_step = 0.02}) {
     BifurcationDiagram<M> diagram;
-    auto found = find_events<M, Active>(p, low, high, options);
+    auto found = find_events<M, Active>(p, low, high, run);
     diagram.failed_paths = found.paths.failed;
     diagram.events = std::move(found.events);
     std::vector<double> ends{low};
@@ -56,7 +56,7 @@ BifurcationDiagram<M> trace_diagram(const Parameters<M>& p, double low, double h
     for (std::size_t k = 0; k + 1 < ends.size(); ++k) {
         Parameters<M> middle = p;
         middle[Active] = 0.5 * (ends[k] + ends[k + 1]);
-        for (const auto& e : enumerate<M>(middle, options).equilibria) {
+        for (const auto& e : enumerate<M>(middle, run).equilibria) {
             BranchPiece<M> piece{e.index, {{middle[Active], e.q}}};
             for (const int side : {-1, 1}) {
                 const double end = side < 0 ? ends[k] : ends[k + 1];

@@ -95,8 +95,7 @@ public:
     using Problem = ModelProblem<M, Active>;
     static constexpr int n = n_unknowns<M>;
 
-    LineEventFinder(const Parameters<M>& p, double low, double high, const EnumerateOptions& options)
-        : p_(p), options_(options) {
+    LineEventFinder(const Parameters<M>& p, double low, double high, const RunOptions& run) : p_(p), run_(run) {
         found_.low = low;
         found_.high = high;
     }
@@ -137,7 +136,7 @@ private:
     }
     void add_pitchforks(const Unknowns<M>& branch) requires(n_coordinates<M> == 0) {
         const auto values =
-            singular_points_of_branch<M>(branch, p_, Active, System::degree[0], found_.low, found_.high);
+            singular_points_of_branch<M>(branch, p_, Active, System::entry().degree[0], found_.low, found_.high);
         for (std::size_t k = 0; k < values.size(); ++k) {
             LineEvent<M> event;
             event.q = branch;
@@ -161,10 +160,10 @@ private:
 
     void add_solutions(int most_attempts) {
         for (int attempt = 0; attempt < most_attempts && (attempt == 0 || found_.paths.failed > 0); ++attempt) {
-            EnumerateOptions options = options_;
-            options.seed = seed_of_attempt(options_.seed, found_.attempts++);
-            Generator generator(options.seed);
-            const auto set = solve_multihomogeneous<System>(System::parameters(p_, scale_, generator), options);
+            const RunOptions run = run_.with_seed(seed_of_attempt(run_.seed, found_.attempts++));
+            Generator generator(run.seed);
+            const auto set = solve_multihomogeneous(System::system(System::numbers(p_, scale_, generator)),
+                                                    System::grouping, run);
             found_.paths = set.paths;
             found_.complex_solutions = set.roots.size();
             found_.regular_solutions = found_.pitchfork_paths = found_.other_singular = found_.unexplained = 0;
@@ -192,14 +191,14 @@ private:
             return;
         }
         const bool real = imaginary < near && std::abs(x.imag()) < near * (1 + std::abs(x)) &&
-                          (System::power[0] == 1 || x.real() > -near);
+                          (System::entry().power[0] == 1 || x.real() > -near);
         const double value =
-            real ? System::parameter(0, System::power[0] == 1 ? x.real() : std::max(0.0, x.real()), scale_[0]) : 0;
+            real ? System::parameter(0, System::entry().power[0] == 1 ? x.real() : std::max(0.0, x.real()), scale_[0]) : 0;
         if (!real) {
             if (singular) found_.other_singular += paths;
             return;
         }
-        if (System::power[0] == 2 && value > 0 && found_.low < 0) take_at(q, -value, singular);
+        if (System::entry().power[0] == 2 && value > 0 && found_.low < 0) take_at(q, -value, singular);
         take_at(q, value, singular);
     }
 
@@ -257,7 +256,7 @@ private:
         found_.unclean = found_.compared = found_.wrong_tables = 0;
         const auto add_interval = [&](double low, double high) {
             LineInterval<M> interval{low, high, 0.5 * (low + high), 0, {}, false};
-            const auto set = enumerate<M>(at(interval.at), options_);
+            const auto set = enumerate<M>(at(interval.at), run_);
             interval.count = set.real();
             interval.by_index = set.by_index();
             interval.clean = set.clean();
@@ -297,7 +296,7 @@ private:
     }
 
     Parameters<M> p_;
-    EnumerateOptions options_;
+    RunOptions run_;
     Array<double, 1> scale_;
     LineEvents<M> found_;
 };
@@ -307,17 +306,15 @@ private:
 /// All events with the parameter number Active in [low, high], the others those of p. The model must be polynomial in that
 /// parameter.
 ///
-/// Throws InvalidArgument for an interval that is empty, reversed or not finite, for parameters that are not finite, and for
-/// options with a checkpoint or a cancel: these are of one enumeration, and here are many.
+/// Throws InvalidArgument for an interval that is empty, reversed or not finite, for parameters that are not finite, and for a
+/// run with a checkpoint or a cancel: these are of one enumeration, and here are many.
 template <Model M, int Active>
-LineEvents<M> find_events(const Parameters<M>& p, double low, double high, const EnumerateOptions& options = {}) {
+LineEvents<M> find_events(const Parameters<M>& p, double low, double high, const RunOptions& run = {}) {
     require_finite(p, "parameters");
     require(std::isfinite(low) && std::isfinite(high) && low < high, "interval", to_text(low) + ":" + to_text(high),
             "must be finite and run from the smaller to the larger value");
-    require(options.checkpoint.empty(), "checkpoint", options.checkpoint, "must be empty: it keeps a single enumeration");
-    require(options.cancel == nullptr, "cancel", "given", "must be empty: a search for events cannot be cancelled");
-    options.validate();
-    return detail::LineEventFinder<M, Active>(p, low, high, options).run();
+    run.require_whole("a search for events");
+    return detail::LineEventFinder<M, Active>(p, low, high, run).run();
 }
 
 }  // namespace equilibria

@@ -44,13 +44,13 @@ public:
     using Evidence = typename Locus<M>::Evidence;
 
     /// inner_lines: in each direction, beside the borders.
-    LocusSeeds(const Parameters<M>& p, const PlaneWindow& window, int inner_lines, const EnumerateOptions& options,
-               RootRescue<CriticalSystem<M, X, Y>> rescue)
-        : parameters_(p), window_(window), inner_lines_(inner_lines), seed_(options.seed),
-          solver_(p, options,
+    LocusSeeds(const Parameters<M>& p, const PlaneWindow& window, int inner_lines, const RunOptions& run,
+               MoreDigitsOf<CriticalSystem<M, X, Y>> more_digits)
+        : parameters_(p), window_(window), inner_lines_(inner_lines), seed_(run.seed),
+          solver_(p, run,
                   {std::max(std::abs(window.x_low), std::abs(window.x_high)),
                    std::max(std::abs(window.y_low), std::abs(window.y_high))},
-                  rescue) {}
+                  more_digits) {}
 
     void solve(Evidence& evidence) {
         solve_lines<X, Y>(evidence);
@@ -111,7 +111,7 @@ private:
         const double size = Fixed == X ? window_.width() : window_.height();
         const double active_low = Active == X ? window_.x_low : window_.y_low;
         const double active_high = Active == X ? window_.x_high : window_.y_high;
-        const int degree = Solver::System::degree[Active == X ? 0 : 1];
+        const int degree = Solver::System::entry().degree[Active == X ? 0 : 1];
         Generator generator(seed_);
         const typename Solver::Lines lines(solver_, Fixed == X ? 0 : 1, low + size * uniform(generator));
         evidence.lines_solved.add(lines.counts());
@@ -136,7 +136,7 @@ private:
         };
         // the borders, moved in: the model may degenerate on them, and near to them may leave paths undecided, most of all
         // near 0 of a parameter that enters by its square
-        const bool squared = Solver::System::power[Fixed == X ? 0 : 1] == 2;
+        const bool squared = Solver::System::entry().power[Fixed == X ? 0 : 1] == 2;
         for (const bool upper : {false, true})
             for (const double inset : {1e-6, 1e-4, 1e-2}) {
                 if (squared && !upper && low == 0 && inset < 1e-2) continue;
@@ -180,7 +180,7 @@ private:
     bool is_family(const LocusPoint<M>& at) const {
         for (int i = 0; i < n; ++i)
             for (int k = 0; k < 2; ++k)
-                if (Solver::System::content[i][k] > 0 &&
+                if (Solver::System::entry().content[i][k] > 0 &&
                     std::abs(k == 0 ? at.x : at.y) <= 1e-9 * (k == 0 ? window_.width() : window_.height()))
                     return true;
         return false;

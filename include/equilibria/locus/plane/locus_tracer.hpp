@@ -24,15 +24,11 @@ namespace equilibria {
 struct LocusOptions {
     int lines = 12;            ///< lines in each direction that are solved beside the borders of the window, at least 2
     int checks = 20;           ///< points in each direction whose count is compared with their region's; 0: none
-    std::uint64_t seed = 1;    ///< of every enumeration
-    unsigned threads = 1;      ///< 0: all of the machine's; does not change the result
     /// Of the curves, in angles and in parts of the window; parameter_weight is set by it.
     PathOptions path{.first_step = 1e-3, .largest_step = 0.006, .largest_angle = 0.15};
     int most_points = 20000;   ///< of one curve
 
-    EnumerateOptions enumeration() const { return {.seed = seed, .threads = threads}; }
     void validate() const {
-        enumeration().validate();
         require(lines >= 2 && lines <= 10000, "lines", lines, "must be 2 to 10000");
         require(checks >= 0 && checks <= 10000, "checks", checks, "must be 0 to 10000");
         require(most_points > 1, "most_points", most_points, "must be more than 1");
@@ -47,9 +43,9 @@ class LocusTracer {
 public:
     static constexpr int n = n_unknowns<M>;
 
-    LocusTracer(const Parameters<M>& p, const PlaneWindow& window, const LocusOptions& options,
-                RootRescue<CriticalSystem<M, X, Y>> rescue)
-        : options_(options), seeds_(p, window, options.lines, options.enumeration(), rescue) {
+    LocusTracer(const Parameters<M>& p, const PlaneWindow& window, const RunOptions& run, const LocusOptions& options,
+                MoreDigitsOf<CriticalSystem<M, X, Y>> more_digits)
+        : run_(run), options_(options), seeds_(p, window, options.lines, run, more_digits) {
         locus_.window = window;
         locus_.parameters = p;
     }
@@ -61,7 +57,7 @@ public:
             if (!seed.traced) trace_from(seed);
         seeds_.compare(locus_);
         for (const Seed& seed : seeds_.all()) locus_.evidence.untraced_seeds += !seed.traced;
-        count_regions<M, X, Y>(locus_, options_.checks, options_.enumeration());
+        count_regions<M, X, Y>(locus_, options_.checks, run_);
         locus_.evidence.seconds = seconds_since(begin);
         return std::move(locus_);
     }
@@ -384,6 +380,7 @@ private:
         }
     }
 
+    RunOptions run_;
     LocusOptions options_;
     LocusSeeds<M, X, Y> seeds_;
     Locus<M> locus_;

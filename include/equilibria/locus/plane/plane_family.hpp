@@ -62,7 +62,7 @@ public:
 private:
     using System = CriticalSystem<M, X, Y>;
 
-    static double exponent(int i, int k) { return System::content[i][k] * System::power[k]; }
+    static double exponent(int i, int k) { return System::entry().content[i][k] * System::entry().power[k]; }
     Parameters<M> at(double p) const {
         Parameters<M> values = parameters_;
         values[X] = p;

@@ -24,15 +24,16 @@ template <Model M, int X, int Y>
 class PlaneSolver {
 public:
     using System = CriticalSystem<M, X, Y>;
-    using Product = LinearProduct<System>;
+    using Numbers = typename System::Numbers;
+    using Roots = ComplexRoots<UnknownsOf<System::n_angles, System::n_coordinates>>;
     using Points = std::vector<LocusPoint<M>>;
     static constexpr int n = n_unknowns<M>;
 
-    /// scales: values of X and Y that count as large, positive: the size of the window. rescue: for paths to cusps
+    /// scales: values of X and Y that count as large, positive: the size of the window. more_digits: for paths to cusps
     /// and extremal points that fail.
-    PlaneSolver(const Parameters<M>& p, const EnumerateOptions& options, const Array<double, 2>& scales = {1, 1},
-                RootRescue<System> rescue = nullptr)
-        : p_(p), options_(options), scales_(scales), rescue_(rescue) {}
+    PlaneSolver(const Parameters<M>& p, const RunOptions& run, const Array<double, 2>& scales = {1, 1},
+                MoreDigitsOf<System> more_digits = nullptr)
+        : p_(p), run_(run), scales_(scales), more_digits_(more_digits) {}
 
     /// The folds on lines on which the parameter number `fixed` (0 for X, 1 for Y) has the given value. One line is
     /// solved from its start system, at the value `generic`; the others follow by parameter homotopy, on as many paths as
@@ -40,10 +41,12 @@ public:
     class Lines {
     public:
         Lines(const PlaneSolver& solver, int fixed, double generic) : solver_(&solver), fixed_(fixed) {
+            Roots set;
             solver.attempt(counts_, [&](std::uint64_t seed, Generator& generator) -> const auto& {
-                return set_ = solver.solve_line(fixed, generic, seed, generator);
+                numbers_ = solver.line(fixed, generic, generator);
+                return set = solver.solve_line(numbers_, seed);
             });
-            for (const auto& root : set_.roots)
+            for (const auto& root : set.roots)
                 if (root.status == PathStatus::finite && root.paths == 1) roots_.push_back(root);
         }
         const SolutionCounts& counts() const { return counts_; }
@@ -51,12 +54,13 @@ public:
         /// `failed` is increased by the paths that failed. thorough: a line that leaves paths undecided is solved from
         /// its own start system.
         Points folds(double value, std::uint64_t& failed, bool thorough = true) const {
-            auto p = set_.parameters;
-            p[System::slice + 2] = -System::unknown(fixed_, value, solver_->scales_[fixed_]);
+            Numbers there = numbers_;
+            there.slice[2] = -System::unknown(fixed_, value, solver_->scales_[fixed_]);
+            const auto from = System::system(numbers_), to = System::system(there);
             // gamma is a choice: where one leaves paths undecided, another may not
-            ComplexRoots<System> set;
+            Roots set;
             for (std::uint64_t k = 0; k < 4 && (k == 0 || set.paths.failed > 0); ++k)
-                set = solve_from<System>(roots_, set_.parameters, p, solver_->with_seed(solver_->options_.seed + k));
+                set = solve_from(roots_, from, to, solver_->run_.with_seed(solver_->run_.seed + k));
             Points points;
             const auto take = [&](const auto& roots) {
                 for (const auto& root : roots)
@@ -73,7 +77,7 @@ public:
             } else if (set.paths.failed > 0) {
                 SolutionCounts counts;
                 solver_->attempt(counts, [&](std::uint64_t seed, Generator& generator) {
-                    auto solved = solver_->solve_line(fixed_, value, seed, generator);
+                    auto solved = solver_->solve_line(solver_->line(fixed_, value, generator), seed);
                     take(solved.roots);
                     return solved;
                 });
@@ -86,40 +90,35 @@ public:
         const PlaneSolver* solver_;
         int fixed_;
         SolutionCounts counts_;
-        ComplexRoots<System> set_;
-        std::vector<Root<Product>> roots_;
+        Numbers numbers_{};
+        decltype(Roots::roots) roots_;
     };
 
     /// All cusps of the plane.
     Points cusps(SolutionCounts& counts) const requires PotentialModel<M> {
-        return solve(counts, System::cusp, [](const Unknowns<M>& q, const Parameters<M>& p) {
+        return solve(counts, [](Numbers& numbers) { numbers.cusp = 1; }, [](const Unknowns<M>& q, const Parameters<M>& p) {
             return refine_cusp<M, X, Y>(q, p);
         });
     }
     /// All points of fold curves at which the parameter number `which` (0 for X, 1 for Y) is extremal.
     Points extremal_folds(int which, SolutionCounts& counts) const requires PotentialModel<M> {
-        return solve(counts, System::extremal + 1 - which, [which](const Unknowns<M>& q, const Parameters<M>& p) {
+        return solve(counts, [which](Numbers& numbers) { numbers.extremal[1 - which] = 1; }, [which](const Unknowns<M>& q, const Parameters<M>& p) {
             return which == 0 ? refine_extremal<M, X, Y>(q, p) : refine_extremal<M, Y, X>(q, p);
         });
     }
 
     /// All pitchforks of symmetric branches at which that parameter is extremal on their curve.
     Points extremal_pitchforks(int which, SolutionCounts& counts) const requires PotentialModel<M> {
-        return on_branches(counts, 1 - which);
+        return on_branches(counts, [which](auto& numbers) { numbers.extremal[1 - which] = 1; });
     }
     /// All pitchforks of symmetric branches that turn from super- to subcritical.
     Points degenerate_pitchforks(SolutionCounts& counts) const requires PotentialModel<M> {
-        return on_branches(counts, 2);
+        return on_branches(counts, [](auto& numbers) { numbers.fourth = 1; });
     }
 
 private:
     static constexpr std::uint64_t most_attempts = 12;
 
-    EnumerateOptions with_seed(std::uint64_t seed) const {
-        EnumerateOptions options = options_;
-        options.seed = seed;
-        return options;
-    }
     Parameters<M> parameters_at(double x, double y) const {
         Parameters<M> p = p_;
         p[X] = x;
@@ -127,12 +126,15 @@ private:
         return p;
     }
 
-    /// The folds of one line, from their own start system.
-    ComplexRoots<System> solve_line(int fixed, double value, std::uint64_t seed, Generator& generator) const {
-        auto p = System::parameters(p_, scales_, generator);
-        p[System::slice + fixed] = 1;
-        p[System::slice + 2] = -System::unknown(fixed, value, scales_[fixed]);
-        return solve_multihomogeneous<System>(p, with_seed(seed));
+    /// Of the line on which the parameter number `fixed` has the value; and its folds, from their own start system.
+    Numbers line(int fixed, double value, Generator& generator) const {
+        Numbers numbers = System::numbers(p_, scales_, generator);
+        numbers.slice[fixed] = 1;
+        numbers.slice[2] = -System::unknown(fixed, value, scales_[fixed]);
+        return numbers;
+    }
+    Roots solve_line(const Numbers& numbers, std::uint64_t seed) const {
+        return solve_multihomogeneous(System::system(numbers), System::grouping, run_.with_seed(seed));
     }
 
     /// Start systems until one leaves no path undecided; solve(seed, generator) returns what it found.
@@ -140,7 +142,7 @@ private:
         PathCounts paths;
         std::uint64_t attempts = 0, regular = 0;
         while (attempts < most_attempts && (attempts == 0 || paths.failed > 0)) {
-            const std::uint64_t seed = detail::seed_of_attempt(options_.seed, attempts++);
+            const std::uint64_t seed = seed_of_attempt(run_.seed, attempts++);
             Generator generator(seed);
             const auto& set = solve(seed, generator);
             paths = set.paths;
@@ -154,7 +156,7 @@ private:
     }
 
     /// The real parameters and unknowns next to a root, if it is about real.
-    std::optional<LocusPoint<M>> real_point(const Root<Product>& root) const {
+    std::optional<LocusPoint<M>> real_point(const auto& root) const {
         const double near = root.status == PathStatus::singular ? 1e-3 : 1e-5;
         LocusPoint<M> at;
         for (int i = 0; i < n; ++i) {
@@ -169,9 +171,9 @@ private:
         for (int k = 0; k < 2; ++k) {
             const std::complex<double> x = unknowns[k];
             if (!(std::abs(x.imag()) < near * (1 + std::abs(x)))) return false;
-            if (System::power[k] == 2 && !(x.real() > -near)) return false;
+            if (System::entry().power[k] == 2 && !(x.real() > -near)) return false;
             (k == 0 ? at.x : at.y) =
-                System::parameter(k, System::power[k] == 2 ? std::max(0.0, x.real()) : x.real(), scales_[k]);
+                System::parameter(k, System::entry().power[k] == 2 ? std::max(0.0, x.real()) : x.real(), scales_[k]);
         }
         return true;
     }
@@ -190,12 +192,14 @@ private:
         points.push_back(at);
     }
 
-    Points solve(SolutionCounts& counts, int weight, const auto& refine) const {
+    /// weigh(numbers): sets the weights of the last equation.
+    Points solve(SolutionCounts& counts, const auto& weigh, const auto& refine) const {
         Points points;
         attempt(counts, [&](std::uint64_t seed, Generator& generator) {
-            auto p = System::parameters(p_, scales_, generator);
-            p[weight] = 1;
-            auto set = solve_multihomogeneous<System>(p, with_seed(seed), rescue_);
+            Numbers numbers = System::numbers(p_, scales_, generator);
+            weigh(numbers);
+            auto set = solve_multihomogeneous(System::system(numbers), System::grouping, run_.with_seed(seed), {},
+                                              more_digits_);
             for (const auto& root : set.roots)
                 if (const auto at = real_point(root)) keep(points, *at, refine(at->q, parameters_at(at->x, at->y)));
             return set;
@@ -203,15 +207,16 @@ private:
         return points;
     }
 
-    Points on_branches(SolutionCounts& counts, int weight) const {
+    Points on_branches(SolutionCounts& counts, const auto& weigh) const {
         Points points;
         if constexpr (Formulation<M>::reflection_symmetric) {
             using Branch = SymmetricSystem<M, X, Y>;
             for (const Unknowns<M>& branch : symmetric_branches<M>())
                 attempt(counts, [&](std::uint64_t seed, Generator& generator) {
-                    auto p = Branch::parameters(p_, scales_, branch, generator);
-                    p[Branch::extremal + weight] = 1;
-                    auto set = solve_multihomogeneous<Branch>(p, with_seed(seed));
+                    auto numbers = Branch::numbers(p_, scales_, branch, generator);
+                    weigh(numbers);
+                    auto set =
+                        solve_multihomogeneous(Branch::system(numbers), Branch::grouping, run_.with_seed(seed));
                     for (const auto& root : set.roots) {
                         LocusPoint<M> at{0, 0, branch, {}};
                         if (!real_parameters(&root.q[Branch::first_active], 1e-6, at)) continue;
@@ -227,9 +232,9 @@ private:
     }
 
     Parameters<M> p_;
-    EnumerateOptions options_;
+    RunOptions run_;
     Array<double, 2> scales_;
-    RootRescue<System> rescue_;
+    MoreDigitsOf<System> more_digits_;
 };
 
 }  // namespace equilibria

@@ -52,7 +52,7 @@ inline bool differ_by_pairs(const std::vector<std::int64_t>& a, const std::vecto
 /// Decomposes the window, enumerates each region at its point, and compares with enumerations elsewhere in it: in its
 /// other cells, and at checks x checks points of a grid.
 template <Model M, int X, int Y>
-void count_regions(Locus<M>& locus, int checks, const EnumerateOptions& options) {
+void count_regions(Locus<M>& locus, int checks, const RunOptions& run) {
     const auto parameters_at = [&](double x, double y) {
         Parameters<M> p = locus.parameters;
         p[X] = x;
@@ -72,7 +72,7 @@ void count_regions(Locus<M>& locus, int checks, const EnumerateOptions& options)
     const auto is_region = [&](const LocusRegion& region) { return region.area > negligible; };
     for (LocusRegion& region : locus.regions) {
         if (!is_region(region)) continue;
-        const auto found = enumerate<M>(parameters_at(region.point.x, region.point.y), options);
+        const auto found = enumerate<M>(parameters_at(region.point.x, region.point.y), run);
         region.count = found.real();
         region.by_index = found.by_index();
         region.clean = found.clean();
@@ -82,7 +82,7 @@ void count_regions(Locus<M>& locus, int checks, const EnumerateOptions& options)
         if (number < 0) return;
         LocusRegion& region = locus.regions[static_cast<std::size_t>(number)];
         if (!is_region(region)) return;
-        const auto found = enumerate<M>(parameters_at(x, y), options);
+        const auto found = enumerate<M>(parameters_at(x, y), run);
         ++locus.evidence.checked_points;
         if (found.real() != region.count || found.by_index() != region.by_index) {
             region.confirmed = false;

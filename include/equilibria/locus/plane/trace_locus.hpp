@@ -15,19 +15,20 @@
 namespace equilibria {
 
 /// The bifurcation locus of the model in the plane of its parameters number X and Y, the others being those of p.
-/// rescue: careful_roots<CriticalSystem<M, X, Y>> (enumerate/more_digits.hpp) tracks paths that fail in double with more
+/// more_digits: more_digits<CriticalSystem<M, X, Y>> (enumerate/more_digits.hpp) tracks paths that fail in double with more
 /// digits, instead of all paths from another start system; that saves time where there are thousands.
 ///
-/// Throws InvalidArgument for a window that is empty, reversed or not finite, for parameters that are not finite and for
-/// options out of range.
+/// Throws InvalidArgument for a window that is empty, reversed or not finite, for parameters that are not finite for options
+/// out of range, and for a run with a checkpoint or a cancel.
 template <Model M, int X, int Y>
-Locus<M> trace_locus(const Parameters<M>& p, const PlaneWindow& window, const LocusOptions& options = {},
-                     RootRescue<CriticalSystem<M, X, Y>> rescue = nullptr) {
+Locus<M> trace_locus(const Parameters<M>& p, const PlaneWindow& window, const RunOptions& run = {},
+                     const LocusOptions& options = {}, MoreDigitsOf<CriticalSystem<M, X, Y>> more_digits = nullptr) {
     static_assert(X != Y, "equilibria: a plane needs two different parameters");
     require_finite(p, "parameters");
     window.validate();
     options.validate();
-    return detail::LocusTracer<M, X, Y>(p, window, options, rescue).run();
+    run.require_whole("a locus");
+    return detail::LocusTracer<M, X, Y>(p, window, run, options, more_digits).run();
 }
 
 }  // namespace equilibria

@@ -21,8 +21,7 @@
 #include <equilibria/certify/krawczyk.hpp>
 #include <equilibria/enumerate/prove.hpp>
 #include <equilibria/locus/plane/locus_result.hpp>
-#include <equilibria/paths/path_solver.hpp>
-#include <equilibria/run/parallel.hpp>
+#include <equilibria/run/run_options.hpp>
 #include <equilibria/system/critical_system.hpp>
 #include <equilibria/system/symmetric_system.hpp>
 
@@ -58,7 +57,7 @@ class LocusProver {
 public:
     static constexpr int n = n_unknowns<M>;
 
-    LocusProver(const Locus<M>& locus, unsigned threads) : locus_(&locus), threads_(threads) {
+    LocusProver(const Locus<M>& locus, const RunOptions& run) : locus_(&locus), run_(run) {
         const PlaneWindow& w = locus.window;
         scales_ = {std::max(std::abs(w.x_low), std::abs(w.x_high)), std::max(std::abs(w.y_low), std::abs(w.y_high))};
     }
@@ -76,7 +75,7 @@ public:
         for (const auto& at : locus_->degenerate_pitchforks)
             add(LocusKind::pitchfork, at, {.third = 1}, &proof_.degenerate_pitchforks);
         std::vector<double> radii(tasks_.size(), -1);
-        parallel_blocks(tasks_.size(), 8, threads_, [&](std::size_t first, std::size_t last) {
+        run_.executor.for_blocks(tasks_.size(), 8, [&](std::size_t first, std::size_t last) {
             for (std::size_t k = first; k < last; ++k) radii[k] = radius(tasks_[k]);
         });
         for (std::size_t k = 0; k < tasks_.size(); ++k) {
@@ -87,7 +86,7 @@ public:
         }
         for (const LocusRegion& region : locus_->regions) {
             const auto proof =
-                prove(enumerate<M>(parameters_at(region.point.x, region.point.y), {.threads = threads_}));
+                prove(enumerate<M>(parameters_at(region.point.x, region.point.y), run_));
             ++proof_.regions.of;
             proof_.regions.proved += proof.complete && proof.by_index == region.by_index;
         }
@@ -148,9 +147,11 @@ private:
     }
     double fold_radius(const Task& task) const {
         const Unknowns<M>& q = task.at->q;
-        auto parameters = weighted<Folds>(
-            task, [&](const auto& p, Generator& generator) { return Folds::parameters(p, scales_, generator); });
-        parameters[Folds::cusp] = task.last.third;
+        Generator generator(1);
+        auto numbers = Folds::numbers(parameters_at(task.at->x, task.at->y), scales_, generator);
+        numbers.basis = basis(task);
+        weigh(task, numbers);
+        numbers.cusp = task.last.third;
         Point<Folds, double> at;
         for (auto& x : at.x) x = 0.0;
         for (int i = 0; i < n_angles<M>; ++i) at.c[i] = std::cos(q[i]), at.s[i] = std::sin(q[i]);
@@ -158,63 +159,65 @@ private:
         if constexpr (Folds::off_symmetric_branches) {
             double sum = 0;
             for (int i = 0; i < n_angles<M>; ++i) {
-                parameters[Folds::first_sine + i] = std::sin(q[i]);
+                numbers.sine[i] = std::sin(q[i]);
                 sum += std::sin(q[i]) * std::sin(q[i]);
             }
             at.x[Folds::reciprocal] = 1 / sum;
         }
-        return proved_radius<Folds>(parameters, at, task);
+        return proved_radius<Folds>(numbers, at, task);
     }
     double pitchfork_radius(const Task& task) const {
-        auto parameters = weighted<Pitchforks>(task, [&](const auto& p, Generator& generator) {
-            return Pitchforks::parameters(p, scales_, task.at->q, generator);
-        });
-        parameters[Pitchforks::fourth] = task.last.third;
+        Generator generator(1);
+        auto numbers = Pitchforks::numbers(parameters_at(task.at->x, task.at->y), scales_, task.at->q, generator);
+        numbers.plane.basis = basis(task);
+        weigh(task, numbers);
+        numbers.fourth = task.last.third;
         Point<Pitchforks, double> at;
         for (auto& x : at.x) x = 0.0;
-        return proved_radius<Pitchforks>(parameters, at, task);
+        return proved_radius<Pitchforks>(numbers, at, task);
     }
 
-    /// The system's parameters with the weights of the task, and the basis that has v for its first vector: w = 0.
-    template <class System>
-    Parameters<System> weighted(const Task& task, const auto& own) const {
-        Generator generator(1);
-        Parameters<System> y = own(parameters_at(task.at->x, task.at->y), generator);
+    /// The basis that has v for its first vector: w = 0.
+    static Array<Array<double, n>, n> basis(const Task& task) {
         const Eigen::Map<const Eigen::Matrix<double, n, 1>> v(&task.at->v[0]);
         const Eigen::Matrix<double, n, n> b = Eigen::HouseholderQR<Eigen::Matrix<double, n, 1>>(v).householderQ();
+        Array<Array<double, n>, n> y;
         for (int i = 0; i < n; ++i)
-            for (int k = 0; k < n; ++k) y[System::first_basis + i * n + k] = k == 0 ? v(i) : b(i, k);
+            for (int k = 0; k < n; ++k) y[i][k] = k == 0 ? v(i) : b(i, k);
+        return y;
+    }
+    /// Sets the weights of the last equation.
+    void weigh(const Task& task, auto& numbers) const {
         const auto x = unknowns(*task.at);
         for (int k = 0; k < 2; ++k) {
-            y[System::slice + k] = task.last.slice[k];
-            y[System::extremal + k] = task.last.extremal[k];
+            numbers.slice[k] = task.last.slice[k];
+            numbers.extremal[k] = task.last.extremal[k];
         }
-        y[System::slice + 2] = -(task.last.slice[0] * x[0] + task.last.slice[1] * x[1]);
-        return y;
+        numbers.slice[2] = -(task.last.slice[0] * x[0] + task.last.slice[1] * x[1]);
     }
 
     /// Of the root next to `at`, whose parameters are those of the task.
     template <class System>
-    double proved_radius(const Parameters<System>& parameters, Point<System, double> at, const Task& task) const {
+    double proved_radius(const typename System::Numbers& numbers, Point<System, double> at, const Task& task) const {
         const auto place = unknowns(*task.at);
         for (int k = 0; k < 2; ++k) at.x[System::first_active + k] = place[k];
-        const BallSystem<System, double> system(ExactSystem<System>::at(parameters));
+        const BallSystem<System, double> system(ExactSystem<System>(System::template equations<ExactBall>(numbers)));
         const auto proof = krawczyk<System, double>(system, at, true);
         if (!proof.proved) return -1;
         double largest = 0;
         for (int k = 0; k < 2; ++k) {
             const double x = place[k], r = proof.radius[n_angles<System> + System::first_active + k];
-            if (Folds::power[k] == 2 && !(x > 2 * r)) return -1;  // the parameter itself might not be real
+            if (Folds::entry().power[k] == 2 && !(x > 2 * r)) return -1;  // the parameter itself might not be real
             const double size = k == 0 ? locus_->window.width() : locus_->window.height();
             for (const double end : {x - r, x + r})
-                largest = std::max(largest, std::abs(Folds::template parameter<double>(k, end, scales_[k]) -
-                                                     Folds::template parameter<double>(k, x, scales_[k])) /
+                largest = std::max(largest, std::abs(Folds::parameter(k, end, scales_[k]) -
+                                                     Folds::parameter(k, x, scales_[k])) /
                                                 size);
         }
         return largest;
     }
     const Locus<M>* locus_;
-    unsigned threads_;
+    RunOptions run_;
     Array<double, 2> scales_;
     LocusProof proof_;
     std::vector<Task> tasks_;
@@ -222,14 +225,13 @@ private:
 
 }  // namespace detail
 
-/// Proves what can be proved of a locus of the plane of the parameters number X and Y, by the threads given (0: all of
-/// the machine's). What is not proved is missing in the shares, no more. Throws InvalidArgument for more than 1024
-/// threads. Source: krawczyk.hpp.
+/// Proves what can be proved of a locus of the plane of the parameters number X and Y. What is not proved is missing in the
+/// shares, no more. Throws InvalidArgument for a run with a checkpoint or a cancel. Source: krawczyk.hpp.
 template <PotentialModel M, int X, int Y>
-LocusProof prove_locus(const Locus<M>& locus, unsigned threads = 1) {
-    EnumerateOptions{.threads = threads}.validate();
+LocusProof prove_locus(const Locus<M>& locus, const RunOptions& run = {}) {
+    run.require_whole("a proof");
     const auto begin = std::chrono::steady_clock::now();
-    LocusProof proof = detail::LocusProver<M, X, Y>(locus, threads).run();
+    LocusProof proof = detail::LocusProver<M, X, Y>(locus, run).run();
     proof.seconds = detail::seconds_since(begin);
     return proof;
 }

@@ -35,14 +35,11 @@ namespace equilibria {
 
 struct ProveRegionOptions {
     double min_cell = 1e-3;  ///< a cell is not cut along an edge that is at most that long; in units of the parameters
-    std::uint64_t seed = 1;  ///< of the enumerations that find the candidates
-    unsigned threads = 1;    ///< 0: all of the machine's; does not change the result
     /// Called after each generation of cells with the share of the area decided, 0 to 1.
     std::function<void(double share)> progress{};
 
     void validate() const {
         require(std::isfinite(min_cell) && min_cell > 0, "min_cell", min_cell, "must be positive and finite");
-        require(threads <= 1024, "threads", threads, "must be 0 (all) to 1024");
     }
 };
 
@@ -83,8 +80,9 @@ public:
     using Pack = Lanes<native_lanes>;
     using Candidates = std::vector<ComplexUnknowns<M, double>>;
 
-    RegionProver(const Parameters<M>& p, const PlaneWindow& window, const ProveRegionOptions& options)
-        : parameters_(p), window_(window), options_(options) {}
+    RegionProver(const Parameters<M>& p, const PlaneWindow& window, const RunOptions& run,
+                 const ProveRegionOptions& options)
+        : parameters_(p), window_(window), run_(run), options_(options) {}
 
     RegionProof run() {
         const auto begin = std::chrono::steady_clock::now();
@@ -95,7 +93,7 @@ public:
         double decided = 0;
         while (!generation.empty()) {
             std::vector<Outcome> outcomes(generation.size());
-            parallel_blocks(generation.size(), 16, options_.threads, [&](std::size_t first, std::size_t last) {
+            run_.executor.for_blocks(generation.size(), 16, [&](std::size_t first, std::size_t last) {
                 for (std::size_t k = first; k < last; ++k) outcomes[k] = test(generation[k]);
             });
             std::vector<Cell> next;
@@ -161,7 +159,7 @@ private:
             p[X] = w.x_low + w.width() / 2;
             p[Y] = w.y_low + w.height() / 2;
             roots.clear();
-            for (const auto& root : enumerate<M>(p, {.seed = options_.seed}).roots) {
+            for (const auto& root : enumerate<M>(p, {.seed = run_.seed}).roots) {
                 ComplexUnknowns<M, double> q;
                 for (int u = 0; u < n; ++u) q[u] = Complex<double>(root.q[u].real(), root.q[u].imag());
                 roots.push_back(q);
@@ -256,6 +254,7 @@ private:
 
     Parameters<M> parameters_;
     PlaneWindow window_;
+    RunOptions run_;
     ProveRegionOptions options_;
 };
 
@@ -264,14 +263,16 @@ private:
 /// Proves the equilibria of the model in the plane of its parameters number X and Y, the others being those of p.
 ///
 /// Throws InvalidArgument for a window that is empty, reversed or not finite, for parameters that are not finite and
-/// for options out of range.
+/// for options out of range, and for a run with a checkpoint or a cancel.
 template <Model M, int X, int Y>
-RegionProof prove_region(const Parameters<M>& p, const PlaneWindow& window, const ProveRegionOptions& options = {}) {
+RegionProof prove_region(const Parameters<M>& p, const PlaneWindow& window, const RunOptions& run = {},
+                         const ProveRegionOptions& options = {}) {
     static_assert(X != Y, "equilibria: a plane needs two different parameters");
     require_finite(p, "parameters");
     window.validate();
     options.validate();
-    return detail::RegionProver<M, X, Y>(p, window, options).run();
+    run.require_whole("a proof");
+    return detail::RegionProver<M, X, Y>(p, window, run, options).run();
 }
 
 }  // namespace equilibria

@@ -91,7 +91,7 @@ private:
 
     /// Whether F(-theta) = -F(theta) whatever x, y and z are, at points and parameters without a pattern.
     bool is_symmetric(Parameters<M> p) const {
-        if (n_coordinates < M >> 0) return false;
+        if (n_coordinates<M> != 0) return false;
         Generator generator(1);
         for (int trial = 0; trial < 3; ++trial) {
             p[X] = uniform(generator, box_.x_low, box_.x_high);

@@ -36,13 +36,9 @@ namespace equilibria {
 
 struct CuspLocusOptions {
     int planes = 9;          ///< that are solved, the two at the ends of the range included
-    std::uint64_t seed = 1;  ///< of the start systems, and of where the planes between are
-    unsigned threads = 1;    ///< 0: all of the machine's; does not change the result
     CuspCurveOptions curve{};
 
-    EnumerateOptions enumeration() const { return {.seed = seed, .threads = threads}; }
     void validate() const {
-        enumeration().validate();
         require(planes >= 2 && planes <= 10000, "planes", planes, "must be 2 to 10000");
         curve.validate();
     }
@@ -55,7 +51,8 @@ class CuspLocusFinder {
 public:
     static constexpr int n = n_unknowns<M>;
 
-    CuspLocusFinder(const Parameters<M>& p, const CuspBox& box, const CuspLocusOptions& options) : options_(options) {
+    CuspLocusFinder(const Parameters<M>& p, const CuspBox& box, const RunOptions& run, const CuspLocusOptions& options)
+        : run_(run), options_(options) {
         locus_.box = box;
         locus_.parameters = p;
     }
@@ -87,7 +84,7 @@ private:
     /// All planes where they are wanted; then those that are degenerate a little way off, and once more.
     void solve_planes() {
         const CuspBox& box = locus_.box;
-        Generator generator(options_.seed);
+        Generator generator(run_.seed);
         const std::size_t last = static_cast<std::size_t>(options_.planes) - 1;
         const double spacing = range() / static_cast<double>(last);
         std::vector<std::array<double, 3>> at;
@@ -125,7 +122,7 @@ private:
         plane.z = z;
         Parameters<M> p = locus_.parameters;
         p[Z] = z;
-        const auto points = PlaneSolver<M, X, Y>(p, options_.enumeration()).cusps(plane.counts);
+        const auto points = PlaneSolver<M, X, Y>(p, run_).cusps(plane.counts);
         std::vector<LocusPoint<M>> taken;
         for (const auto& at : points) {
             if (std::ranges::any_of(taken, [&](const auto& other) { return same(other, at, 1e-7); })) continue;
@@ -217,6 +214,7 @@ private:
         return cusp.converged && same(refined, at, 1e-2) ? refined : at;
     }
 
+    RunOptions run_;
     CuspLocusOptions options_;
     CuspLocus<M> locus_;
 };
@@ -226,14 +224,16 @@ private:
 /// The curves of cusps of the model within the box of its parameters number X, Y and Z, the others being those of p.
 ///
 /// Throws InvalidArgument for a box that is empty or not finite, for parameters that are not finite and for options out
-/// of range.
+/// of range, and for a run with a checkpoint or a cancel.
 template <PotentialModel M, int X, int Y, int Z>
-CuspLocus<M> find_cusp_locus(const Parameters<M>& p, const CuspBox& box, const CuspLocusOptions& options = {}) {
+CuspLocus<M> find_cusp_locus(const Parameters<M>& p, const CuspBox& box, const RunOptions& run = {},
+                             const CuspLocusOptions& options = {}) {
     detail::check_active<M, X, Y, Z>();
     require_finite(p, "p");
     box.validate();
     options.validate();
-    return detail::CuspLocusFinder<M, X, Y, Z>(p, box, options).run();
+    run.require_whole("a search for cusps");
+    return detail::CuspLocusFinder<M, X, Y, Z>(p, box, run, options).run();
 }
 
 }  // namespace equilibria

@@ -1,5 +1,6 @@
 /// \file
-/// The evaluation of a homotopy: H(q, t), its Jacobian in q, and its Taylor coefficients along a path.
+/// The evaluation of a homotopy whose terms are known at compile time: H(q, t), its Jacobian in q, and its Taylor
+/// coefficients along a path, every term code of its own. By loops over tables: table_evaluation.hpp.
 ///
 /// Everything is generic over the real type R (double, a pack of lanes, a multiprecision float) and over the type of
 /// the time: real along a path, complex in the loops of an endgame.
@@ -11,46 +12,35 @@
 
 #include <equilibria/core/complex.hpp>
 #include <equilibria/core/static_for.hpp>
-#include <equilibria/homotopy/homotopy.hpp>
+#include <equilibria/homotopy/detail/evaluation_plan.hpp>
 #include <equilibria/homotopy/point.hpp>
 
 namespace equilibria {
 
 namespace detail {
 
-/// Time as it multiplies complex values: real lanes or a complex number.
-template <class R>
-R complement(const R& t) {
-    return 1.0 - t;
-}
-
 /// Evaluates a homotopy at points of type R, with Taylor coefficients along a path up to order 3.
-template <Model M, StartKind Kind, class C, class R, class Time>
-class Evaluation {
+template <class H, class R, class Time>
+class UnrolledEvaluation {
 public:
-    using H = Homotopy<M, Kind, C>;
+    using M = typename H::System;
     using Plan = typename H::Plan;
     using Z = Complex<R>;
     static constexpr int n = n_unknowns<M>;
     static constexpr int order = 3;
-    static constexpr bool symmetric = Formulation<M>::has_potential;
-    /// Unrolled, every term is code of its own: fastest, but hundreds of terms compile for minutes.
-    static constexpr bool unrolled = Kind != StartKind::parameter || Formulation<M>::terms <= 128;
+    static constexpr bool symmetric = H::symmetric;
+    static constexpr bool moving = H::moving;
 
-    explicit Evaluation(const H& h) : h_(&h) {}
+    explicit UnrolledEvaluation(const H& h) : h_(&h) {}
 
     /// H(q, t).
     void value(const Point<M, R>& q, const Time& t, Z (&f)[n]) {
         prepare(q, t);
         for (Z& entry : f) entry = zero();
-        if constexpr (unrolled) {
-            static_for<Plan::n_groups>([&](auto g) {
-                constexpr auto group = Plan::groups[g];
-                accumulate(f[group.equation], own<g>(0), blend_[0][g]);
-            });
-        } else {
-            for (int g = 0; g < Plan::n_groups; ++g) f[Plan::groups[g].equation] += with_own(g, blend_[0][g]);
-        }
+        static_for<Plan::n_groups>([&](auto g) {
+            constexpr auto group = Plan::groups[g];
+            accumulate(f[group.equation], own<g>(0), blend_[0][g]);
+        });
     }
 
     /// H(q, t) and its Jacobian; with a potential only the entries on and above the diagonal are set.
@@ -58,8 +48,7 @@ public:
         value(q, t, f);
         for (int r = 0; r < n; ++r)
             for (int c = symmetric ? r : 0; c < n; ++c) j[r][c] = zero();
-        if constexpr (!unrolled) return add_slopes(j);
-        else static_for<Plan::n_groups>([&](auto g) {
+        static_for<Plan::n_groups>([&](auto g) {
             constexpr auto group = Plan::groups[g];
             constexpr int i = group.equation;
             constexpr int own_factor = Plan::factor(i, group.own_code);
@@ -81,7 +70,7 @@ public:
                 const Z factor = scaled_own<g>(t);
                 static_for<n>([&](auto c) {
                     if constexpr (touches(g, c)) {
-                        if constexpr (own_factor >= 0 || Kind != StartKind::parameter)
+                        if constexpr (own_factor >= 0 || !moving)
                             j[i][c] += factor * row[c];
                         else
                             j[i][c] += row[c];
@@ -96,16 +85,7 @@ public:
     void taylor_right_side(int k, Z (&f)[n]) {
         extend_factors(k);
         for (Z& entry : f) entry = zero();
-        if constexpr (!unrolled) {
-            for (int g = 0; g < Plan::n_groups; ++g) {
-                sum_terms(g, k);
-                const int i = Plan::groups[g].equation, own_factor = Plan::own_factors[g];
-                if (own_factor < 0)
-                    f[i] -= blend_[k][g];
-                else
-                    for (int l = 0; l <= k; ++l) f[i] -= factor_[l][own_factor] * blend_[k - l][g];
-            }
-        } else static_for<Plan::n_groups>([&](auto g) {
+        static_for<Plan::n_groups>([&](auto g) {
             constexpr auto group = Plan::groups[g];
             constexpr int own_factor = Plan::factor(group.equation, group.own_code);
             sum_terms<g>(k);
@@ -145,10 +125,10 @@ private:
     /// coefficient(t) * v: with a total-degree start without the factor t.
     template <int Term>
     Z weighted(const Z& v) const {
-        if constexpr (Kind == StartKind::parameter)
+        if constexpr (moving)
             return current_[Term] * v;
         else
-            return number(h_->target[Term]) * v;
+            return number(h_->target(Term)) * v;
     }
 
     /// The own factor of a group, times t with a total-degree start.
@@ -156,7 +136,7 @@ private:
     Z scaled_own(const Time& t) const {
         constexpr auto group = Plan::groups[G];
         constexpr int f = Plan::factor(group.equation, group.own_code);
-        if constexpr (Kind == StartKind::parameter) {
+        if constexpr (moving) {
             if constexpr (f >= 0)
                 return factor_[0][f];
             else
@@ -200,16 +180,13 @@ private:
             }
         });
         multiply_nodes(0);
-        if constexpr (Kind == StartKind::parameter)
+        if constexpr (moving)
             for (int k = 0; k < Formulation<M>::terms; ++k)
-                current_[k] = number(h_->target[k]) - number(h_->difference[k]) * complement(t);
-        if constexpr (unrolled)
-            static_for<Plan::n_groups>([&](auto g) {
-                sum_terms<g>(0);
-                blend_[0][g] = blended<g>(0);
-            });
-        else
-            for (int g = 0; g < Plan::n_groups; ++g) sum_terms(g, 0);
+                current_[k] = number(h_->target(k)) - number(h_->difference(k)) * (1.0 - t);
+        static_for<Plan::n_groups>([&](auto g) {
+            sum_terms<g>(0);
+            blend_[0][g] = blended<g>(0);
+        });
     }
 
     template <int Operand>
@@ -222,13 +199,10 @@ private:
             for (int l = 1; l <= k; ++l) sum += factor_[l][left] * factor_[k - l][right];
             factor_[k][Plan::factors + m] = sum;
         };
-        if constexpr (unrolled)
-            static_for<Plan::n_nodes>([&](auto m) {
-                constexpr auto node = Plan::nodes[m];
-                multiply(m, node.left, node.right);
-            });
-        else
-            for (int m = 0; m < Plan::n_nodes; ++m) multiply(m, Plan::nodes[m].left, Plan::nodes[m].right);
+        static_for<Plan::n_nodes>([&](auto m) {
+            constexpr auto node = Plan::nodes[m];
+            multiply(m, node.left, node.right);
+        });
     }
 
     /// P of the group, at order k; with a parameter homotopy also its change in time.
@@ -240,26 +214,26 @@ private:
             constexpr int term = group.first + m, operand = Plan::operand[term];
             if constexpr (operand >= 0) {
                 p += weighted<term>(value_of<operand>(k));
-                if constexpr (Kind == StartKind::parameter)
-                    d += number(h_->difference[term]) * value_of<operand>(k);
+                if constexpr (moving)
+                    d += number(h_->difference(term)) * value_of<operand>(k);
             } else if (k == 0) {
-                if constexpr (Kind == StartKind::parameter) {
+                if constexpr (moving) {
                     p += current_[term];
-                    d += number(h_->difference[term]);
+                    d += number(h_->difference(term));
                 } else {
-                    p = p + number(h_->target[term]);
+                    p = p + number(h_->target(term));
                 }
             }
         });
         sum_[k][G] = p;
-        if constexpr (Kind == StartKind::parameter) change_[k][G] = d;
+        if constexpr (moving) change_[k][G] = d;
     }
     /// The Taylor coefficient k of (1-t) g + t P, or of P with its moving coefficients.
     template <int G>
     Z blended(int k) const {
         constexpr auto group = Plan::groups[G];
         Z y;
-        if constexpr (Kind == StartKind::parameter) {
+        if constexpr (moving) {
             y = sum_[k][G];
             if (k > 0) y += change_[k - 1][G];
         } else {
@@ -267,8 +241,8 @@ private:
             if (k > 0) y += sum_[k - 1][G];
         }
         if constexpr (group.in_start) {
-            const Z g = broadcast_complex<R>(h_->start[G]);
-            if (k == 0) y += complement(time_) * g;
+            const Z g = broadcast_complex<R>(h_->start(G));
+            if (k == 0) y += (1.0 - time_) * g;
             if (k == 1) y -= g;
         }
         return y;
@@ -341,13 +315,10 @@ private:
             }
         });
         multiply_nodes(k);
-        if constexpr (unrolled)
-            static_for<Plan::n_groups>([&](auto g) {
-                sum_terms<g>(k);
-                blend_[k][g] = blended<g>(k);
-            });
-        else
-            for (int g = 0; g < Plan::n_groups; ++g) sum_terms(g, k);
+        static_for<Plan::n_groups>([&](auto g) {
+            sum_terms<g>(k);
+            blend_[k][g] = blended<g>(k);
+        });
     }
     template <int U>
     void raise_powers(int k) {
@@ -360,71 +331,14 @@ private:
         }
     }
 
-    // --- not unrolled -------------------------------------------------------------------------------------------
-    Z with_own(int g, const Z& v) const { return Plan::own_factors[g] < 0 ? v : Z(factor_[0][Plan::own_factors[g]] * v); }
-
-    /// And `blended`: the sum itself, the change of one order less, and the start system's share.
-    void sum_terms(int g, int k) {
-        const auto& group = Plan::groups[g];
-        Z p = zero(), d = zero();
-        for (int term = group.first; term < group.last; ++term) {
-            const int operand = Plan::operand[term];
-            if (operand >= 0) {
-                p += current_[term] * factor_[k][operand];
-                d += number(h_->difference[term]) * factor_[k][operand];
-            } else if (k == 0) {
-                p += current_[term];
-                d += number(h_->difference[term]);
-            }
-        }
-        sum_[k][g] = p;
-        change_[k][g] = d;
-        blend_[k][g] = k > 0 ? Z(p + change_[k - 1][g]) : p;
-        if (group.in_start && k < 2) {
-            const Z start = broadcast_complex<R>(h_->start[g]);
-            blend_[k][g] += k == 0 ? Z(complement(time_) * start) : Z(-start);
-        }
-    }
-
-    void add_slopes(Z (&j)[n][n]) const {
-        Z slope[Plan::factors], node_slope[Plan::n_nodes > 0 ? Plan::n_nodes : 1][n];
-        static_for<Plan::factors>([&](auto f) { slope[f] = derivative<f, Plan::unknowns_of_factors[f]>(); });
-        const auto slope_of = [&](int operand, int u) -> const Z& {
-            return operand < Plan::factors ? slope[operand] : node_slope[operand - Plan::factors][u];
-        };
-        for (int m = 0; m < Plan::n_nodes; ++m) {
-            const auto& node = Plan::nodes[m];
-            for (int u = 0; u < n; ++u)
-                if (Plan::dependence[node.left] >> u & 1) node_slope[m][u] = slope_of(node.left, u) * factor_[0][node.right];
-            node_slope[m][Plan::unknowns_of_factors[node.right]] = factor_[0][node.left] * slope[node.right];
-        }
-        for (int g = 0; g < Plan::n_groups; ++g) {
-            const auto& group = Plan::groups[g];
-            const int i = group.equation;
-            if (Plan::own_factors[g] >= 0) j[i][i] += slope[Plan::own_factors[g]] * blend_[0][g];
-            Z row[n];
-            for (Z& entry : row) entry = zero();
-            std::uint32_t used = 0;
-            for (int term = group.first; term < group.last; ++term) {
-                const int operand = Plan::operand[term];
-                if (operand < 0) continue;
-                used |= Plan::dependence[operand];
-                for (int u = 0; u < n; ++u)
-                    if (Plan::dependence[operand] >> u & 1) row[u] += current_[term] * slope_of(operand, u);
-            }
-            for (int u = symmetric ? i + 1 : 0; u < n; ++u)
-                if (used >> u & 1) j[i][u] += with_own(g, row[u]);
-        }
-    }
-
     const H* h_;
     Time time_;
     Z factor_[order + 1][Plan::factors + Plan::n_nodes];  ///< operands: factors, then nodes
     Z sum_[order + 1][Plan::n_groups];
-    Z change_[order + 1][Kind == StartKind::parameter ? Plan::n_groups : 1];
+    Z change_[order + 1][moving ? Plan::n_groups : 1];
     Z blend_[order + 1][Plan::n_groups];
     Z path_[order + 1][n];
-    Z current_[Kind == StartKind::parameter ? Formulation<M>::terms : 1];
+    Z current_[moving ? Formulation<M>::terms : 1];
 };
 
 }  // namespace detail

@@ -1,7 +1,7 @@
 #include <complex>
 #include <cstdint>
 
-#include <equilibria/homotopy/total_degree_start.hpp>
+#include <equilibria/homotopy/start/total_degree_system.hpp>
 #include <equilibria/mechanisms/rotating_chain.hpp>
 
 #include "support/catch.hpp"
@@ -15,7 +15,7 @@ using Z = std::complex<double>;
 
 /// G_i at a start coordinate, from its harmonics.
 template <class M>
-Z value(const TotalDegreeStart<M>& start, int i, const StartCoordinate& at) {
+Z value(const TotalDegreeSystem<M>& start, int i, const StartCoordinate& at) {
     const int d = Formulation<M>::degrees[i];
     Z sum = start.coefficient(i, 0);
     if (i >= n_angles<M>) return sum + start.coefficient(i, d) * std::pow(at.c, d);
@@ -39,9 +39,9 @@ Array<double, n_unknowns<M>> scales() {
 /// Each G_i has as many roots as its degree asks for, all different, on the circle, and its largest coefficient is the
 /// scale.
 template <class M>
-void check(StartKind kind, std::uint64_t seed) {
+void check(TotalDegreeKind kind, std::uint64_t seed) {
     Generator generator(seed);
-    const TotalDegreeStart<M> start(kind, scales<M>(), generator);
+    const TotalDegreeSystem<M> start(kind, scales<M>(), generator);
     CHECK(start.kind() == kind);
     for (int i = 0; i < n_unknowns<M>; ++i) {
         const int d = Formulation<M>::degrees[i];
@@ -65,20 +65,20 @@ void check(StartKind kind, std::uint64_t seed) {
 
 TEST_CASE("the general start: random lines, whatever the degrees") {
     for (const std::uint64_t seed : {1, 2, 3, 4, 5}) {
-        check<mechanisms::TwoLinkChain>(StartKind::general, seed);
-        check<models::Pendulum>(StartKind::general, seed);
-        check<models::ElasticPendulum>(StartKind::general, seed);
-        check<models::CoupledAngles<3>>(StartKind::general, seed);
-        check<models::Everything>(StartKind::general, seed);
+        check<mechanisms::TwoLinkChain>(TotalDegreeKind::general, seed);
+        check<models::Pendulum>(TotalDegreeKind::general, seed);
+        check<models::ElasticPendulum>(TotalDegreeKind::general, seed);
+        check<models::CoupledAngles<3>>(TotalDegreeKind::general, seed);
+        check<models::Everything>(TotalDegreeKind::general, seed);
     }
 }
 
 TEST_CASE("the reflected start: odd, two points at rest, the others in mirror pairs") {
     using M = mechanisms::RotatingChain<3>;
     for (const std::uint64_t seed : {1, 2, 3, 4, 5}) {
-        check<M>(StartKind::reflected, seed);
+        check<M>(TotalDegreeKind::reflected, seed);
         Generator generator(seed);
-        const TotalDegreeStart<M> start(StartKind::reflected, scales<M>(), generator);
+        const TotalDegreeSystem<M> start(TotalDegreeKind::reflected, scales<M>(), generator);
         for (int i = 0; i < 3; ++i) {
             for (int code = 0; code <= Formulation<M>::degrees[i]; ++code) CHECK(start.coefficient(i, code) == 0.0);
             const auto& points = start.points(i);
@@ -98,7 +98,7 @@ TEST_CASE("the seed decides the start system") {
     using M = mechanisms::TwoLinkChain;
     const auto coefficient = [](std::uint64_t seed) {
         Generator generator(seed);
-        return TotalDegreeStart<M>(StartKind::general, scales<M>(), generator).coefficient(0, 1);
+        return TotalDegreeSystem<M>(TotalDegreeKind::general, scales<M>(), generator).coefficient(0, 1);
     };
     CHECK(coefficient(1) == coefficient(1));
     CHECK(coefficient(1) != coefficient(2));
@@ -108,7 +108,7 @@ TEST_CASE("the seed decides the start system on every compiler") {
     // written down from one of them; an expression with two draws in it would differ
     using M = models::ElasticPendulum;
     Generator generator(42);
-    const TotalDegreeStart<M> start(StartKind::general, scales<M>(), generator);
+    const TotalDegreeSystem<M> start(TotalDegreeKind::general, scales<M>(), generator);
     CHECK(std::abs(start.points(0)[0].c - Z(0.94795265051866728, -0.1064849070059869)) < 1e-12);
     CHECK(std::abs(start.points(1)[0].c - Z(-0.14184503536651899, 0.93849632466981214)) < 1e-12);
 }

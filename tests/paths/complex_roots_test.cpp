@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <complex>
 
+#include <equilibria/enumerate/enumerate.hpp>
+#include <equilibria/homotopy/start/linear_product.hpp>
 #include <equilibria/paths/complex_roots.hpp>
-#include <equilibria/system/linear_product.hpp>
 
 #include "support/catch.hpp"
 
@@ -29,26 +30,19 @@ struct Grouped {
 TEST_CASE("the start system has as many solutions as the multihomogeneous number, each one exact") {
     Generator generator(3);
     const Parameters<Grouped> p{.7, .4, .3};
-    const LinearProductStart<Grouped> start(p, generator);
-    CHECK(static_cast<std::int64_t>(start.solutions.size()) == multihomogeneous_number<Grouped>(Grouped::grouping).value);
-    CHECK(start.solutions.size() == 12);
+    const auto system = sparse_system<Grouped>(p);
+    const LinearProduct<2, 1> start(system, Grouped::grouping, unit_complex(generator), generator);
+    CHECK(static_cast<std::int64_t>(start.solutions().size()) ==
+          multihomogeneous_number<Grouped>(Grouped::grouping).value);
+    CHECK(start.solutions().size() == 12);
     CHECK(total_degree<Grouped>() == 24);
-    using F = Formulation<LinearProduct<Grouped>>;
-    for (const auto& q : start.solutions) {
-        std::complex<double> value[3] = {};
-        for (int k = 0; k < F::terms; ++k) {
-            std::complex<double> term = start.coefficients[k];
-            for (int u = 0; u < 3; ++u) {
-                const int code = F::support[k].monomial.code(u);
-                const double m = std::abs(code);
-                if (u == 2)
-                    term *= std::pow(q[u], code);
-                else if (code != 0)
-                    term *= code > 0 ? std::cos(m * q[u]) : std::sin(m * q[u]);
-            }
-            value[F::support[k].equation] += term;
-        }
-        for (const auto& v : value) CHECK(std::abs(v) < 1e-12);
+    // H(q, 0) = G
+    const MultihomogeneousHomotopy<2, 1> homotopy(system, start);
+    MultihomogeneousHomotopy<2, 1>::Evaluation<double, double> evaluation(homotopy);
+    for (std::uint64_t k = 0; k < start.solutions().size(); ++k) {
+        Complex<double> g[3];
+        evaluation.value(start.point(k), 0.0, g);
+        for (const auto& value : g) CHECK(std::sqrt(norm2(value)) < 1e-12);
     }
 }
 
@@ -80,7 +74,9 @@ TEST_CASE("a linear-product start finds the roots that a total-degree start find
 
 TEST_CASE("terms with the coefficient 0 cost no paths") {
     Generator generator(1);
-    const LinearProductStart<Grouped> whole({.7, .4, .3}, generator), without({0, .4, .3}, generator);
-    CHECK(whole.solutions.size() == 12);
-    CHECK(without.solutions.size() == 4);
+    const auto solutions = [&](const Parameters<Grouped>& p) {
+        return LinearProduct<2, 1>(sparse_system<Grouped>(p), Grouped::grouping, 1.0, generator).solutions().size();
+    };
+    CHECK(solutions({.7, .4, .3}) == 12);
+    CHECK(solutions({0, .4, .3}) == 4);
 }

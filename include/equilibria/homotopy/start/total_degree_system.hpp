@@ -20,11 +20,10 @@
 
 namespace equilibria {
 
-/// How paths are started.
-enum class StartKind {
-    general,    ///< total degree, random lines
-    reflected,  ///< total degree, odd under theta -> -theta
-    parameter   ///< the solutions of the same model at other parameters, or as general
+/// The two kinds of total-degree start systems.
+enum class TotalDegreeKind {
+    general,   ///< random lines
+    reflected  ///< odd under theta -> -theta
 };
 
 /// One start point of one unknown: (c, s) of an angle, or (x, 0).
@@ -34,17 +33,17 @@ struct StartCoordinate {
 
 /// G_1 .. G_n and their roots.
 template <Model M>
-class TotalDegreeStart {
+class TotalDegreeSystem {
 public:
     using F = Formulation<M>;
 
     /// `scale[i]` multiplies G_i, so that it weighs in the homotopy as equation i does.
-    TotalDegreeStart(StartKind kind, const Array<double, n_unknowns<M>>& scale, Generator& generator) : kind_(kind) {
+    TotalDegreeSystem(TotalDegreeKind kind, const Array<double, n_unknowns<M>>& scale, Generator& generator) : kind_(kind) {
         const std::complex<double> gamma = draw_gamma(kind, generator);
         for (int i = 0; i < n_unknowns<M>; ++i) {
             if (i >= n_angles<M>)
                 build_coordinate(i, generator);
-            else if (kind == StartKind::reflected)
+            else if (kind == TotalDegreeKind::reflected)
                 build_reflected(i, generator);
             else
                 build_lines(i, generator);
@@ -60,13 +59,13 @@ public:
     }
     /// The start points of unknown i. Reflected: first the two with s = 0, then pairs (c, s), (c, -s).
     const std::vector<StartCoordinate>& points(int i) const { return points_[i]; }
-    StartKind kind() const { return kind_; }
+    TotalDegreeKind kind() const { return kind_; }
 
 private:
     /// Uniform on the unit circle; for the reflected start on the arc from 100 to 260 degrees, generic as well: there
     /// chains need 11 to 22 steps a path, near the positive real axis 60 (measured, n = 4 and 6).
-    static std::complex<double> draw_gamma(StartKind kind, Generator& generator) {
-        if (kind != StartKind::reflected) return unit_complex(generator);
+    static std::complex<double> draw_gamma(TotalDegreeKind kind, Generator& generator) {
+        if (kind != TotalDegreeKind::reflected) return unit_complex(generator);
         return std::polar(1.0, uniform(generator, 100, 260) * std::numbers::pi / 180);
     }
 
@@ -131,7 +130,7 @@ private:
         for (int k = 0; k < d; ++k) points_[i].push_back({e * std::polar(1.0, 2 * std::numbers::pi * k / d), 0.0});
     }
 
-    StartKind kind_;
+    TotalDegreeKind kind_;
     Array<std::vector<std::complex<double>>, n_unknowns<M>> harmonics_;
     Array<std::vector<StartCoordinate>, n_unknowns<M>> points_;
 };

@@ -1,0 +1,137 @@
+/// \file
+/// The factors of a system's terms, cos k theta, sin k theta and x^k, and their products: values at a point, Taylor
+/// coefficients along a path, and slopes.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include <equilibria/core/complex.hpp>
+#include <equilibria/homotopy/detail/term_tables.hpp>
+#include <equilibria/homotopy/point.hpp>
+
+namespace equilibria::detail {
+
+/// The factors and their products at a point, with Taylor coefficients along a path up to order 3.
+template <class S, class R>
+class FactorSeries {
+public:
+    using Z = Complex<R>;
+    static constexpr int n = n_unknowns<S>;
+    static constexpr int order = 3;
+
+    explicit FactorSeries(const TermTables<S>& tables)
+        : tables_(&tables), size_(static_cast<std::size_t>(tables.operands())), value_((order + 1) * size_),
+          slope_(static_cast<std::size_t>(tables.factors)) {}
+
+    const TermTables<S>& tables() const { return *tables_; }
+    /// The Taylor coefficient k of an operand.
+    const Z& operator()(int k, int operand) const {
+        return value_[static_cast<std::size_t>(k) * size_ + static_cast<std::size_t>(operand)];
+    }
+    /// The derivative of a factor by its unknown, after `begin_slopes`.
+    const Z& slope(int factor) const { return slope_[static_cast<std::size_t>(factor)]; }
+
+    void begin(const Point<S, R>& q) {
+        for (int u = 0; u < n; ++u) {
+            const int first = tables_->offset[u], highest = tables_->highest[u];
+            if (u < n_angles<S>) {
+                at(0, first) = q.c[u];
+                at(0, first + 1) = q.s[u];
+                for (int k = 1; k < highest; ++k) {
+                    const Z c = at(0, first + 2 * (k - 1)), s = at(0, first + 2 * (k - 1) + 1);
+                    at(0, first + 2 * k) = c * q.c[u] - s * q.s[u];
+                    at(0, first + 2 * k + 1) = s * q.c[u] + c * q.s[u];
+                }
+            } else {
+                path_[0][u] = at(0, first) = q.x[u - n_angles<S>];
+                for (int k = 1; k < highest; ++k) at(0, first + k) = at(0, first + k - 1) * at(0, first);
+            }
+        }
+        multiply_nodes(0);
+    }
+    /// (cos k)' = -k sin k, (sin k)' = k cos k, (x^k)' = k x^(k-1).
+    void begin_slopes() {
+        for (int u = 0; u < n; ++u) {
+            const int first = tables_->offset[u];
+            for (int k = 1; k <= tables_->highest[u]; ++k) {
+                const double multiple = k;
+                if (u < n_angles<S>) {
+                    const int c = first + 2 * (k - 1), s = c + 1;
+                    slope_[static_cast<std::size_t>(c)] = -multiple * at(0, s);
+                    slope_[static_cast<std::size_t>(s)] = multiple * at(0, c);
+                } else {
+                    slope_[static_cast<std::size_t>(first + k - 1)] =
+                        k == 1 ? Z{broadcast<R>(1.0), broadcast<R>(0.0)} : Z(multiple * at(0, first + k - 2));
+                }
+            }
+        }
+    }
+    /// The Taylor coefficients k of the factors, the k-th of the path being 0.
+    void extend(int k) {
+        for (int u = 0; u < n; ++u) {
+            path_[k][u] = {broadcast<R>(0.0), broadcast<R>(0.0)};
+            if (u >= n_angles<S>) {
+                raise_powers(u, k);
+                continue;
+            }
+            for (int m = 1; m <= tables_->highest[u]; ++m) {
+                const int c = tables_->offset[u] + 2 * (m - 1), s = c + 1;
+                Z cosine{broadcast<R>(0.0), broadcast<R>(0.0)}, sine = cosine;
+                for (int l = 1; l < k; ++l) {
+                    const double weight = static_cast<double>(m * l) / k;
+                    cosine -= weight * (path_[l][u] * at(k - l, s));
+                    sine += weight * (path_[l][u] * at(k - l, c));
+                }
+                at(k, c) = cosine;
+                at(k, s) = sine;
+            }
+        }
+        multiply_nodes(k);
+    }
+    /// And with the k-th of the path as it is.
+    void complete(int k, const Z (&d)[n]) {
+        for (int u = 0; u < n; ++u) {
+            path_[k][u] = d[u];
+            if (u >= n_angles<S>) {
+                raise_powers(u, k);
+                continue;
+            }
+            for (int m = 1; m <= tables_->highest[u]; ++m) {
+                const int c = tables_->offset[u] + 2 * (m - 1), s = c + 1;
+                const Z step = static_cast<double>(m) * d[u];
+                at(k, c) -= step * at(0, s);
+                at(k, s) += step * at(0, c);
+            }
+        }
+        multiply_nodes(k);
+    }
+
+private:
+    Z& at(int k, int operand) { return value_[static_cast<std::size_t>(k) * size_ + static_cast<std::size_t>(operand)]; }
+
+    void raise_powers(int u, int k) {
+        const int first = tables_->offset[u];
+        at(k, first) = path_[k][u];
+        for (int m = 1; m < tables_->highest[u]; ++m) {
+            Z sum = at(0, first + m - 1) * at(k, first);
+            for (int l = 1; l <= k; ++l) sum += at(l, first + m - 1) * at(k - l, first);
+            at(k, first + m) = sum;
+        }
+    }
+    void multiply_nodes(int k) {
+        int target = tables_->factors;
+        for (const auto& node : tables_->nodes) {
+            Z sum = at(0, node.left) * at(k, node.right);
+            for (int l = 1; l <= k; ++l) sum += at(l, node.left) * at(k - l, node.right);
+            at(k, target++) = sum;
+        }
+    }
+
+    const TermTables<S>* tables_;
+    std::size_t size_;
+    std::vector<Z> value_, slope_;
+    Z path_[order + 1][n];
+};
+
+}  // namespace equilibria::detail

@@ -1,0 +1,112 @@
+/// \file
+/// How the terms of a system are evaluated by loops, worked out at run time: what evaluation_plan.hpp is for code that is
+/// unrolled.
+///
+/// The values cos k theta_u, sin k theta_u, x_u^k that the terms need are the factors; products of two or more of them are
+/// nodes, each computed once. The terms of equation i are grouped by their factor in unknown i, its own one.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <map>
+#include <utility>
+#include <vector>
+
+#include <equilibria/core/array.hpp>
+#include <equilibria/model/model.hpp>
+
+namespace equilibria::detail {
+
+/// S: angles and coordinates of the system.
+template <class S>
+class TermTables {
+public:
+    static constexpr int n = n_unknowns<S>;
+
+    /// A product of an earlier operand (a factor, or a node) and a factor. Operands: factors, then nodes; -1 is 1.
+    struct Node {
+        int left, right;
+        friend auto operator<=>(const Node&, const Node&) = default;
+    };
+    /// The terms first .. last-1 of one equation, with one own factor (-1: the constant 1).
+    struct Group {
+        int equation, own_factor, first, last;
+        std::vector<int> unknowns;  ///< that the other factors depend on
+    };
+
+    /// terms: as SupportTerm, sorted by equation, then by the code of the equation's own unknown. degrees: of each equation
+    /// in its own unknown, at least, for what a start adds.
+    template <class Terms>
+    TermTables(const Terms& terms, const Array<int, n>& degrees) {
+        for (int u = 0; u < n; ++u) highest[u] = std::max(1, degrees[u]);
+        for (const auto& t : terms)
+            for (int u = 0; u < n; ++u) highest[u] = std::max(highest[u], t.monomial.degree(u));
+        for (int u = 0; u < n; ++u) offset[u + 1] = offset[u] + (u < n_angles<S> ? 2 : 1) * highest[u];
+        factors = offset[n];
+        unknowns.resize(static_cast<std::size_t>(factors));
+        for (int u = 0; u < n; ++u)
+            for (int f = offset[u]; f < offset[u + 1]; ++f) unknowns[at(f)] = {u};
+        std::map<Node, int> known;
+        for (const auto& t : terms) operand.push_back(product(t, known));
+        find_groups(terms);
+    }
+
+    /// The factor with a code (see Monomial) of unknown u; -1 for the constant 1.
+    int factor(int u, int code) const {
+        if (code == 0) return -1;
+        if (u >= n_angles<S>) return offset[u] + code - 1;
+        return offset[u] + (code > 0 ? 2 * (code - 1) : 2 * (-code - 1) + 1);
+    }
+    int operands() const { return factors + static_cast<int>(nodes.size()); }
+
+    Array<int, n> highest{};     ///< multiple or power of each unknown
+    Array<int, n + 1> offset{};  ///< of each unknown's factors
+    int factors = 0;
+    std::vector<Node> nodes;
+    std::vector<int> operand;                ///< of each term: the product of its factors other than the own one
+    std::vector<Group> groups;               ///< by equation
+    std::vector<std::vector<int>> unknowns;  ///< of each operand, ascending
+
+private:
+    static std::size_t at(int k) { return static_cast<std::size_t>(k); }
+
+    int product(const auto& term, std::map<Node, int>& known) {
+        int y = -1;
+        for (int u = 0; u < n; ++u) {
+            const int f = u == term.equation ? -1 : factor(u, term.monomial.code(u));
+            if (f < 0) continue;
+            if (y < 0) {
+                y = f;
+                continue;
+            }
+            const Node node{y, f};
+            const auto [place, fresh] = known.try_emplace(node, operands());
+            if (fresh) {
+                std::vector<int> depends = unknowns[at(node.left)];
+                depends.push_back(u);  // the highest so far
+                nodes.push_back(node);
+                unknowns.push_back(std::move(depends));
+            }
+            y = place->second;
+        }
+        return y;
+    }
+
+    void find_groups(const auto& terms) {
+        const int size = static_cast<int>(operand.size());
+        for (int first = 0, last; first < size; first = last) {
+            const auto& t = terms[at(first)];
+            last = first;
+            std::vector<bool> used(at(n));
+            for (; last < size && terms[at(last)].equation == t.equation && terms[at(last)].own_code() == t.own_code(); ++last)
+                if (operand[at(last)] >= 0)
+                    for (const int u : unknowns[at(operand[at(last)])]) used[at(u)] = true;
+            Group group{t.equation, factor(t.equation, t.own_code()), first, last, {}};
+            for (int u = 0; u < n; ++u)
+                if (used[at(u)]) group.unknowns.push_back(u);
+            groups.push_back(std::move(group));
+        }
+    }
+};
+
+}  // namespace equilibria::detail

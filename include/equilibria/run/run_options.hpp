@@ -1,0 +1,43 @@
+/// \file
+/// What everything that runs long needs to know beside its problem and its method.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <functional>
+#include <string>
+
+#include <equilibria/core/error.hpp>
+#include <equilibria/run/executor.hpp>
+#include <equilibria/run/threads.hpp>
+
+namespace equilibria {
+
+struct RunOptions {
+    std::uint64_t seed = 1;  ///< of all random numbers; the same seed gives the same result
+    Executor executor{};     ///< serial, or threads(n); does not change the result
+    /// Called now and then with how much is done and how much there is (paths, roots, cells), from any thread, one call at a
+    /// time.
+    std::function<void(std::uint64_t done, std::uint64_t all)> progress{};
+    /// A file that keeps what is finished; if it exists already, the run goes on from there. Empty: none. An existing
+    /// file of another run is refused (CheckpointError). It does not change the result.
+    std::string checkpoint{};
+    /// The run ends soon after this has become true, with what is finished until then; the result says so. It may be set
+    /// from a signal handler.
+    const std::atomic<bool>* cancel = nullptr;
+
+    bool cancelled() const { return cancel && cancel->load(std::memory_order_relaxed); }
+
+    RunOptions with_seed(std::uint64_t other) const {
+        RunOptions run = *this;
+        run.seed = other;
+        return run;
+    }
+    /// For what solves many systems, and keeps no file. Throws InvalidArgument where one is named, or a cancel given.
+    void require_whole(const char* what) const {
+        require(checkpoint.empty(), "checkpoint", checkpoint, "must be empty: it keeps a single enumeration");
+        require(cancel == nullptr, "cancel", "given", std::string("must be empty: ") + what + " cannot be cancelled");
+    }
+};
+
+}  // namespace equilibria

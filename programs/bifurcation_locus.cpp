@@ -302,9 +302,10 @@ int main(int argc, char** argv) {
         support::number("--ratio", ratio_text, "must be a positive number", [](double r) { return r > 0; });
     const auto alpha = support::range("--alpha", alpha_text, "must be LOW:HIGH with 0 <= LOW < HIGH <= 1", 0, 1);
     const auto omega = support::range("--omega", omega_text, "must be LOW:HIGH, finite, with 0 <= LOW < HIGH", 0, 1e6);
-    equilibria::LocusOptions options{.executor = equilibria::threads(0)};
+    equilibria::RunOptions run{.executor = equilibria::threads(0)};
+    equilibria::LocusOptions options;
     options.lines = support::integer("--lines", lines_text, 2, 1000);
-    options.seed = support::integer<std::uint64_t>("--seed", seed_text, 0, UINT64_MAX);
+    run.seed = support::integer<std::uint64_t>("--seed", seed_text, 0, UINT64_MAX);
     std::optional<support::OutputFile> json_file, svg_file, png_file, markdown_file, csv_file;
     if (app.count("--json") > 0) json_file.emplace("--json", json_name);
     if (app.count("--svg") > 0) svg_file.emplace("--svg", svg_name);
@@ -315,9 +316,9 @@ int main(int argc, char** argv) {
     }
     try {
         const Locus locus = equilibria::trace_locus<Chain, Chain::alpha, Chain::omega>(
-            {0.5, ratio, 1}, {alpha.low, alpha.high, omega.low, omega.high}, options);
+            {0.5, ratio, 1}, {alpha.low, alpha.high, omega.low, omega.high}, run, options);
         std::optional<equilibria::LocusProof> proof;
-        if (prove) proof = equilibria::prove_locus<Chain, Chain::alpha, Chain::omega>(locus, options.threads);
+        if (prove) proof = equilibria::prove_locus<Chain, Chain::alpha, Chain::omega>(locus, run);
         if (svg_file)
             svg_file->write(
                 equilibria::gnuplot("svg size 1000,760 font 'Helvetica,14' background 'white'", script(locus, ratio)));

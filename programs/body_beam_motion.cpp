@@ -121,7 +121,7 @@ struct Solver {
     Study many() const {
         const auto from = starts();
         std::vector<equilibria::mechanisms::BodyBeamSettling<K>> ends(from.size());
-        equilibria::parallel_blocks(from.size(), 1, options.threads, [&](std::size_t first, std::size_t last) {
+        equilibria::threads(options.threads).for_blocks(from.size(), 1, [&](std::size_t first, std::size_t last) {
             for (std::size_t k = first; k < last; ++k)
                 ends[k] = motion.settle(from[k], options.t_end, options.tolerance, {1e-12, 1e-13, 1'000'000'000});
         });
@@ -331,7 +331,7 @@ int main(int argc, char** argv) {
         options.runs = support::integer("--runs", runs, 1, 1'000'000);
         options.tolerance = support::number("--tolerance", tolerance, "must be a number from 1e-12 to 1e-3",
                                             [](double x) { return x >= 1e-12 && x <= 1e-3; });
-        options.executor = equilibria::threads(support::integer<unsigned>("--threads"), threads, 0, 1024);
+        options.threads = support::integer<unsigned>("--threads", threads, 0, 1024);
         std::optional<support::OutputFile> csv_file, json_file;
         if (one) csv_file.emplace("--csv", csv_name);
         if (app.count("--json") > 0) json_file.emplace("--json", json_name);

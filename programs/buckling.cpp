@@ -231,7 +231,7 @@ int main(int argc, char** argv) {
     data.nodes = order == "linear" ? 2 : order == "quadratic" ? 3 : 4;
     data.elements = support::integer<int>("--elements", elements_text, 1, 100000);
     data.links = support::integer<int>("--links", links_text, 1, 1000);
-    data.executor = equilibria::threads(support::integer<unsigned>("--threads"), threads_text, 0, 1024);
+    data.threads = support::integer<unsigned>("--threads", threads_text, 0, 1024);
     std::optional<support::OutputFile> json_file, csv_file, svg_file, png_file;
     if (given("--json")) json_file.emplace("--json", json_name);
     if (given("--csv")) csv_file.emplace("--csv", csv_name);

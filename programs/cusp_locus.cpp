@@ -288,16 +288,17 @@ int main(int argc, char** argv) {
                                       std::numeric_limits<double>::min(), 1e6);
     const auto alpha = support::range("--alpha", alpha_text, "must be LOW:HIGH with 0 <= LOW < HIGH <= 1", 0, 1);
     const auto omega = support::range("--omega", omega_text, "must be LOW:HIGH, finite, with 0 <= LOW < HIGH", 0, 1e6);
-    equilibria::CuspLocusOptions options{.executor = equilibria::threads(0)};
+    equilibria::RunOptions run{.executor = equilibria::threads(0)};
+    equilibria::CuspLocusOptions options;
     options.planes = support::integer("--planes", planes_text, 2, 1000);
-    options.seed = support::integer<std::uint64_t>("--seed", seed_text, 0, UINT64_MAX);
+    run.seed = support::integer<std::uint64_t>("--seed", seed_text, 0, UINT64_MAX);
     std::optional<support::OutputFile> json_file, svg_file, png_file;
     if (app.count("--json") > 0) json_file.emplace("--json", json_name);
     if (app.count("--svg") > 0) svg_file.emplace("--svg", svg_name);
     if (app.count("--png") > 0) png_file.emplace("--png", png_name);
     try {
         const Locus locus = equilibria::find_cusp_locus<Chain, Chain::alpha, Chain::omega, Chain::ratio>(
-            {0.5, 1.5, 1}, {alpha.low, alpha.high, omega.low, omega.high, ratio.low, ratio.high}, options);
+            {0.5, 1.5, 1}, {alpha.low, alpha.high, omega.low, omega.high, ratio.low, ratio.high}, run, options);
         if (svg_file)
             svg_file->write(
                 equilibria::gnuplot("svg size 1150,620 font 'Helvetica,14' background 'white'", script(locus)));

@@ -157,7 +157,8 @@ struct Plane {
 /// The planes by their ratios, each traced when it is first asked for.
 class Planes {
 public:
-    Planes(const PlaneWindow& window, const equilibria::LocusOptions& options) : window_(window), options_(options) {}
+    Planes(const PlaneWindow& window, const equilibria::RunOptions& run, const equilibria::LocusOptions& options)
+        : window_(window), run_(run), options_(options) {}
 
     void trace(const std::vector<double>& ratios, const std::string& label) {
         support::ProgressBar bar(label);
@@ -169,7 +170,7 @@ public:
     const Plane& at(double ratio) {
         const auto known = planes_.find(ratio);
         if (known != planes_.end()) return known->second;
-        Locus locus = equilibria::trace_locus<Chain, Chain::alpha, Chain::omega>({0.5, ratio, 1}, window_, options_);
+        Locus locus = equilibria::trace_locus<Chain, Chain::alpha, Chain::omega>({0.5, ratio, 1}, window_, run_, options_);
         auto own = pieces(locus);
         return planes_.emplace(ratio, Plane{ratio, std::move(locus), std::move(own)}).first->second;
     }
@@ -178,6 +179,7 @@ public:
 
 private:
     PlaneWindow window_;
+    equilibria::RunOptions run_;
     equilibria::LocusOptions options_;
     std::map<double, Plane> planes_;
 };
@@ -627,10 +629,11 @@ int main(int argc, char** argv) {
     const auto bisections = support::integer("--bisections", bisections_text, 0, 20);
     const auto alpha = support::range("--alpha", alpha_text, "must be LOW:HIGH with 0 <= LOW < HIGH <= 1", 0, 1);
     const auto omega = support::range("--omega", omega_text, "must be LOW:HIGH, finite, with 0 <= LOW < HIGH", 0, 1e6);
-    equilibria::LocusOptions options{.executor = equilibria::threads(0)};
+    equilibria::RunOptions run{.executor = equilibria::threads(0)};
+    equilibria::LocusOptions options;
     options.checks = 0;
     options.lines = support::integer("--lines", lines_text, 2, 1000);
-    options.seed = support::integer<std::uint64_t>("--seed", seed_text, 0, UINT64_MAX);
+    run.seed = support::integer<std::uint64_t>("--seed", seed_text, 0, UINT64_MAX);
     const bool with_surface = app.count("--html") > 0;
     if (with_surface != (app.count("--plotly") > 0))
         support::fail(with_surface ? "--html" : "--plotly", "",
@@ -642,7 +645,7 @@ int main(int argc, char** argv) {
     if (with_surface) html_file.emplace("--html", html_name);
     if (app.count("--json") > 0) json_file.emplace("--json", json_name);
     try {
-        Planes planes({alpha.low, alpha.high, omega.low, omega.high}, options);
+        Planes planes({alpha.low, alpha.high, omega.low, omega.high}, run, options);
         if (svg_file || png_file || !with_surface) {
             planes.trace(ratios, "planes");
             std::vector<const Plane*> shown;

@@ -204,7 +204,7 @@ Figure basin_figure(int cells, unsigned threads) {
     equilibria::BasinOptions options;
     options.motion.relative_tolerance = options.motion.absolute_tolerance = 1e-7;
     options.settled_share = 0.1;
-    options.threads = threads;
+    options.executor = equilibria::threads(threads);
     const auto settled = equilibria::find_basins<M>(p, set.equilibria, starts, options);
     std::ostringstream rows;
     std::size_t open = 0;

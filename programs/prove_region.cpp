@@ -158,11 +158,12 @@ int main(int argc, char** argv) {
     const auto alpha = support::range("--alpha", alpha_text, "must be LOW:HIGH with 0 <= LOW < HIGH <= 1", 0, 1);
     const auto omega = support::range("--omega", omega_text, "must be LOW:HIGH, finite, with 0 <= LOW < HIGH", 0, 1e6);
     support::ProgressBar bar("proving");
+    equilibria::RunOptions run;
     equilibria::ProveRegionOptions options;
     options.min_cell = support::number("--min-cell", cell_text, "must be a number from 1e-6 to 1e6",
                                        [](double c) { return c >= 1e-6 && c <= 1e6; });
-    options.seed = support::integer<std::uint64_t>("--seed", seed_text, 0, UINT64_MAX);
-    options.executor = equilibria::threads(support::integer<unsigned>("--threads"), threads_text, 0, 1024);
+    run.seed = support::integer<std::uint64_t>("--seed", seed_text, 0, UINT64_MAX);
+    run.executor = equilibria::threads(support::integer<unsigned>("--threads", threads_text, 0, 1024));
     options.progress = [&](double share) { bar.update(static_cast<std::uint64_t>(1e6 * share), 1000000); };
     std::optional<support::OutputFile> json_file, svg_file, png_file;
     if (app.count("--json") > 0) json_file.emplace("--json", json_name);
@@ -171,7 +172,7 @@ int main(int argc, char** argv) {
     try {
         const PlaneWindow window{alpha.low, alpha.high, omega.low, omega.high};
         const equilibria::Parameters<Chain> p{0.5, ratio, 1};
-        const auto proof = equilibria::prove_region<Chain, Chain::alpha, Chain::omega>(p, window, options);
+        const auto proof = equilibria::prove_region<Chain, Chain::alpha, Chain::omega>(p, window, run, options);
         if (svg_file || png_file) {
             const auto locus = equilibria::trace_locus<Chain, Chain::alpha, Chain::omega>(p, window);
             const std::string text = script(proof, locus, ratio);

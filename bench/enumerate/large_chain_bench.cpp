@@ -67,7 +67,7 @@ unsigned long long value(int argc, char** argv, const std::string& option, unsig
 
 int main(int argc, char** argv) {
     equilibria::RunOptions options;
-    options.executor = equilibria::threads(static_cast<unsigned>(value(argc), argv, "--threads", 1));
+    options.executor = equilibria::threads(static_cast<unsigned>(value(argc, argv, "--threads", 1)));
     options.seed = value(argc, argv, "--seed", 1);
     const auto links = value(argc, argv, "--links", 0);
     if (const char* file = text(argc, argv, "--checkpoint")) options.checkpoint = file;

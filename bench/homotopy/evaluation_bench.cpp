@@ -3,7 +3,7 @@
 #include <benchmark/benchmark.h>
 
 #include <equilibria/core/random.hpp>
-#include <equilibria/paths/track.hpp>
+#include <equilibria/enumerate/enumerate.hpp>
 #include <equilibria/homotopy/tracker.hpp>
 
 #include "../support.hpp"
@@ -13,15 +13,15 @@ using namespace equilibria;
 namespace {
 
 using R = Lanes<native_lanes>;
-constexpr auto kind = StartKind::reflected;
+template <int N>
+using H = ModelHomotopy<Chain<N>, Reflected<Chain<N>>>;
 
 template <int N>
 struct Setting {
     using M = Chain<N>;
     Generator generator{1};
-    Array<double, Formulation<M>::terms> target = coefficients<M, double>(benchmark_chain<N>());
-    TotalDegreeStart<M> start{kind, detail::equation_scales<M, double>(target), generator};
-    Homotopy<M, kind, double> h = Homotopy<M, kind, double>::total_degree(target, start);
+    ModelSystem<M> target{benchmark_chain<N>()};
+    H<N> h{target, Reflected<M>(target, generator)};
     Point<M, R> q{};
 
     Setting() {
@@ -39,7 +39,7 @@ void count(benchmark::State& state) { state.SetItemsProcessed(state.iterations()
 template <int N>
 void jacobian(benchmark::State& state) {
     Setting<N> s;
-    detail::Evaluation<Chain<N>, kind, double, R, R> evaluation(s.h);
+    typename H<N>::template Evaluation<R, R> evaluation(s.h);
     Complex<R> f[N], j[N][N];
     const R t = broadcast<R>(0.3);
     for (auto _ : state) {
@@ -82,7 +82,7 @@ void solve_pivoted(benchmark::State& state) {
 template <int N>
 void step(benchmark::State& state) {
     Setting<N> s;
-    detail::Stepper<Chain<N>, kind, double, R> stepper(s.h, TrackerOptions{});
+    detail::Stepper<H<N>, R> stepper(s.h, TrackerOptions{});
     const R t = broadcast<R>(0.3), by = broadcast<R>(1e-6);
     for (auto _ : state) {
         auto q = s.q;

@@ -2,7 +2,7 @@
 // Items are endpoints.
 #include <benchmark/benchmark.h>
 
-#include <equilibria/paths/track.hpp>
+#include <equilibria/enumerate/enumerate.hpp>
 
 #include "../support.hpp"
 
@@ -13,15 +13,11 @@ namespace {
 template <int N, class R>
 void polish(benchmark::State& state) {
     using M = Chain<N>;
-    constexpr auto kind = StartKind::reflected;
     constexpr int width = LaneTraits<R>::width;
     Generator generator(1);
-    const auto p = benchmark_chain<N>();
-    const auto target = coefficients<M, double>(p);
-    const auto scale = detail::equation_scales<M, double>(target);
-    const TotalDegreeStart<M> start(kind, scale, generator);
-    const auto h = Homotopy<M, kind, double>::total_degree(target, start);
-    const detail::Polisher<M, kind, double> polisher(h, p, scale);
+    const ModelSystem<M> target(benchmark_chain<N>());
+    const ModelHomotopy<M, Reflected<M>> h(target, Reflected<M>(target, generator));
+    const detail::Polisher polisher(h);
     Point<M, R> straight{};  // theta = 0, a little off
     for (int i = 0; i < N; ++i) {
         straight.c[i] = Complex<R>(std::cos(1e-7));

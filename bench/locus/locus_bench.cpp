@@ -23,9 +23,9 @@ constexpr Parameters<Three> three_links{1, 1.1, 1.2, 1, 1.05, 1.2, 1, 1};
 
 template <Model M, int X, int Y>
 void plane(benchmark::State& state, const Parameters<M>& p, const PlaneWindow& window,
-           RootRescue<CriticalSystem<M, X, Y>> rescue = nullptr) {
+           MoreDigitsOf<CriticalSystem<M, X, Y>> digits = nullptr) {
     Locus<M> locus;
-    for (auto _ : state) locus = trace_locus<M, X, Y>(p, window, {.executor = threads(0)}, rescue);
+    for (auto _ : state) locus = trace_locus<M, X, Y>(p, window, {.executor = threads(0)}, {}, digits);
     const auto& e = locus.evidence;
     state.counters["paths"] = static_cast<double>(e.lines_solved.paths.total + e.cusps_solved.paths.total +
                                                   e.extremal_solved.paths.total +

@@ -153,6 +153,6 @@ RelativeEquilibria BodyBeamSolver<K, Control>::operator()(const BodyBeamValues& 
                              equilibria::family_kind(family.dimension) + " of solutions (" +
                              std::to_string(family.paths()) + " paths)");
     for (const auto& f : set.failures)
-        y.failures.push_back("path " + std::to_string(f.path) + ": " + std::string(name(f.reason)));
+        y.failures.push_back("path " + std::to_string(f.path) + ": " + std::string(to_string(f.reason)));
     return y;
 }

@@ -78,6 +78,6 @@ ChainResult enumerate_chain(const Chain& chain, const Options& options) {
             result.equilibria[k++].digits = {{refined.real.begin(), refined.real.end()}, refined.proved, refined.error};
         }
     }
-    for (const auto& f : found.failures) result.failures.push_back({f.path, std::string(name(f.reason))});
+    for (const auto& f : found.failures) result.failures.push_back({f.path, std::string(to_string(f.reason))});
     return result;
 }

@@ -4,9 +4,9 @@
 
 #include <equilibria/homotopy/model_homotopy.hpp>
 #include <equilibria/homotopy/sparse_homotopy.hpp>
-#include <equilibria/homotopy/start/linear_product.hpp>
-#include <equilibria/homotopy/start/moving.hpp>
-#include <equilibria/homotopy/start/solved_instance.hpp>
+#include <equilibria/start/linear_product.hpp>
+#include <equilibria/start/moving.hpp>
+#include <equilibria/start/solved_instance.hpp>
 #include <equilibria/mechanisms/rotating_chain.hpp>
 
 #include "support/catch.hpp"

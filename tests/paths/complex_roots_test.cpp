@@ -4,7 +4,7 @@
 #include <complex>
 
 #include <equilibria/enumerate/enumerate.hpp>
-#include <equilibria/homotopy/start/linear_product.hpp>
+#include <equilibria/start/linear_product.hpp>
 #include <equilibria/paths/complex_roots.hpp>
 
 #include "support/catch.hpp"

@@ -13,11 +13,11 @@
 #include <equilibria/enumerate/root_set.hpp>
 #include <equilibria/homotopy/model_homotopy.hpp>
 #include <equilibria/homotopy/polish.hpp>
-#include <equilibria/homotopy/start/moving.hpp>
-#include <equilibria/homotopy/start/total_degree.hpp>
 #include <equilibria/paths/merge.hpp>
 #include <equilibria/paths/track.hpp>
 #include <equilibria/run/run_options.hpp>
+#include <equilibria/start/moving.hpp>
+#include <equilibria/start/total_degree.hpp>
 #include <equilibria/system/model_system.hpp>
 
 namespace equilibria {

@@ -4,8 +4,8 @@
 
 #include <cstdint>
 
+#include <equilibria/evaluation/point.hpp>
 #include <equilibria/homotopy/path_status.hpp>
-#include <equilibria/homotopy/point.hpp>
 
 namespace equilibria {
 

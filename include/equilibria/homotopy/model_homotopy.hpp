@@ -8,13 +8,13 @@
 #include <utility>
 #include <vector>
 
-#include <equilibria/homotopy/detail/evaluation_plan.hpp>
-#include <equilibria/homotopy/detail/start_forms.hpp>
-#include <equilibria/homotopy/detail/table_evaluation.hpp>
-#include <equilibria/homotopy/detail/term_tables.hpp>
-#include <equilibria/homotopy/detail/unrolled_evaluation.hpp>
-#include <equilibria/homotopy/point.hpp>
-#include <equilibria/homotopy/start/start.hpp>
+#include <equilibria/evaluation/evaluation_plan.hpp>
+#include <equilibria/evaluation/point.hpp>
+#include <equilibria/evaluation/start_forms.hpp>
+#include <equilibria/evaluation/table_evaluation.hpp>
+#include <equilibria/evaluation/term_tables.hpp>
+#include <equilibria/evaluation/unrolled_evaluation.hpp>
+#include <equilibria/start/start.hpp>
 #include <equilibria/system/model_system.hpp>
 
 namespace equilibria {

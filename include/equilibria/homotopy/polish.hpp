@@ -9,8 +9,8 @@
 #include <complex>
 
 #include <equilibria/core/linear_solve.hpp>
+#include <equilibria/evaluation/point.hpp>
 #include <equilibria/homotopy/path_status.hpp>
-#include <equilibria/homotopy/point.hpp>
 #include <equilibria/model/derivatives.hpp>
 
 namespace equilibria {

@@ -7,10 +7,10 @@
 #include <memory>
 #include <vector>
 
-#include <equilibria/homotopy/detail/start_forms.hpp>
-#include <equilibria/homotopy/detail/table_evaluation.hpp>
-#include <equilibria/homotopy/detail/term_tables.hpp>
-#include <equilibria/homotopy/start/start.hpp>
+#include <equilibria/evaluation/start_forms.hpp>
+#include <equilibria/evaluation/table_evaluation.hpp>
+#include <equilibria/evaluation/term_tables.hpp>
+#include <equilibria/start/start.hpp>
 #include <equilibria/system/sparse_system.hpp>
 
 namespace equilibria {

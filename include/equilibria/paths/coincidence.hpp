@@ -11,7 +11,7 @@
 #include <vector>
 
 #include <equilibria/core/random.hpp>
-#include <equilibria/homotopy/point.hpp>
+#include <equilibria/evaluation/point.hpp>
 
 namespace equilibria::detail {
 

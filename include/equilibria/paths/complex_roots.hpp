@@ -13,10 +13,10 @@
 #include <equilibria/core/error.hpp>
 #include <equilibria/core/random.hpp>
 #include <equilibria/homotopy/sparse_homotopy.hpp>
-#include <equilibria/homotopy/start/linear_product.hpp>
-#include <equilibria/homotopy/start/solved_instance.hpp>
 #include <equilibria/paths/merge.hpp>
 #include <equilibria/paths/track.hpp>
+#include <equilibria/start/linear_product.hpp>
+#include <equilibria/start/solved_instance.hpp>
 #include <equilibria/system/sparse_system.hpp>
 
 namespace equilibria {

@@ -12,9 +12,9 @@
 #include <vector>
 
 #include <equilibria/homotopy/endpoint.hpp>
-#include <equilibria/homotopy/start/path_numbering.hpp>
 #include <equilibria/paths/path_counts.hpp>
 #include <equilibria/paths/root.hpp>
+#include <equilibria/start/path_numbering.hpp>
 #include <equilibria/storage/endpoint_store.hpp>
 
 namespace equilibria {

@@ -6,7 +6,7 @@
 
 #include <equilibria/certify/exact_system.hpp>
 #include <equilibria/core/ball.hpp>
-#include <equilibria/homotopy/point.hpp>
+#include <equilibria/evaluation/point.hpp>
 
 namespace equilibria {
 

@@ -9,7 +9,7 @@
 #include <numbers>
 #include <vector>
 
-#include <equilibria/homotopy/point.hpp>
+#include <equilibria/evaluation/point.hpp>
 
 namespace equilibria::detail {
 

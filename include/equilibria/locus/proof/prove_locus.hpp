@@ -232,7 +232,7 @@ LocusProof prove_locus(const Locus<M>& locus, const RunOptions& run = {}) {
     run.require_whole("a proof");
     const auto begin = std::chrono::steady_clock::now();
     LocusProof proof = detail::LocusProver<M, X, Y>(locus, run).run();
-    proof.seconds = detail::seconds_since(begin);
+    proof.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     return proof;
 }
 

@@ -13,8 +13,8 @@
 #include <concepts>
 #include <cstdint>
 
-#include <equilibria/homotopy/point.hpp>
-#include <equilibria/homotopy/start/path_numbering.hpp>
+#include <equilibria/evaluation/point.hpp>
+#include <equilibria/start/path_numbering.hpp>
 
 namespace equilibria {
 

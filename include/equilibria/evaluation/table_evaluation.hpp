@@ -12,9 +12,9 @@
 #include <vector>
 
 #include <equilibria/core/complex.hpp>
-#include <equilibria/homotopy/detail/factor_series.hpp>
-#include <equilibria/homotopy/detail/term_tables.hpp>
-#include <equilibria/homotopy/point.hpp>
+#include <equilibria/evaluation/factor_series.hpp>
+#include <equilibria/evaluation/point.hpp>
+#include <equilibria/evaluation/term_tables.hpp>
 
 namespace equilibria::detail {
 

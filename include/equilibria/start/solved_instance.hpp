@@ -10,9 +10,9 @@
 #include <utility>
 #include <vector>
 
-#include <equilibria/homotopy/detail/start_forms.hpp>
-#include <equilibria/homotopy/point.hpp>
-#include <equilibria/homotopy/start/start.hpp>
+#include <equilibria/evaluation/point.hpp>
+#include <equilibria/evaluation/start_forms.hpp>
+#include <equilibria/start/start.hpp>
 #include <equilibria/system/sparse_system.hpp>
 
 namespace equilibria {

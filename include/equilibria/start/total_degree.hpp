@@ -8,10 +8,10 @@
 #include <utility>
 #include <vector>
 
-#include <equilibria/homotopy/point.hpp>
-#include <equilibria/homotopy/start/path_numbering.hpp>
-#include <equilibria/homotopy/start/start.hpp>
-#include <equilibria/homotopy/start/total_degree_system.hpp>
+#include <equilibria/evaluation/point.hpp>
+#include <equilibria/start/path_numbering.hpp>
+#include <equilibria/start/start.hpp>
+#include <equilibria/start/total_degree_system.hpp>
 #include <equilibria/system/model_system.hpp>
 
 namespace equilibria {

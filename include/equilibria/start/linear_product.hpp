@@ -22,9 +22,9 @@
 #include <Eigen/LU>
 
 #include <equilibria/core/random.hpp>
-#include <equilibria/homotopy/detail/factor_series.hpp>
-#include <equilibria/homotopy/point.hpp>
-#include <equilibria/homotopy/start/start.hpp>
+#include <equilibria/evaluation/factor_series.hpp>
+#include <equilibria/evaluation/point.hpp>
+#include <equilibria/start/start.hpp>
 #include <equilibria/system/sparse_system.hpp>
 
 namespace equilibria {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include <equilibria/core/complex.hpp>
-#include <equilibria/homotopy/detail/factor_series.hpp>
+#include <equilibria/evaluation/factor_series.hpp>
 
 namespace equilibria::detail {
 

@@ -2,7 +2,7 @@
 #include <complex>
 
 #include <equilibria/core/random.hpp>
-#include <equilibria/homotopy/point.hpp>
+#include <equilibria/evaluation/point.hpp>
 
 #include "support/catch.hpp"
 #include "support/models.hpp"

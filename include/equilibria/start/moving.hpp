@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include <equilibria/homotopy/start/total_degree.hpp>
+#include <equilibria/start/total_degree.hpp>
 
 namespace equilibria {
 

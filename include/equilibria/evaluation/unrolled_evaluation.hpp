@@ -12,8 +12,8 @@
 
 #include <equilibria/core/complex.hpp>
 #include <equilibria/core/static_for.hpp>
-#include <equilibria/homotopy/detail/evaluation_plan.hpp>
-#include <equilibria/homotopy/point.hpp>
+#include <equilibria/evaluation/evaluation_plan.hpp>
+#include <equilibria/evaluation/point.hpp>
 
 namespace equilibria {
 

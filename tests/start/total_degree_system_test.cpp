@@ -1,7 +1,7 @@
 #include <complex>
 #include <cstdint>
 
-#include <equilibria/homotopy/start/total_degree_system.hpp>
+#include <equilibria/start/total_degree_system.hpp>
 #include <equilibria/mechanisms/rotating_chain.hpp>
 
 #include "support/catch.hpp"

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include <equilibria/core/complex.hpp>
-#include <equilibria/homotopy/detail/term_tables.hpp>
-#include <equilibria/homotopy/point.hpp>
+#include <equilibria/evaluation/point.hpp>
+#include <equilibria/evaluation/term_tables.hpp>
 
 namespace equilibria::detail {
 

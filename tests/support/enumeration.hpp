@@ -159,6 +159,8 @@ std::string refusal(Action&& action) {
         action();
     } catch (const InvalidArgument& error) {
         return error.what();
+    } catch (const CheckpointError& error) {
+        return error.what();
     }
     return "nothing was refused";
 }

@@ -11,20 +11,20 @@
 #include <cstdint>
 #include <cstring>
 #include <span>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
-#include <equilibria/core/error.hpp>
-
 namespace equilibria {
 
-/// A checkpoint that cannot be used. `what()` reads "checkpoint = <path>: <what is wrong>".
-class CheckpointError : public InvalidArgument {
+/// A checkpoint that cannot be used: no wrong argument, but a file that is not what it should be, or a disk that fails. `what()` reads "checkpoint = <path>: <what is wrong>".
+class CheckpointError : public std::runtime_error {
 public:
     CheckpointError(std::string_view path, std::string_view wrong)
-        : InvalidArgument("checkpoint", path.empty() ? "''" : path, wrong), wrong_(wrong) {}
+        : std::runtime_error("checkpoint = " + std::string(path.empty() ? "''" : path) + ": " + std::string(wrong)),
+          wrong_(wrong) {}
     /// What is wrong, without the path.
     const std::string& wrong() const { return wrong_; }
 

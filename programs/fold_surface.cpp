@@ -27,6 +27,7 @@
 #include <equilibria/io/plotly.hpp>
 #include <equilibria/locus/plane/trace_locus.hpp>
 #include <equilibria/mechanisms/rotating_chain.hpp>
+#include <equilibria/model/torus.hpp>
 #include <nlohmann/json.hpp>
 
 #include "instances/locus/two_link_locus.hpp"
@@ -54,7 +55,7 @@ struct Vertex {
 /// -1.
 double distance(const Vertex& a, const Vertex& b, const PlaneWindow& window, double mirror = 1) {
     const auto turn = [&](int i) {
-        return std::remainder(a.theta[i] - mirror * b.theta[i], 2 * std::numbers::pi) / std::numbers::pi;
+        return equilibria::wrap(a.theta[i] - mirror * b.theta[i]) / std::numbers::pi;
     };
     return std::hypot(std::hypot((a.alpha - b.alpha) / window.width(), (a.omega - b.omega) / window.height()),
                       std::hypot(turn(0), turn(1)));
@@ -90,7 +91,7 @@ std::vector<Vertex> resampled(const std::vector<Vertex>& points, int count, cons
         const Vertex &a = points[at], &b = points[at + 1];
         const auto mix = [&](double u, double v) { return u + part * (v - u); };
         const auto turned = [&](int i) {
-            return a.theta[i] + part * std::remainder(b.theta[i] - a.theta[i], 2 * std::numbers::pi);
+            return a.theta[i] + part * equilibria::wrap(b.theta[i] - a.theta[i]);
         };
         y.push_back({mix(a.alpha, b.alpha), mix(a.omega, b.omega), {turned(0), turned(1)}});
     }
@@ -106,8 +107,8 @@ std::map<std::size_t, int> cusps_on(const equilibria::LocusCurve<Chain>& curve, 
         for (std::size_t k = 0; k < curve.points.size(); ++k) {
             const auto &p = curve.points[k], &q = locus.cusps[c].at;
             if (std::hypot((p.x - q.x) / locus.window.width(), (p.y - q.y) / locus.window.height()) < tolerance &&
-                (equilibria::detail::same_unknowns<Chain>(p.q, q.q, 1e-6) ||
-                 equilibria::detail::same_unknowns<Chain>(p.q, q.q, 1e-6, -1))) {
+                (equilibria::same_unknowns<Chain>(p.q, q.q, 1e-6) ||
+                 equilibria::same_unknowns<Chain>(p.q, equilibria::mirrored<Chain>(q.q), 1e-6))) {
                 found.emplace(k, static_cast<int>(c));
                 break;
             }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <complex>
 
+#include <equilibria/model/torus.hpp>
 #include <equilibria/paths/complex_roots.hpp>
 #include <equilibria/system/linear_product.hpp>
 
@@ -68,7 +69,7 @@ TEST_CASE("a linear-product start finds the roots that a total-degree start find
                 double off = 0;
                 for (int u = 0; u < 3; ++u) {
                     const auto d = root.q[u] - other.q[u];
-                    const double re = u < 2 ? std::remainder(d.real(), 2 * std::numbers::pi) : d.real();
+                    const double re = u < 2 ? wrap(d.real()) : d.real();
                     off = std::max(off, std::hypot(re, d.imag()));
                 }
                 nearest = std::min(nearest, off);

@@ -11,7 +11,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <numbers>
 #include <optional>
 #include <sstream>
 #include <string>
@@ -19,6 +18,7 @@
 
 #include <equilibria/enumerate/enumerate.hpp>
 #include <equilibria/locus/line/line_event.hpp>
+#include <equilibria/model/torus.hpp>
 #include <equilibria/paths/complex_roots.hpp>
 #include <equilibria/singularity/locus_point.hpp>
 #include <equilibria/singularity/refine_point.hpp>
@@ -77,16 +77,6 @@ struct LineEvents {
 };
 
 namespace detail {
-
-/// With angles in (-pi, pi].
-template <Model M>
-Unknowns<M> principal(Unknowns<M> q) {
-    for (int i = 0; i < n_angles<M>; ++i) {
-        q[i] = std::remainder(q[i], 2 * std::numbers::pi);
-        if (q[i] <= -std::numbers::pi) q[i] = std::numbers::pi;
-    }
-    return q;
-}
 
 template <Model M, int Active>
 class LineEventFinder {
@@ -211,7 +201,7 @@ private:
         const auto refined = refine_fold<M, Active>(q, at(value));
         if (refined.converged && std::abs(refined.p[Active] - value) < around && same_unknowns<M>(refined.q, q, 1e-3)) {
             event.value = refined.p[Active];
-            event.q = principal<M>(refined.q);
+            event.q = wrapped<M>(refined.q);
             event.v = refined.v;
             event.correction = refined.correction;
             // the fold's system converges at bifurcations too, linearly, and from an endpoint's digits that is enough
@@ -226,7 +216,7 @@ private:
             }
             event.kind = point->kind;
             event.value = point->p;
-            event.q = principal<M>(Problem::unknowns(point->q));
+            event.q = wrapped<M>(Problem::unknowns(point->q));
             event.v = Problem::unknowns(point->null_vector.normalized());
             event.correction = std::numeric_limits<double>::quiet_NaN();
         }

@@ -15,6 +15,7 @@
 #include <equilibria/locus/plane/locus_result.hpp>
 #include <equilibria/locus/plane/plane_family.hpp>
 #include <equilibria/locus/plane/plane_solver.hpp>
+#include <equilibria/model/torus.hpp>
 #include <equilibria/system/symmetric_branches.hpp>
 
 namespace equilibria {
@@ -72,7 +73,7 @@ public:
         for (int i = 0; i < n; ++i) dot += a.v[i] * b.v[i];
         if (!(std::abs(std::abs(dot) - 1) < 100 * tolerance)) return false;
         return same_unknowns<M>(a.q, b.q, 100 * tolerance) ||
-               (reflection_symmetric && same_unknowns<M>(a.q, b.q, 100 * tolerance, -1));
+               (reflection_symmetric && same_unknowns<M>(a.q, mirrored<M>(b.q), 100 * tolerance));
     }
 
     /// Every point solved for is on a curve, and every special point of a curve was solved for.

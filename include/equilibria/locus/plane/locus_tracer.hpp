@@ -17,6 +17,7 @@
 #include <equilibria/locus/plane/locus_seeds.hpp>
 #include <equilibria/locus/plane/pitchfork_curve.hpp>
 #include <equilibria/locus/plane/region_counts.hpp>
+#include <equilibria/model/torus.hpp>
 #include <equilibria/singularity/reduced_coefficients.hpp>
 
 namespace equilibria {
@@ -200,7 +201,7 @@ private:
     bool closes(const PathStepper<Curve>& stepper, const BranchPoint<Curve>& first, const BranchPoint<Curve>& now) const {
         Direction d = stepper.difference(first, now.q, now.p);
         for (int i = 0; i + 1 < d.q.size() && i < n_angles<M>; ++i)
-            d.q(i + 1) = std::remainder(d.q(i + 1), 2 * std::numbers::pi);
+            d.q(i + 1) = wrap(d.q(i + 1));
         return stepper.length(d) < 1.5 * options_.path.largest_step && stepper.dot(first.tangent, now.tangent) > 0.95;
     }
 
@@ -326,17 +327,16 @@ private:
         };
         for (Seed& seed : seeds_.all()) {
             if (seed.traced || seed.kind != kind) continue;
-            for (const int mirror : {1, -1}) {
-                if (seed.traced || (mirror < 0 && !Formulation<M>::reflection_symmetric)) break;
+            for (const bool mirror : {false, true}) {
+                if (seed.traced || (mirror && !Formulation<M>::reflection_symmetric)) break;
+                const Unknowns<M> image = mirror ? mirrored<M>(seed.at.q) : seed.at.q;
                 for (std::size_t i = 0; i + 1 < curve.size() && !seed.traced; ++i) {
                     const Eigen::VectorXd a = position(curve[i]), chord = position(curve[i + 1]) - a;
                     Eigen::VectorXd to(n + 2);
                     to(0) = seed.at.x / locus_.window.width() - a(0);
                     to(1) = seed.at.y / locus_.window.height() - a(1);
-                    for (int k = 0; k < n; ++k) {
-                        to(k + 2) = (k < n_angles<M> ? mirror : 1) * seed.at.q[k] - a(k + 2);
-                        if (k < n_angles<M>) to(k + 2) = std::remainder(to(k + 2), 2 * std::numbers::pi);
-                    }
+                    const auto d = displacement<M>(PlaneProblem<M, X, Y>::unknowns(a.tail(n)), image);
+                    for (int k = 0; k < n; ++k) to(k + 2) = d[k];
                     const double length2 = chord.squaredNorm(), part = to.dot(chord) / length2;
                     if (!(part > -0.1 && part < 1.1) || (to - part * chord).squaredNorm() > 0.1 * length2 + 1e-10)
                         continue;

@@ -9,6 +9,7 @@
 #include <optional>
 #include <vector>
 
+#include <equilibria/model/torus.hpp>
 #include <equilibria/paths/complex_roots.hpp>
 #include <equilibria/paths/solution_counts.hpp>
 #include <equilibria/singularity/locus_point.hpp>
@@ -179,7 +180,7 @@ private:
     bool same(const LocusPoint<M>& a, const LocusPoint<M>& b, double tolerance) const {
         if (!(std::abs(a.x - b.x) <= tolerance * scales_[0])) return false;
         if (!(std::abs(a.y - b.y) <= tolerance * scales_[1])) return false;
-        return detail::same_unknowns<M>(a.q, b.q, tolerance);
+        return same_unknowns<M>(a.q, b.q, tolerance);
     }
     /// Keeps the refined point if Newton's method stayed near, and it is new.
     void keep(Points& points, const LocusPoint<M>& near, const RefinedPoint<M, double>& refined) const {

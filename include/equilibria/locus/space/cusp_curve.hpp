@@ -18,7 +18,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <numbers>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -33,6 +32,7 @@
 #include <equilibria/locus/space/cusp_curve_result.hpp>
 #include <equilibria/locus/space/cusp_problem.hpp>
 #include <equilibria/model/derivatives.hpp>
+#include <equilibria/model/torus.hpp>
 #include <equilibria/singularity/reduced_series.hpp>
 #include <equilibria/singularity/refine_cusp_tangency.hpp>
 #include <equilibria/singularity/refine_singularity.hpp>
@@ -180,7 +180,7 @@ private:
     /// Back at the first point, in the same direction; angles modulo 2 pi, the null vector up to its sign.
     bool closes(const Point& first, const Point& now) const {
         Direction d = stepper_.difference(first, now.q, now.p), along = now.tangent;
-        for (int i = 0; i < n_angles<M>; ++i) d.q(i) = std::remainder(d.q(i), 2 * std::numbers::pi);
+        for (int i = 0; i < n_angles<M>; ++i) d.q(i) = wrap(d.q(i));
         if (first.q.segment(n, n).dot(now.q.segment(n, n)) < 0) {
             d.q.segment(n, n) = -now.q.segment(n, n) - first.q.segment(n, n);
             along.q.segment(n, n) *= -1;
@@ -281,9 +281,8 @@ private:
                 way = std::max(way, std::abs(there[k] - here[k]) / scales[k]);
             }
             if (!(off <= (passes ? 0.3 : 0.05) * way + 1e-9)) return false;
-            Unknowns<M> q = at.q;
-            for (int i = 0; i < n; ++i)  // the turn of the last point
-                q[i] += 2 * std::numbers::pi * std::round((near.q(i) - q[i]) / (2 * std::numbers::pi));
+            Unknowns<M> q = Problem::unknowns(near.q), way_there = displacement<M>(q, at.q);
+            for (int i = 0; i < n; ++i) q[i] += way_there[i];  // the turn of the last point
             Point end = near;
             end.q = Problem::packed(q, at.v, at.p[X], at.p[Y]);
             end.p = at.p[Z];

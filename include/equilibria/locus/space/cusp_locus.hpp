@@ -20,7 +20,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <numbers>
 #include <utility>
 #include <vector>
 
@@ -30,6 +29,7 @@
 #include <equilibria/locus/plane/plane_solver.hpp>
 #include <equilibria/locus/space/cusp_curve.hpp>
 #include <equilibria/locus/space/cusp_locus_result.hpp>
+#include <equilibria/model/torus.hpp>
 #include <equilibria/singularity/refine_singularity.hpp>
 
 namespace equilibria {
@@ -156,7 +156,7 @@ private:
         if (!(std::abs(a.x - b.x) <= tolerance * (box.x_high - box.x_low))) return false;
         if (!(std::abs(a.y - b.y) <= tolerance * (box.y_high - box.y_low))) return false;
         return same_unknowns<M>(a.q, b.q, tolerance) ||
-               (Formulation<M>::reflection_symmetric && same_unknowns<M>(a.q, b.q, tolerance, -1));
+               (Formulation<M>::reflection_symmetric && same_unknowns<M>(a.q, mirrored<M>(b.q), tolerance));
     }
 
     void trace_from(const CuspPlane<M>& plane, const LocusPoint<M>& cusp, std::vector<std::vector<bool>>& traced) {
@@ -206,10 +206,8 @@ private:
         const auto between = [&](double u, double v) { return u + part * (v - u); };
         LocusPoint<M> at = a;
         at.x = between(a.x, b.x), at.y = between(a.y, b.y);
-        for (int i = 0; i < n; ++i) {
-            const double d = b.q[i] - a.q[i];
-            at.q[i] = a.q[i] + part * (i < n_angles<M> ? std::remainder(d, 2 * std::numbers::pi) : d);
-        }
+        const auto d = displacement<M>(a.q, b.q);
+        for (int i = 0; i < n; ++i) at.q[i] = a.q[i] + part * d[i];
         Parameters<M> p = locus_.parameters;
         p[X] = at.x, p[Y] = at.y, p[Z] = z;
         const auto cusp = refine_singularity<M, X, Y>(at.q, p, at.v);

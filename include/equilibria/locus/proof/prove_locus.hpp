@@ -21,8 +21,10 @@
 #include <equilibria/certify/krawczyk.hpp>
 #include <equilibria/enumerate/prove.hpp>
 #include <equilibria/locus/plane/locus_result.hpp>
+#include <equilibria/model/active_parameters.hpp>
 #include <equilibria/paths/path_solver.hpp>
 #include <equilibria/run/parallel.hpp>
+#include <equilibria/singularity/singularity.hpp>
 #include <equilibria/system/critical_system.hpp>
 #include <equilibria/system/symmetric_system.hpp>
 
@@ -68,13 +70,16 @@ public:
             for (std::size_t k = 0; k < curve.points.size(); ++k)
                 if (!special(curve.points[k]))
                     add(curve.kind, curve.points[k], across(curve, k),
-                        curve.kind == LocusKind::fold ? &proof_.folds : &proof_.pitchforks);
-        for (const auto& cusp : locus_->cusps) add(LocusKind::fold, cusp.at, {.third = 1}, &proof_.cusps);
-        for (const auto& point : locus_->extremal)
-            add(point.kind, point.at,
-                {.extremal = {point.parameter == Y ? 1.0 : 0.0, point.parameter == X ? 1.0 : 0.0}}, &proof_.extremal);
-        for (const auto& at : locus_->degenerate_pitchforks)
-            add(LocusKind::pitchfork, at, {.third = 1}, &proof_.degenerate_pitchforks);
+                        curve.kind == SingularityKind::fold ? &proof_.folds : &proof_.pitchforks);
+        for (const auto& at : locus_->points) {
+            if (at.extremal >= 0)
+                add(curve_of(at.kind), at, {.extremal = {at.extremal == Y ? 1.0 : 0.0, at.extremal == X ? 1.0 : 0.0}},
+                    &proof_.extremal);
+            else if (at.kind == SingularityKind::cusp)
+                add(SingularityKind::fold, at, {.third = 1}, &proof_.cusps);
+            else
+                add(SingularityKind::pitchfork, at, {.third = 1}, &proof_.degenerate_pitchforks);
+        }
         std::vector<double> radii(tasks_.size(), -1);
         parallel_blocks(tasks_.size(), 8, threads_, [&](std::size_t first, std::size_t last) {
             for (std::size_t k = first; k < last; ++k) radii[k] = radius(tasks_[k]);
@@ -86,8 +91,8 @@ public:
             proof_.largest_radius = std::max(proof_.largest_radius, radii[k]);
         }
         for (const LocusRegion& region : locus_->regions) {
-            const auto proof =
-                prove(enumerate<M>(parameters_at(region.point.x, region.point.y), {.threads = threads_}));
+            const auto proof = prove(enumerate<M>(with_active<X, Y>(locus_->parameters, region.point.x, region.point.y),
+                                                  {.threads = threads_}));
             ++proof_.regions.of;
             proof_.regions.proved += proof.complete && proof.by_index == region.by_index;
         }
@@ -102,35 +107,22 @@ private:
         double third = 0;
     };
     struct Task {
-        LocusKind kind;
-        const LocusPoint<M>* at;
+        SingularityKind kind;  ///< fold or pitchfork: whose system it is
+        const Singularity<M>* at;
         Last last;
         ProvedShare* share;
     };
     using Folds = CriticalSystem<M, X, Y>;
     using Pitchforks = SymmetricSystem<M, X, Y>;
 
-    void add(LocusKind kind, const LocusPoint<M>& at, const Last& last, ProvedShare* share) {
+    void add(SingularityKind kind, const Singularity<M>& at, const Last& last, ProvedShare* share) {
         tasks_.push_back({kind, &at, last, share});
     }
-    Parameters<M> parameters_at(double x, double y) const {
-        Parameters<M> p = locus_->parameters;
-        p[X] = x;
-        p[Y] = y;
-        return p;
+    bool special(const Singularity<M>& at) const {
+        return std::ranges::any_of(locus_->points, [&](const auto& other) { return other.p == at.p; });
     }
-    bool special(const LocusPoint<M>& at) const {
-        const auto same = [&](const LocusPoint<M>& other) { return other.x == at.x && other.y == at.y; };
-        for (const auto& cusp : locus_->cusps)
-            if (same(cusp.at)) return true;
-        for (const auto& point : locus_->extremal)
-            if (same(point.at)) return true;
-        for (const auto& point : locus_->degenerate_pitchforks)
-            if (same(point)) return true;
-        return false;
-    }
-    Array<double, 2> unknowns(const LocusPoint<M>& at) const {
-        return {Folds::unknown(0, at.x, scales_[0]), Folds::unknown(1, at.y, scales_[1])};
+    Array<double, 2> unknowns(const Singularity<M>& at) const {
+        return {Folds::unknown(0, at.x(), scales_[0]), Folds::unknown(1, at.y(), scales_[1])};
     }
     /// A slice normal to the curve at its point number k.
     Last across(const LocusCurve<M>& curve, std::size_t k) const {
@@ -142,7 +134,7 @@ private:
 
     /// The radius within which the parameters are proved, in parts of the window; negative where nothing is.
     double radius(const Task& task) const {
-        if (task.kind == LocusKind::fold) return fold_radius(task);
+        if (task.kind == SingularityKind::fold) return fold_radius(task);
         if constexpr (Formulation<M>::reflection_symmetric) return pitchfork_radius(task);
         return -1;
     }
@@ -179,7 +171,7 @@ private:
     template <class System>
     Parameters<System> weighted(const Task& task, const auto& own) const {
         Generator generator(1);
-        Parameters<System> y = own(parameters_at(task.at->x, task.at->y), generator);
+        Parameters<System> y = own(task.at->p, generator);
         const Eigen::Map<const Eigen::Matrix<double, n, 1>> v(&task.at->v[0]);
         const Eigen::Matrix<double, n, n> b = Eigen::HouseholderQR<Eigen::Matrix<double, n, 1>>(v).householderQ();
         for (int i = 0; i < n; ++i)

@@ -173,7 +173,7 @@ void name_tangency(Singularity<M, S>& at) {
 
 /// The cusp near q (radians, coordinates) and p at which the curve of cusps in the parameters number X, Y and Z is
 /// tangent to the plane z = const: lips or beak-to-beak, named by the second-order form. v as in refine_singularity.
-/// Throws InvalidArgument for arguments that are not finite. Source: see above.
+/// Throws InvalidArgument for arguments that are not finite. Source: Arnold, Catastrophe Theory, chapter 9.
 template <PotentialModel M, int X, int Y, int Z, class S = double>
 Singularity<M, S> refine_cusp_tangency(const Unknowns<M>& q, const Parameters<M, S>& p,
                                        const std::optional<Unknowns<M>>& v = std::nullopt) {

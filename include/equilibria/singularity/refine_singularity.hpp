@@ -166,7 +166,7 @@ Unknowns<M, S> nearest_symmetric_branch(const Unknowns<M>& q) {
 /// one of equilibria. v: about the null vector, of any length; else what J shortens most.
 ///
 /// The result is of the kind if it says so; else `undecided`, `converged` or not. Throws InvalidArgument for arguments
-/// that are not finite. Source: see above.
+/// that are not finite. Source: Govaerts, Numerical Methods for Bifurcations of Dynamical Equilibria, 6 to 8.
 template <Model M, SingularityKind Kind, int... Active, class S = double>
 Singularity<M, S> refine_singularity(const Unknowns<M>& q, const Parameters<M, S>& p,
                                      const std::optional<Unknowns<M>>& v = std::nullopt) {
@@ -199,7 +199,10 @@ Singularity<M, S> refine_singularity(const Unknowns<M>& q, const Parameters<M, S
     detail::name_by_series(at, row, null);
     at.versality = system.versality();
     if constexpr (Kind == SingularityKind::extremal_fold) {
+        using std::abs;
         constexpr int parameter[] = {Active...};
+        const S slope = detail::dot(at.v, parameter_derivative<M, S>(at.q, at.p, parameter[1]));
+        if (!(abs(slope) <= at.residual)) at.residual = abs(slope);
         at.extremal = parameter[0];
         at.versality = 0;
     }

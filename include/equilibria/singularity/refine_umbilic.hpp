@@ -128,7 +128,8 @@ void name_umbilic(Singularity<M, S>& at) {
 }  // namespace detail
 
 /// The umbilic near q (radians, coordinates) and p, corank 2, in the parameters number X, Y and Z; named by the
-/// discriminant of its cubic. Throws InvalidArgument for arguments that are not finite. Source: see above.
+/// discriminant of its cubic. Throws InvalidArgument for arguments that are not finite. Source:
+/// Arnold, Gusein-Zade and Varchenko, Singularities of Differentiable Maps I (D_4).
 template <PotentialModel M, int X, int Y, int Z, class S = double>
 requires(n_unknowns<M> >= 2) Singularity<M, S> refine_umbilic(const Unknowns<M>& q, const Parameters<M, S>& p) {
     require_finite(q, "q");

@@ -77,7 +77,7 @@ void split_duals(const Array<Dual<S, N>, N>& f, Array<S, N>& values, SquareArray
 
 /// Newton's method, y = y - jacobian^-1 r with evaluate(y, r, jacobian), which is false where it cannot; what it did
 /// goes into the members steps, correction and converged of `at`. It ends after 50 steps, and where a step is larger
-/// than 1e3.
+/// than 1e3, relative to the unknown where that is above 1.
 template <class S, int N, class At, class Evaluate>
 void newton(Array<S, N>& y, At& at, Evaluate&& evaluate) {
     using std::abs;

@@ -38,12 +38,12 @@ int main() {
 
     // the buckling loads are the cusps: stiffness 2 - sqrt 2, sqrt 2 (twice) and 2 + sqrt 2, at offset 0
     using Model = SpringLoadedDoublePendulum;
-    auto locus = equilibria::trace_locus<Model, Model::offset, Model::stiffness>({1, 0}, {-0.5, 0.5, 0.5, 4});
-    std::sort(locus.cusps.begin(), locus.cusps.end(), [](const auto& a, const auto& b) { return a.at.y < b.at.y; });
+    const auto locus = equilibria::trace_locus<Model, Model::offset, Model::stiffness>({1, 0}, {-0.5, 0.5, 0.5, 4});
+    auto cusps = locus.of(equilibria::SingularityKind::cusp);
+    std::sort(cusps.begin(), cusps.end(), [](const auto& a, const auto& b) { return a.y() < b.y(); });
     std::printf("%zu fold curves, %s\n", locus.curves.size(),
                 locus.evidence.complete() ? "all events on all lines explained" : "NOT ALL EXPLAINED");
-    for (const auto& cusp : locus.cusps)
-        std::printf("cusp at offset %.10f, stiffness %.10f\n", std::abs(cusp.at.x), cusp.at.y);
+    for (const auto& cusp : cusps) std::printf("cusp at offset %.10f, stiffness %.10f\n", std::abs(cusp.x()), cusp.y());
 }
 
 // clang-format off

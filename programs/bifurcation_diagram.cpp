@@ -5,6 +5,7 @@
 #include <equilibria/io/gnuplot.hpp>
 #include <equilibria/locus/line/diagram.hpp>
 #include <equilibria/mechanisms/rotating_chain.hpp>
+#include <equilibria/model/torus.hpp>
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <optional>
@@ -29,7 +30,7 @@ std::string rows(const Diagram& diagram, int index, int angle) {
         if (piece.index != index) continue;
         // one turn for the whole piece, so that a branch at theta = pi does not flicker between the edges
         const double middle = piece.points[piece.points.size() / 2].q[angle];
-        double turn = middle - std::remainder(middle, 2 * std::numbers::pi);
+        double turn = middle - equilibria::wrap(middle);
         if (std::abs(middle - turn + std::numbers::pi) < 1e-6) turn -= 2 * std::numbers::pi;
         for (const auto& point : piece.points) out << point.parameter << ' ' << point.q[angle] - turn << '\n';
         out << "\n\n";
@@ -47,8 +48,7 @@ std::string script(const Diagram& diagram, double ratio, double alpha, double lo
         std::ostringstream events[2];
         for (const auto& e : diagram.events)
             events[e.kind == equilibria::CriticalKind::fold ? 0 : 1]
-                << e.value << ' ' << (e.q[angle] > 3.1415 ? e.q[angle] : std::remainder(e.q[angle], 2 * std::numbers::pi))
-                << '\n';
+                << e.value << ' ' << equilibria::wrap(e.q[angle]) << '\n';
         for (int kind = 0; kind < 2; ++kind)
             out << equilibria::gnuplot_block((kind == 0 ? "folds" : "pitchforks") + std::to_string(angle),
                                              events[kind].str().empty() ? "nan nan\n" : events[kind].str());

@@ -27,8 +27,10 @@ namespace {
 using Chain = equilibria::mechanisms::TwoLinkChain;
 using Locus = equilibria::Locus<Chain>;
 using Json = nlohmann::ordered_json;
+using Kind = equilibria::SingularityKind;
 
-std::string_view name(equilibria::LocusKind kind) { return kind == equilibria::LocusKind::fold ? "fold" : "pitchfork"; }
+/// Of the curve on which a point lies.
+std::string_view name(Kind kind) { return to_string(curve_of(kind)); }
 
 Json polygons(const equilibria::LocusRegion& region) {
     Json y = Json::array();
@@ -49,17 +51,17 @@ std::string json(const Locus& locus, const std::optional<equilibria::LocusProof>
              {"degenerate_pitchforks", Json::array()},
              {"curves", Json::array()},
              {"regions", Json::array()}};
-    for (const auto& c : locus.cusps)
-        out["cusps"].push_back({{"alpha", c.at.x},
-                                {"omega", c.at.y},
+    for (const auto& c : locus.of(Kind::cusp))
+        out["cusps"].push_back({{"alpha", c.x()},
+                                {"omega", c.y()},
                                 {"residual", c.residual},
-                                {"angles", {c.at.q[0], c.at.q[1]}},
-                                {"fourth_derivative", c.fourth}});
-    for (const auto& p : locus.degenerate_pitchforks)
-        out["degenerate_pitchforks"].push_back({{"alpha", p.x}, {"omega", p.y}, {"angles", {p.q[0], p.q[1]}}});
+                                {"angles", {c.q[0], c.q[1]}},
+                                {"fourth_derivative", c.derivative(4)}});
+    for (const auto& p : locus.of(Kind::tricritical_pitchfork))
+        out["degenerate_pitchforks"].push_back({{"alpha", p.x()}, {"omega", p.y()}, {"angles", {p.q[0], p.q[1]}}});
     for (const auto& curve : locus.curves) {
         Json points = Json::array();
-        for (const auto& p : curve.points) points.push_back({p.x, p.y});
+        for (const auto& p : curve.points) points.push_back({p.x(), p.y()});
         out["curves"].push_back({{"kind", name(curve.kind)}, {"points", std::move(points)}});
     }
     for (const auto& r : locus.regions)
@@ -75,12 +77,12 @@ std::string json(const Locus& locus, const std::optional<equilibria::LocusProof>
             {{"regions", {b.below, b.above}}, {"curve", b.curve}, {"kind", name(locus.curves[b.curve].kind)}});
     const auto& e = locus.evidence;
     out["extremal"] = Json::array();
-    for (const auto& p : locus.extremal)
+    for (const auto& p : locus.of(Kind::extremal_fold, Kind::extremal_pitchfork))
         out["extremal"].push_back({{"kind", name(p.kind)},
-                                   {"of", p.parameter == Chain::alpha ? "alpha" : "omega"},
-                                   {"alpha", p.at.x},
-                                   {"omega", p.at.y},
-                                   {"angles", {p.at.q[0], p.at.q[1]}}});
+                                   {"of", p.extremal == Chain::alpha ? "alpha" : "omega"},
+                                   {"alpha", p.x()},
+                                   {"omega", p.y()},
+                                   {"angles", {p.q[0], p.q[1]}}});
     out["argument"] = locus.argument();
     out["evidence"] = {{"lines", e.lines},
                        {"seeds", e.seeds},
@@ -106,13 +108,14 @@ std::string json(const Locus& locus, const std::optional<equilibria::LocusProof>
 }
 
 void print(const Locus& locus, const std::optional<equilibria::LocusProof>& proof) {
-    for (const auto& c : locus.cusps)
-        std::printf("cusp       alpha %.14f  omega %.14f  residual %.1e\n", c.at.x, c.at.y, c.residual);
-    for (const auto& p : locus.degenerate_pitchforks)
-        std::printf("degenerate pitchfork  alpha %.12f  omega %.12f\n", p.x, p.y);
+    for (const auto& c : locus.of(Kind::cusp))
+        std::printf("cusp       alpha %.14f  omega %.14f  residual %.1e\n", c.x(), c.y(), c.residual);
+    for (const auto& p : locus.of(Kind::tricritical_pitchfork))
+        std::printf("degenerate pitchfork  alpha %.12f  omega %.12f\n", p.x(), p.y());
     for (const auto& c : locus.curves)
         std::printf("%-9s  %4zu points  (%.6f, %.6f) to (%.6f, %.6f)\n", std::string(name(c.kind)).c_str(),
-                    c.points.size(), c.points.front().x, c.points.front().y, c.points.back().x, c.points.back().y);
+                    c.points.size(), c.points.front().x(), c.points.front().y(), c.points.back().x(),
+                    c.points.back().y());
     for (const auto& r : locus.regions) {
         std::printf("region     %2llu equilibria, by index", static_cast<unsigned long long>(r.count));
         for (const auto k : r.by_index) std::printf(" %lld", static_cast<long long>(k));
@@ -134,21 +137,20 @@ void print(const Locus& locus, const std::optional<equilibria::LocusProof>& proo
 }
 
 /// A window around a cusp that shows both branches of its fold curve, and no further than the nearest border is.
-equilibria::PlaneWindow around(const equilibria::Cusp<Chain>& cusp, const Locus& locus) {
+equilibria::PlaneWindow around(const equilibria::Singularity<Chain>& c, const Locus& locus) {
     const auto& w = locus.window;
-    const auto& c = cusp.at;
-    const double x_reach = std::min({0.011 * w.width(), c.x - w.x_low, w.x_high - c.x});
-    const double y_reach = std::min({0.055 * w.height(), c.y - w.y_low, w.y_high - c.y});
-    equilibria::PlaneWindow box{c.x, c.x, c.y, c.y};
+    const double x_reach = std::min({0.011 * w.width(), c.x() - w.x_low, w.x_high - c.x()});
+    const double y_reach = std::min({0.055 * w.height(), c.y() - w.y_low, w.y_high - c.y()});
+    equilibria::PlaneWindow box{c.x(), c.x(), c.y(), c.y()};
     for (const auto& curve : locus.curves) {
         const auto at = std::find_if(curve.points.begin(), curve.points.end(),
-                                     [&](const auto& p) { return p.x == c.x && p.y == c.y; });
+                                     [&](const auto& p) { return p.x() == c.x() && p.y() == c.y(); });
         if (at == curve.points.end()) continue;
         const auto add = [&](const auto& p) {
-            const bool near = std::abs(p.x - c.x) <= x_reach && std::abs(p.y - c.y) <= y_reach;
+            const bool near = std::abs(p.x() - c.x()) <= x_reach && std::abs(p.y() - c.y()) <= y_reach;
             if (near)
-                box = {std::min(box.x_low, p.x), std::max(box.x_high, p.x), std::min(box.y_low, p.y),
-                       std::max(box.y_high, p.y)};
+                box = {std::min(box.x_low, p.x()), std::max(box.x_high, p.x()), std::min(box.y_low, p.y()),
+                       std::max(box.y_high, p.y())};
             return !near;
         };
         std::find_if(at, curve.points.end(), add);
@@ -180,7 +182,8 @@ std::string script(const Locus& locus, double ratio) {
     out.precision(10);
     out << support::locus_blocks(locus);
     const auto& w = locus.window;
-    const std::size_t insets = std::min<std::size_t>(2, locus.cusps.size());
+    const auto cusps = locus.of(Kind::cusp);
+    const std::size_t insets = std::min<std::size_t>(2, cusps.size());
     const char* curves =
         "$pitchforks with lines lw 1.8 lc rgb '#0072b2' title 'pitchforks', "
         "$folds with lines lw 2.2 lc rgb '#d55e00' title 'folds', "
@@ -197,12 +200,12 @@ std::string script(const Locus& locus, double ratio) {
             out << "set label '" << r.count << "' at " << r.point.x << ',' << r.point.y << " center font ',"
                 << (support::crowded(r.point, locus, 0.022, 0.02) ? 12 : 17) << "'\n";
     for (std::size_t k = 0; k < insets; ++k) {  // a frame large enough to be seen, and the letter of the inset
-        const auto& c = locus.cusps[k].at;
-        const auto box = around(locus.cusps[k], locus);
-        const double x_low = std::max(w.x_low, std::min(box.x_low, c.x - 0.013 * w.width()));
-        const double x_high = std::min(w.x_high, std::max(box.x_high, c.x + 0.013 * w.width()));
-        const double y_low = std::max(w.y_low, std::min(box.y_low, c.y - 0.013 * w.height()));
-        const double y_high = std::min(w.y_high, std::max(box.y_high, c.y + 0.013 * w.height()));
+        const auto& c = cusps[k];
+        const auto box = around(cusps[k], locus);
+        const double x_low = std::max(w.x_low, std::min(box.x_low, c.x() - 0.013 * w.width()));
+        const double x_high = std::min(w.x_high, std::max(box.x_high, c.x() + 0.013 * w.width()));
+        const double y_low = std::max(w.y_low, std::min(box.y_low, c.y() - 0.013 * w.height()));
+        const double y_high = std::min(w.y_high, std::max(box.y_high, c.y() + 0.013 * w.height()));
         out << "set object " << k + 1 << " rectangle from " << x_low << ',' << y_low << " to " << x_high << ','
             << y_high << " front fillstyle empty border lc rgb 'gray40' lw 0.8\nset label '"
             << "ab"[k] << "' at " << x_low << ',' << y_high << " left offset 0.2,0.8 font ',13' tc rgb 'gray30'\n";
@@ -211,19 +214,19 @@ std::string script(const Locus& locus, double ratio) {
     out << "unset object\nunset label\nunset xlabel\nunset ylabel\nunset key\n"
         << "set lmargin at screen 0.75\nset rmargin at screen 0.97\nset tics font ',11'\n";
     for (std::size_t k = 0; k < insets; ++k) {
-        const auto& c = locus.cusps[k].at;
-        const auto box = around(locus.cusps[k], locus);
+        const auto& c = cusps[k];
+        const auto box = around(cusps[k], locus);
         const double top = insets == 1 ? 0.72 : k == 0 ? 0.87 : 0.45, bottom = top - (insets == 1 ? 0.36 : 0.29);
         std::ostringstream place;
         place.precision(4);
-        if (c.x > 0 && c.x < 1e-3) {
-            const double power = std::floor(std::log10(c.x));
-            place << c.x / std::pow(10, power) << "·10^{" << power << '}';
+        if (c.x() > 0 && c.x() < 1e-3) {
+            const double power = std::floor(std::log10(c.x()));
+            place << c.x() / std::pow(10, power) << "·10^{" << power << '}';
         } else {
-            place << c.x;
+            place << c.x();
         }
         place.precision(6);
-        place << ", {/:Italic ω} = " << c.y;
+        place << ", {/:Italic ω} = " << c.y();
         out << "set tmargin at screen " << top << "\nset bmargin at screen " << bottom << "\nset label 1 '"
             << "ab"[k] << ": {/:Italic α} = " << place.str() << "' at graph 0.5,1.07 center font ',12'\n"
             << tics('x', box.x_low, box.x_high) << tics('y', box.y_low, box.y_high) << "plot [" << box.x_low << ':'

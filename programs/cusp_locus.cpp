@@ -38,11 +38,14 @@ std::string identifier(equilibria::SingularityKind kind) {
     return name;
 }
 
+/// Here the border is a box's.
+const char* name(equilibria::CurveEnd end) { return end == equilibria::CurveEnd::border ? "box" : to_string(end); }
+
 Json json(const Transition& t) {
     Json out{{"kind", identifier(t.at.kind)},
-             {"ratio", t.z},
-             {"alpha", t.x},
-             {"omega", t.y},
+             {"ratio", t.at.z()},
+             {"alpha", t.at.x()},
+             {"omega", t.at.y()},
              {"residual", t.at.residual},
              {"nullity", t.at.nullity},
              {"angles", {t.at.q[0], t.at.q[1]}}};
@@ -63,15 +66,15 @@ std::string json(const Locus& locus) {
              {"cusp_curves", Json::array()},     {"transitions", Json::array()},     {"planes", Json::array()}};
     for (const auto& curve : locus.curves) {
         Json points = Json::array();
-        for (const auto& p : curve.points) points.push_back({{"ratio", p.z}, {"alpha", p.x}, {"omega", p.y}});
+        for (const auto& p : curve.points) points.push_back({{"ratio", p.z()}, {"alpha", p.x()}, {"omega", p.y()}});
         out["cusp_curves"].push_back(
-            {{"points", std::move(points)}, {"ends", {to_string(curve.ends[0]), to_string(curve.ends[1])}}});
+            {{"points", std::move(points)}, {"ends", {name(curve.ends[0]), name(curve.ends[1])}}});
         for (const auto& t : curve.transitions) out["transitions"].push_back(json(t));
     }
     for (const auto& plane : locus.planes) {
         Json cusps = Json::array(), given_up = Json::array();
         for (const auto& c : plane.cusps)
-            cusps.push_back({{"alpha", c.x}, {"omega", c.y}, {"angles", {c.q[0], c.q[1]}}});
+            cusps.push_back({{"alpha", c.x()}, {"omega", c.y()}, {"angles", {c.q[0], c.q[1]}}});
         for (const auto& g : plane.given_up)
             given_up.push_back({{"ratio", g.z}, {"failed", g.failed_paths}, {"solutions", g.solutions}});
         const auto& paths = plane.counts.paths;
@@ -98,18 +101,18 @@ std::string json(const Locus& locus) {
 void print(const Locus& locus) {
     for (const auto& curve : locus.curves) {
         std::printf("curve of cusps, %zu points\n", curve.points.size());
-        const std::pair<const char*, const equilibria::CuspCurvePoint<Chain>&> ends[] = {
-            {to_string(curve.ends[0]), curve.points.front()}, {to_string(curve.ends[1]), curve.points.back()}};
+        const std::pair<const char*, const equilibria::Singularity<Chain>&> ends[] = {
+            {name(curve.ends[0]), curve.points.front()}, {name(curve.ends[1]), curve.points.back()}};
         for (const auto& [why, at] : ends)
-            std::printf("  end           ratio %.15g  alpha %.15g  omega %.15g  (%s)\n", at.z, at.x, at.y, why);
+            std::printf("  end           ratio %.15g  alpha %.15g  omega %.15g  (%s)\n", at.z(), at.x(), at.y(), why);
         for (const auto& t : curve.transitions)
-            std::printf("  %-12s  ratio %.15g  alpha %.15g  omega %.15g  residual %.1e\n", to_string(t.at.kind), t.z,
-                        t.x, t.y, t.at.residual);
+            std::printf("  %-12s  ratio %.15g  alpha %.15g  omega %.15g  residual %.1e\n", to_string(t.at.kind),
+                        t.at.z(), t.at.x(), t.at.y(), t.at.residual);
     }
     for (const auto& plane : locus.planes) {
         std::printf("plane ratio = %.15g: %zu cusps\n", plane.z, plane.cusps.size());
         for (const auto& c : plane.cusps)
-            std::printf("  cusp          alpha %.15g  omega %.15g  angles %.12f %.12f\n", c.x, c.y, c.q[0], c.q[1]);
+            std::printf("  cusp          alpha %.15g  omega %.15g  angles %.12f %.12f\n", c.x(), c.y(), c.q[0], c.q[1]);
     }
     std::printf("%s\nargument: %s\n%.2f s\n", locus.complete() ? "all explained" : "NOT ALL EXPLAINED",
                 locus.argument().c_str(), locus.evidence.seconds);
@@ -156,18 +159,18 @@ std::string data(const Locus& locus, const std::string& panel, double ratio_low,
         for (const auto& c : plane.cusps) cusps << value(c) << ' ' << plane.z << '\n';
     }
     for (const auto& curve : locus.curves) {
-        for (const auto& p : curve.points) curves << value(p) << ' ' << p.z << '\n';
+        for (const auto& p : curve.points) curves << value(p) << ' ' << p.z() << '\n';
         curves << "\n\n";
         for (std::size_t k = 0; k < 2; ++k) {
-            using End = equilibria::CuspCurveEnd;
+            using End = equilibria::CurveEnd;
             if (curve.ends[k] == End::closed) continue;
             const auto& p = k == 0 ? curve.points.front() : curve.points.back();
-            (curve.ends[k] == End::box          ? at_window
+            (curve.ends[k] == End::border       ? at_window
              : curve.ends[k] == End::degenerate ? degenerate
                                                 : other_ends)
-                << value(p) << ' ' << p.z << '\n';
+                << value(p) << ' ' << p.z() << '\n';
         }
-        for (const auto& t : curve.transitions) transitions << value(t) << ' ' << t.z << '\n';
+        for (const auto& t : curve.transitions) transitions << value(t.at) << ' ' << t.at.z() << '\n';
     }
     std::string out;
     const std::pair<const char*, std::string> blocks[] = {
@@ -182,18 +185,18 @@ std::string data(const Locus& locus, const std::string& panel, double ratio_low,
 /// Two panels over the ratio: alpha and omega. In their scales, the fourth root of alpha and the cube root of omega -
 /// 1, the curve runs straight into its end at ratio 1.
 std::string script(const Locus& locus) {
-    using End = equilibria::CuspCurveEnd;
+    using End = equilibria::CurveEnd;
     const auto& box = locus.box;
     // of the range of the ratio the part that the curves take, and a third of that above and below
     double low = box.z_high, high = box.z_low, slowest = box.y_high;
     bool at_window = false, at_degenerate = false, at_other = false;
     for (const auto& curve : locus.curves) {
         for (const auto& p : curve.points)
-            low = std::min(low, p.z), high = std::max(high, p.z), slowest = std::min(slowest, p.y);
+            low = std::min(low, p.z()), high = std::max(high, p.z()), slowest = std::min(slowest, p.y());
         for (const End end : curve.ends) {
-            at_window = at_window || end == End::box;
+            at_window = at_window || end == End::border;
             at_degenerate = at_degenerate || end == End::degenerate;
-            at_other = at_other || (end != End::box && end != End::degenerate && end != End::closed);
+            at_other = at_other || (end != End::border && end != End::degenerate && end != End::closed);
         }
     }
     const bool any = low <= high;
@@ -226,19 +229,20 @@ std::string script(const Locus& locus) {
     if (any) parts.push_back({"transitions", "points pt 7 ps 1 lc rgb '#d55e00'", "transition"});
     for (int panel = 0; panel < 2; ++panel) {
         const Axis& axis = panel == 0 ? alpha_axis : omega_axis;
-        const auto value = [&](const auto& at) { return axis.scaled(panel == 0 ? at.x : at.y); };
+        const auto value = [&](const auto& at) { return axis.scaled(panel == 0 ? at.x() : at.y()); };
         const double from = panel == 0 ? box.x_low : omega_low, to = panel == 0 ? box.x_high : box.y_high;
         const double left = axis.scaled(from), right = axis.scaled(to);
         const std::string number = std::to_string(panel);
         out << data(locus, number, low, high, value) << "set xtics " << ticks(axis, from, to) << '\n';
         for (const auto& curve : locus.curves)
             for (const auto& t : curve.transitions) {
-                const double place = (value(t) - left) / (right - left);
+                const double place = (value(t.at) - left) / (right - left);
                 out << "set label \"" << to_string(t.at.kind) << "\\n{/:Italic r} = ";
                 out.precision(7);
-                out << t.z << (panel == 0 ? ", {/:Italic α} = " : ", {/:Italic ω} = ") << (panel == 0 ? t.x : t.y);
+                out << t.at.z() << (panel == 0 ? ", {/:Italic α} = " : ", {/:Italic ω} = ")
+                    << (panel == 0 ? t.at.x() : t.at.y());
                 out.precision(12);
-                out << "\" at " << value(t) << ',' << t.z
+                out << "\" at " << value(t.at) << ',' << t.at.z()
                     << (place < 0.3   ? " left offset -3,2.2\n"
                         : place > 0.7 ? " right offset 3,2.2\n"
                                       : " center offset 0,2.2\n");

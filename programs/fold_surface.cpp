@@ -27,6 +27,7 @@
 #include <equilibria/io/plotly.hpp>
 #include <equilibria/locus/plane/trace_locus.hpp>
 #include <equilibria/mechanisms/rotating_chain.hpp>
+#include <equilibria/model/torus.hpp>
 #include <nlohmann/json.hpp>
 
 #include "instances/locus/two_link_locus.hpp"
@@ -41,8 +42,8 @@ namespace {
 using Chain = equilibria::mechanisms::TwoLinkChain;
 using Locus = equilibria::Locus<Chain>;
 using equilibria::CurveEnd;
-using equilibria::LocusKind;
 using equilibria::PlaneWindow;
+using equilibria::SingularityKind;
 using Json = nlohmann::ordered_json;
 
 struct Vertex {
@@ -54,7 +55,7 @@ struct Vertex {
 /// -1.
 double distance(const Vertex& a, const Vertex& b, const PlaneWindow& window, double mirror = 1) {
     const auto turn = [&](int i) {
-        return std::remainder(a.theta[i] - mirror * b.theta[i], 2 * std::numbers::pi) / std::numbers::pi;
+        return equilibria::wrap(a.theta[i] - mirror * b.theta[i]) / std::numbers::pi;
     };
     return std::hypot(std::hypot((a.alpha - b.alpha) / window.width(), (a.omega - b.omega) / window.height()),
                       std::hypot(turn(0), turn(1)));
@@ -67,7 +68,7 @@ struct Piece {
         int cusp = -1;  ///< its number in the plane; -1: none, the curve itself ends
         bool like(const End& b) const { return cusp >= 0 || b.cusp >= 0 ? cusp >= 0 && b.cusp >= 0 : why == b.why; }
     };
-    LocusKind kind;
+    SingularityKind kind;
     std::array<End, 2> ends;
     std::vector<Vertex> points;
 
@@ -90,7 +91,7 @@ std::vector<Vertex> resampled(const std::vector<Vertex>& points, int count, cons
         const Vertex &a = points[at], &b = points[at + 1];
         const auto mix = [&](double u, double v) { return u + part * (v - u); };
         const auto turned = [&](int i) {
-            return a.theta[i] + part * std::remainder(b.theta[i] - a.theta[i], 2 * std::numbers::pi);
+            return a.theta[i] + part * equilibria::wrap(b.theta[i] - a.theta[i]);
         };
         y.push_back({mix(a.alpha, b.alpha), mix(a.omega, b.omega), {turned(0), turned(1)}});
     }
@@ -101,13 +102,15 @@ std::vector<Vertex> resampled(const std::vector<Vertex>& points, int count, cons
 std::map<std::size_t, int> cusps_on(const equilibria::LocusCurve<Chain>& curve, const Locus& locus) {
     constexpr double tolerance = 1e-8;
     std::map<std::size_t, int> found;
-    if (curve.kind != LocusKind::fold) return found;
-    for (std::size_t c = 0; c < locus.cusps.size(); ++c)
+    if (curve.kind != SingularityKind::fold) return found;
+    const auto cusps = locus.of(SingularityKind::cusp);
+    for (std::size_t c = 0; c < cusps.size(); ++c)
         for (std::size_t k = 0; k < curve.points.size(); ++k) {
-            const auto &p = curve.points[k], &q = locus.cusps[c].at;
-            if (std::hypot((p.x - q.x) / locus.window.width(), (p.y - q.y) / locus.window.height()) < tolerance &&
-                (equilibria::detail::same_unknowns<Chain>(p.q, q.q, 1e-6) ||
-                 equilibria::detail::same_unknowns<Chain>(p.q, q.q, 1e-6, -1))) {
+            const auto &p = curve.points[k], &q = cusps[c];
+            if (std::hypot((p.x() - q.x()) / locus.window.width(), (p.y() - q.y()) / locus.window.height()) <
+                    tolerance &&
+                (equilibria::same_unknowns<Chain>(p.q, q.q, 1e-6) ||
+                 equilibria::same_unknowns<Chain>(p.q, equilibria::mirrored<Chain>(q.q), 1e-6))) {
                 found.emplace(k, static_cast<int>(c));
                 break;
             }
@@ -124,7 +127,7 @@ std::vector<Piece> pieces(const Locus& locus) {
         std::vector<Piece> own{{curve.kind, {Piece::End{curve.ends[0]}, Piece::End{curve.ends[1]}}, {}}};
         for (std::size_t k = 0; k < curve.points.size(); ++k) {
             const auto& p = curve.points[k];
-            own.back().points.push_back({p.x, p.y, {p.q[0], p.q[1]}});
+            own.back().points.push_back({p.x(), p.y(), {p.q[0], p.q[1]}});
             const auto cusp = cusps.find(k);
             if (cusp == cusps.end() || k == 0 || k + 1 == curve.points.size()) continue;
             own.push_back({curve.kind,
@@ -244,7 +247,7 @@ struct Sheet {
         Piece piece;
     };
     std::vector<Row> rows;
-    LocusKind kind() const { return rows.front().piece.kind; }
+    SingularityKind kind() const { return rows.front().piece.kind; }
 };
 
 struct Surface {
@@ -344,7 +347,7 @@ std::set<std::size_t> lighter(const std::vector<Sheet>& sheets) {
 }
 
 Json sheet_trace(const Sheet& sheet, bool light, bool first) {
-    const bool fold = sheet.kind() == LocusKind::fold;
+    const bool fold = sheet.kind() == SingularityKind::fold;
     const std::string name = fold ? "folds" : "pitchforks";
     const std::string colour = !fold ? "#0072b2" : light ? "#f0924c" : "#d55e00";
     Coordinates grid;
@@ -366,8 +369,8 @@ Json sheet_trace(const Sheet& sheet, bool light, bool first) {
 }
 
 /// The curves of one kind in the planes that are drawn.
-Json plane_trace(const Planes& planes, const Surface& surface, LocusKind kind) {
-    const bool fold = kind == LocusKind::fold;
+Json plane_trace(const Planes& planes, const Surface& surface, SingularityKind kind) {
+    const bool fold = kind == SingularityKind::fold;
     Coordinates line;
     for (const double ratio : surface.slices)
         for (const Piece& piece : planes.all().at(ratio).pieces) {
@@ -421,12 +424,12 @@ std::vector<double> incomplete(const Planes& planes) {
 equilibria::PlotlyView view(const Planes& planes, const Surface& surface) {
     const auto light = lighter(surface.sheets);
     Json traces = Json::array();
-    for (const LocusKind kind : {LocusKind::fold, LocusKind::pitchfork}) {
+    for (const SingularityKind kind : {SingularityKind::fold, SingularityKind::pitchfork}) {
         bool first = true;
         for (std::size_t k = 0; k < surface.sheets.size(); ++k)
             if (const Sheet& sheet = surface.sheets[k]; sheet.kind() == kind && sheet.rows.size() > 1)
                 traces.push_back(sheet_trace(sheet, light.contains(k), std::exchange(first, false)));
-        if (kind == LocusKind::fold) traces.push_back(cusp_trace(surface));
+        if (kind == SingularityKind::fold) traces.push_back(cusp_trace(surface));
         traces.push_back(plane_trace(planes, surface, kind));
     }
     for (std::size_t k = traces.size(); k-- > 0;)
@@ -479,7 +482,7 @@ struct Layout {
 };
 
 std::string cusp_count(const Locus& locus) {
-    const std::size_t n = locus.cusps.size();
+    const std::size_t n = locus.of(SingularityKind::cusp).size();
     return n == 0 ? "no cusp" : n == 1 ? "1 cusp" : std::to_string(n) + " cusps";
 }
 
@@ -543,9 +546,9 @@ std::string json(const Planes& planes, const std::optional<Surface>& surface) {
     Json out{{"alpha", {w.x_low, w.x_high}}, {"omega", {w.y_low, w.y_high}}, {"planes", Json::array()}};
     for (const auto& [ratio, plane] : planes.all()) {
         Json cusps = Json::array();
-        for (const auto& c : plane.locus.cusps)
+        for (const auto& c : plane.locus.of(SingularityKind::cusp))
             cusps.push_back(
-                {{"alpha", c.at.x}, {"omega", c.at.y}, {"residual", c.residual}, {"angles", {c.at.q[0], c.at.q[1]}}});
+                {{"alpha", c.x()}, {"omega", c.y()}, {"residual", c.residual}, {"angles", {c.q[0], c.q[1]}}});
         out["planes"].push_back({{"ratio", ratio},
                                  {"cusps", std::move(cusps)},
                                  {"complete", plane.locus.evidence.complete()},
@@ -564,7 +567,8 @@ void print(const Planes& planes, const std::optional<Surface>& surface) {
         const auto& e = plane.locus.evidence;
         std::printf("ratio %-10.10g  %-8s  %s  %.1f s\n", ratio, cusp_count(plane.locus).c_str(),
                     e.complete() ? "complete" : "NOT COMPLETE", e.seconds);
-        for (const auto& c : plane.locus.cusps) std::printf("  cusp  alpha %.14f  omega %.14f\n", c.at.x, c.at.y);
+        for (const auto& c : plane.locus.of(SingularityKind::cusp))
+            std::printf("  cusp  alpha %.14f  omega %.14f\n", c.x(), c.y());
         if (!e.complete()) std::printf("  %s\n", plane.locus.argument().c_str());
     }
     if (surface)

@@ -9,6 +9,7 @@
 #include <equilibria/dynamics/lagrange_first_kind.hpp>
 #include <equilibria/dynamics/linear_motion.hpp>
 #include <equilibria/io/gnuplot.hpp>
+#include <equilibria/model/torus.hpp>
 #include <exception>
 #include <filesystem>
 #include <numbers>
@@ -165,7 +166,7 @@ Figure disturbed_figure(const std::string& name, const std::string& title, doubl
     const auto p = M::paper_parameters(force);
     const auto set = equilibria::enumerate<M>(p);
     const auto& e = *std::min_element(set.equilibria.begin(), set.equilibria.end(), [&](const auto& a, const auto& b) {
-        return equilibria::detail::distance<M>(a.q, near) < equilibria::detail::distance<M>(b.q, near);
+        return equilibria::distance<M>(a.q, near) < equilibria::distance<M>(b.q, near);
     });
     const MotionState<M> start{{e.q[0] + 0.2, e.q[1]}, {0.3, 0}};
     const auto at = times(end, 1200);

@@ -109,8 +109,8 @@ std::string script(const RegionProof& proof, const equilibria::Locus<Chain>& loc
     out.precision(10);
     for (auto* s : {&folds, &pitchforks}) s->precision(10);
     for (const auto& curve : locus.curves) {
-        auto& points = curve.kind == equilibria::LocusKind::fold ? folds : pitchforks;
-        for (const auto& p : curve.points) points << p.x << ' ' << p.y << '\n';
+        auto& points = curve.kind == equilibria::SingularityKind::fold ? folds : pitchforks;
+        for (const auto& p : curve.points) points << p.x() << ' ' << p.y() << '\n';
         points << "\n\n";
     }
     for (const auto& [count, block] : rows) out << equilibria::gnuplot_block("c" + std::to_string(count), block);

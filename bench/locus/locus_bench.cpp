@@ -27,14 +27,14 @@ void plane(benchmark::State& state, const Parameters<M>& p, const PlaneWindow& w
     Locus<M> locus;
     for (auto _ : state) locus = trace_locus<M, X, Y>(p, window, {.executor = threads(0)}, {}, digits);
     const auto& e = locus.evidence;
-    state.counters["paths"] = static_cast<double>(e.lines_solved.paths.total + e.cusps_solved.paths.total +
-                                                  e.extremal_solved.paths.total +
-                                                  e.extremal_pitchforks_solved.paths.total +
-                                                  e.degenerate_pitchforks_solved.paths.total);
+    std::uint64_t paths = 0;
+    for (const auto& [kind, counts] : e.solved) paths += counts.paths.total;
+    using Kind = SingularityKind;
+    state.counters["paths"] = static_cast<double>(paths);
     state.counters["curves"] = static_cast<double>(locus.curves.size());
-    state.counters["cusps"] = static_cast<double>(locus.cusps.size());
-    state.counters["extremal"] = static_cast<double>(locus.extremal.size());
-    state.counters["degenerate_pitchforks"] = static_cast<double>(locus.degenerate_pitchforks.size());
+    state.counters["cusps"] = static_cast<double>(locus.of(Kind::cusp).size());
+    state.counters["extremal"] = static_cast<double>(locus.of(Kind::extremal_fold, Kind::extremal_pitchfork).size());
+    state.counters["degenerate_pitchforks"] = static_cast<double>(locus.of(Kind::tricritical_pitchfork).size());
     state.counters["regions"] = static_cast<double>(locus.regions.size());
     state.counters["complete"] = e.complete();
     std::cerr << locus.argument() << '\n';

@@ -24,7 +24,7 @@
 #include <equilibria/mechanisms/holonomic_mechanism.hpp>
 #include <equilibria/mechanisms/rotating_chain.hpp>
 #include <equilibria/model/derivatives.hpp>
-#include <equilibria/singularity/refine_point.hpp>
+#include <equilibria/singularity/refine_singularity.hpp>
 #include <equilibria/stability/inertia.hpp>
 #include <equilibria/stability/lagrange_dirichlet.hpp>
 #include <equilibria/stability/linearise.hpp>

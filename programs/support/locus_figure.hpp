@@ -17,11 +17,11 @@ std::string locus_blocks(const equilibria::Locus<M>& locus, const std::string& s
     std::ostringstream folds, pitchforks, cusps;
     for (auto* s : {&folds, &pitchforks, &cusps}) s->precision(12);
     for (const auto& curve : locus.curves) {
-        auto& rows = curve.kind == equilibria::LocusKind::fold ? folds : pitchforks;
-        for (const auto& p : curve.points) rows << p.x << ' ' << p.y << '\n';
+        auto& rows = curve.kind == equilibria::SingularityKind::fold ? folds : pitchforks;
+        for (const auto& p : curve.points) rows << p.x() << ' ' << p.y() << '\n';
         rows << "\n\n";
     }
-    for (const auto& c : locus.cusps) cusps << c.at.x << ' ' << c.at.y << '\n';
+    for (const auto& c : locus.of(equilibria::SingularityKind::cusp)) cusps << c.x() << ' ' << c.y() << '\n';
     std::string out;
     for (const auto& [name, rows] :
          {std::pair{"folds", folds.str()}, std::pair{"pitchforks", pitchforks.str()}, std::pair{"cusps", cusps.str()}})
@@ -34,8 +34,8 @@ template <equilibria::Model M>
 bool crowded(const equilibria::PlanePoint& at, const equilibria::Locus<M>& locus, double width, double height) {
     for (const auto& curve : locus.curves)
         for (const auto& p : curve.points)
-            if (std::abs(p.x - at.x) < width * locus.window.width() &&
-                std::abs(p.y - at.y) < height * locus.window.height())
+            if (std::abs(p.x() - at.x) < width * locus.window.width() &&
+                std::abs(p.y() - at.y) < height * locus.window.height())
                 return true;
     return false;
 }

@@ -6,6 +6,7 @@
 
 #include <equilibria/core/random.hpp>
 #include <equilibria/dynamics/basins.hpp>
+#include <equilibria/model/torus.hpp>
 
 #include "support/catch.hpp"
 #include "support/moving_models.hpp"
@@ -57,7 +58,7 @@ TEST_CASE("From rest, strong damping takes each start to the well that it lies i
         CHECK(*settled[k].equilibrium == (std::abs(starts[k].q[0]) < top ? 0U : 1U));
         CHECK(settled[k].trapped_time == 0);
         CHECK(settled[k].energy_rise < 1e-7);
-        CHECK(std::abs(std::remainder(settled[k].last.q[0] - all[*settled[k].equilibrium].q[0], 2 * pi)) < 1e-3);
+        CHECK(std::abs(wrap(settled[k].last.q[0] - all[*settled[k].equilibrium].q[0])) < 1e-3);
     }
 }
 

@@ -2,6 +2,7 @@
 // Jacobians and Taylor coefficients are the derivatives of their values, whatever the start adds.
 #include <complex>
 
+#include <equilibria/evaluation/point_of.hpp>
 #include <equilibria/homotopy/model_homotopy.hpp>
 #include <equilibria/homotopy/sparse_homotopy.hpp>
 #include <equilibria/start/linear_product.hpp>
@@ -34,7 +35,7 @@ Point<S, double> random_point(Generator& generator) {
         const double re = uniform(generator, -3, 3);
         q[u] = {re, uniform(generator, -0.5, 0.5)};
     }
-    return point_at<S>(q);
+    return point_of<S>(q);
 }
 
 /// The same point of another type.

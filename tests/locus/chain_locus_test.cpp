@@ -1,5 +1,7 @@
-// Figure 3.2 of Baillieul: the locus of the two-link chain, against facts.md and against its own laws.
+// Figure 3.2 of Baillieul: the locus of the two-link chain, against the model's closed form and its own laws.
+#include <algorithm>
 #include <cmath>
+#include <equilibria/core/taylor.hpp>
 #include <equilibria/locus/plane/trace_locus.hpp>
 #include <equilibria/locus/proof/prove_locus.hpp>
 #include <equilibria/mechanisms/rotating_chain.hpp>
@@ -20,6 +22,39 @@ const Locus<Chain>& figure() {
     return locus;
 }
 
+/// The cusp of the model's own closed form. Off the symmetric branches the second equation says
+/// sin theta_1 = k sin theta_2 with k = 1 / (W cos theta_2) - r, W = omega^2, and the first one then
+/// alpha = k (1 / (W cos theta_1) - 1) / r: a function of theta_2 whose first two derivatives vanish at a cusp.
+/// Newton's method in theta_2 and W, from about the cusp with cos theta_1 > 0; none of the library's equations is used.
+struct ClosedFormCusp {
+    using Series = Taylor<long double, 3>;
+    long double alpha = 0, omega = 0, third = 0;
+
+    static Series alpha_along(long double ratio, long double theta_2, long double square) {
+        const Series theta = Series::variable(theta_2);
+        const Series k = Series(1.0L) / (square * cos(theta)) - Series(ratio), sine = k * sin(theta);
+        const Series cosine = sqrt(Series(1.0L) - sine * sine);
+        return k * (Series(1.0L) / (square * cosine) - Series(1.0L)) / ratio;
+    }
+    ClosedFormCusp(long double ratio, long double theta_2, long double omega_near) {
+        long double square = omega_near * omega_near;
+        for (int step = 0; step < 20; ++step) {
+            const auto a = alpha_along(ratio, theta_2, square).coefficient;
+            const long double h = 1e-7L * square;
+            const auto high = alpha_along(ratio, theta_2, square + h).coefficient,
+                       low = alpha_along(ratio, theta_2, square - h).coefficient;
+            // [ 2 a_2  d a_1 / dW ]
+            // [ 3 a_3  d a_2 / dW ]
+            const long double by_w[] = {(high[1] - low[1]) / (2 * h), (high[2] - low[2]) / (2 * h)};
+            const long double determinant = 2 * a[2] * by_w[1] - 3 * a[3] * by_w[0];
+            theta_2 -= (by_w[1] * a[1] - by_w[0] * a[2]) / determinant;
+            square -= (2 * a[2] * a[2] - 3 * a[3] * a[1]) / determinant;
+        }
+        const auto a = alpha_along(ratio, theta_2, square).coefficient;
+        alpha = a[0], omega = std::sqrt(square), third = 6 * a[3];
+    }
+};
+
 }  // namespace
 
 // One process traces the figure for all of them.
@@ -33,19 +68,22 @@ TEST_CASE("Figure 3.2") {
     }
 
     SECTION("The cusp of Figure 3.2 and the one beside alpha = 0, to 12 digits, and no other") {
-        REQUIRE(figure().cusps.size() == 2);
-        const auto right = figure().cusps[0].at.x > 0.1 ? 0u : 1u;
-        const auto &cusp = figure().cusps[right], &small = figure().cusps[1 - right];
-        CHECK(std::abs(cusp.at.x - 0.32989617641140) < 1e-12);
-        CHECK(std::abs(cusp.at.y - 1.93791347451593) < 2e-12);
-        CHECK(std::abs(cusp.fourth) > 1);
-        // not in facts.md: by its law, det J and V''' vanish with another code than the one that found it
-        const auto refined = refine_cusp<Chain, Chain::alpha, Chain::omega>(small.at.q, {small.at.x, 1.5, small.at.y});
-        CHECK(refined.converged);
-        CHECK(std::abs(refined.p[Chain::alpha] - 0.003437156922) < 1e-11);
-        CHECK(std::abs(refined.p[Chain::alpha] - small.at.x) < 1e-14);
-        for (const auto& c : figure().cusps) CHECK(c.residual < 1e-12);
-        CHECK(figure().evidence.cusps_solved.solutions == 44);
+        const auto cusps = figure().of(SingularityKind::cusp);
+        REQUIRE(cusps.size() == 2);
+        const auto right = cusps[0].x() > 0.1 ? 0u : 1u;
+        const auto &cusp = cusps[right], &small = cusps[1 - right];
+        CHECK(std::abs(cusp.x() - 0.32989617641140) < 1e-12);
+        CHECK(std::abs(cusp.y() - 1.93791347451593) < 2e-12);
+        CHECK(std::abs(cusp.derivative(4)) > 1);
+        CHECK(std::abs(small.x() - 0.003437156922) < 1e-11);
+        for (const auto& c : cusps) {
+            CHECK(c.residual < 1e-12);
+            const ClosedFormCusp closed(1.5L, c.q[1], c.y());
+            CHECK(std::abs(closed.alpha - c.x()) < 1e-13);
+            CHECK(std::abs(closed.omega - c.y()) < 1e-12);
+            CHECK(std::abs(closed.third) > 1e-3);
+        }
+        CHECK(figure().evidence.solved.at(SingularityKind::cusp).solutions == 44);
     }
 
     SECTION("The argument says what was solved for") {
@@ -57,10 +95,10 @@ TEST_CASE("Figure 3.2") {
     SECTION("Four pitchfork curves and two fold curves, each point a degenerate equilibrium") {
         int folds = 0, pitchforks = 0;
         for (const auto& curve : figure().curves) {
-            ++(curve.kind == LocusKind::fold ? folds : pitchforks);
+            ++(curve.kind == SingularityKind::fold ? folds : pitchforks);
             for (std::size_t k = 1; k + 1 < curve.points.size(); ++k) {
                 const auto& at = curve.points[k];
-                const Parameters<Chain> p{at.x, 1.5, at.y};
+                const Parameters<Chain> p{at.x(), 1.5, at.y()};
                 double residual = 0;
                 for (const double f : equations<Chain, double>(at.q, p)) residual = std::max(residual, std::abs(f));
                 REQUIRE(residual < 1e-10);
@@ -74,19 +112,20 @@ TEST_CASE("Figure 3.2") {
     }
 
     SECTION("The fold curve has its vertical tangent at alpha = 1/3, omega = 2, and that is no cusp") {
-        REQUIRE(figure().extremal.size() == 1);
-        CHECK(figure().extremal[0].kind == LocusKind::fold);
-        CHECK(figure().extremal[0].parameter == Chain::alpha);
-        CHECK(std::abs(figure().extremal[0].at.x - 1. / 3) < 1e-12);
-        CHECK(std::abs(figure().extremal[0].at.y - 2) < 1e-10);
+        const auto extremal = figure().of(SingularityKind::extremal_fold, SingularityKind::extremal_pitchfork);
+        REQUIRE(extremal.size() == 1);
+        CHECK(extremal[0].kind == SingularityKind::extremal_fold);
+        CHECK(extremal[0].extremal == Chain::alpha);
+        CHECK(std::abs(extremal[0].x() - 1. / 3) < 1e-12);
+        CHECK(std::abs(extremal[0].y() - 2) < 1e-10);
         double nearest = 1, largest_alpha = 0;
         for (const auto& curve : figure().curves) {
-            if (curve.kind != LocusKind::fold) continue;
+            if (curve.kind != SingularityKind::fold) continue;
             for (std::size_t k = 1; k + 1 < curve.points.size(); ++k) {
-                nearest = std::min(nearest, std::hypot(curve.points[k].x - 1. / 3, curve.points[k].y - 2));
-                if (curve.points[k].y > 1.96 && curve.points[k].y < 2.3) {
+                nearest = std::min(nearest, std::hypot(curve.points[k].x() - 1. / 3, curve.points[k].y() - 2));
+                if (curve.points[k].y() > 1.96 && curve.points[k].y() < 2.3) {
                     const auto& p = curve.points;
-                    if (p[k].x > p[k - 1].x && p[k].x > p[k + 1].x) largest_alpha = p[k].x;
+                    if (p[k].x() > p[k - 1].x() && p[k].x() > p[k + 1].x()) largest_alpha = p[k].x();
                 }
             }
         }
@@ -118,7 +157,7 @@ TEST_CASE("Figure 3.2") {
         for (const auto& border : figure().borders) {
             const auto &a = figure().regions[static_cast<std::size_t>(border.below)],
                        &b = figure().regions[static_cast<std::size_t>(border.above)];
-            const std::int64_t each = figure().curves[border.curve].kind == LocusKind::fold ? 2 : 1;
+            const std::int64_t each = figure().curves[border.curve].kind == SingularityKind::fold ? 2 : 1;
             const std::int64_t born = b.count > a.count ? each : -each;
             int changed = 0;
             for (std::size_t k = 0; k < 3; ++k) {
@@ -139,9 +178,10 @@ TEST_CASE("Figure 3.2") {
         const auto locus =
             trace_locus<Chain, Chain::alpha, Chain::omega>({0.5, 1.5, 1}, {0.3, 0.36, 1.8, 2.2}, options);
         CHECK(locus.evidence.complete());
-        REQUIRE(locus.cusps.size() == 1);
-        CHECK(std::abs(locus.cusps[0].at.x - figure().cusps[0].at.x) < 1e-12);
-        CHECK(std::abs(locus.cusps[0].at.y - figure().cusps[0].at.y) < 1e-11);
+        const auto cusps = locus.of(SingularityKind::cusp), before = figure().of(SingularityKind::cusp);
+        REQUIRE(cusps.size() == 1);
+        CHECK(std::abs(cusps[0].x() - before[0].x()) < 1e-12);
+        CHECK(std::abs(cusps[0].y() - before[0].y()) < 1e-11);
     }
 
     SECTION("Certificates confirm curves, cusps and regions, and notice what was moved") {
@@ -160,10 +200,10 @@ TEST_CASE("Figure 3.2") {
         std::erase_if(locus.regions, [](const auto& region) { return region.count != 4; });
         REQUIRE(locus.regions.size() == 1);
         ++locus.regions[0].by_index[0];
-        locus.cusps[0].at.q[0] += 0.1;
+        std::ranges::find(locus.points, SingularityKind::cusp, &Singularity<Chain>::kind)->q[0] += 0.1;
         for (auto& curve : locus.curves) {
             curve.points.resize(20);
-            for (std::size_t k = 8; k < 12; ++k) curve.points[k].x += 1e-6;
+            for (std::size_t k = 8; k < 12; ++k) curve.points[k].x() += 1e-6;
         }
         const auto moved = prove_locus<Chain, Chain::alpha, Chain::omega>(locus, 1);
         CAPTURE(moved);

@@ -23,9 +23,9 @@ void check_beak_to_beak(const CuspCurve<Chain>& curve) {
     REQUIRE(curve.transitions.size() == 1);
     const auto& t = curve.transitions[0];
     CHECK(std::string(to_string(t.at.kind)) == "beak-to-beak");
-    CHECK(std::abs(t.x - 1. / 16) < 1e-12);
-    CHECK(std::abs(std::pow(t.y, 4) - 243. / 125) < 1e-12);
-    CHECK(std::abs(t.z - 16. / 9) < 1e-12);
+    CHECK(std::abs(t.at.x() - 1. / 16) < 1e-12);
+    CHECK(std::abs(std::pow(t.at.y(), 4) - 243. / 125) < 1e-12);
+    CHECK(std::abs(t.at.z() - 16. / 9) < 1e-12);
     CHECK(t.at.residual < 1e-14);
 }
 
@@ -39,8 +39,9 @@ void check_complete(const CuspLocus<Chain>& locus) {
         CHECK(plane.counts.solutions >= 42);
         cusps += plane.cusps.size();
         for (const auto& cusp : plane.cusps) {
-            const Parameters<Chain> p{cusp.x, plane.z, cusp.y};
-            const auto at = refine_singularity<Chain, Chain::alpha, Chain::omega>(cusp.q, p, cusp.v);
+            const Parameters<Chain> p{cusp.x(), plane.z, cusp.y()};
+            const auto at =
+                refine_singularity<Chain, SingularityKind::cusp, Chain::alpha, Chain::omega>(cusp.q, p, cusp.v);
             CHECK(at.kind == SingularityKind::cusp);
             CHECK(at.residual < 1e-13);
         }
@@ -62,16 +63,16 @@ TEST_CASE("two cusps at ratio 1.5, none at 2.2: one curve, which turns back in a
     CHECK(locus.evidence.beyond[1] == 0);
     CHECK(last.cusps.empty());
     REQUIRE(first.cusps.size() == 2);
-    double alpha[] = {first.cusps[0].x, first.cusps[1].x};
+    double alpha[] = {first.cusps[0].x(), first.cusps[1].x()};
     std::sort(alpha, alpha + 2);
     CHECK(std::abs(alpha[0] - 0.00343715692193062) < 1e-12);
     CHECK(std::abs(alpha[1] - 0.329896176411403) < 1e-12);
 
     REQUIRE(locus.curves.size() == 1);
     const auto& curve = locus.curves[0];
-    for (const auto end : curve.ends) CHECK(end == CuspCurveEnd::box);
-    CHECK(curve.points.front().z == 1.5);
-    CHECK(curve.points.back().z == 1.5);
+    for (const auto end : curve.ends) CHECK(end == CurveEnd::border);
+    CHECK(curve.points.front().z() == 1.5);
+    CHECK(curve.points.back().z() == 1.5);
     check_beak_to_beak(curve);
 }
 
@@ -94,10 +95,10 @@ TEST_CASE("at ratio 1, where the chain is degenerate, the plane is given up for 
 
     REQUIRE(locus.curves.size() == 1);
     const auto& curve = locus.curves[0];
-    const bool reversed = curve.ends[0] == CuspCurveEnd::box;
-    CHECK(curve.ends[reversed ? 0 : 1] == CuspCurveEnd::box);
-    CHECK(curve.ends[reversed ? 1 : 0] == CuspCurveEnd::degenerate);
-    CHECK((reversed ? curve.points.front() : curve.points.back()).y == 20);
+    const bool reversed = curve.ends[0] == CurveEnd::border;
+    CHECK(curve.ends[reversed ? 0 : 1] == CurveEnd::border);
+    CHECK(curve.ends[reversed ? 1 : 0] == CurveEnd::degenerate);
+    CHECK((reversed ? curve.points.front() : curve.points.back()).y() == 20);
     check_beak_to_beak(curve);
 }
 

@@ -39,22 +39,24 @@ constexpr double x_0 = 0.4137, y_0 = 0.7321, radius = 3e-4;
 const LocusOptions few{.lines = 3, .checks = 4};
 
 template <class M>
-void check_circle(const Locus<M>& locus, LocusKind kind, std::size_t copies) {
+void check_circle(const Locus<M>& locus, SingularityKind kind, std::size_t copies) {
     CAPTURE(locus.argument());
     CHECK(locus.evidence.complete());
-    CHECK(locus.cusps.empty());
+    CHECK(locus.of(SingularityKind::cusp).empty());
     REQUIRE(locus.curves.size() == copies);
     for (const auto& curve : locus.curves) {
         CHECK(curve.kind == kind);
         CHECK(curve.ends[0] == CurveEnd::closed);
         CHECK(curve.points.size() > 20);
-        for (const auto& at : curve.points) CHECK(std::hypot(at.x - x_0, at.y - y_0) == Approx(radius).margin(1e-12));
+        for (const auto& at : curve.points)
+            CHECK(std::hypot(at.x() - x_0, at.y() - y_0) == Approx(radius).margin(1e-12));
     }
-    REQUIRE(locus.extremal.size() == 4 * copies);
-    for (const auto& point : locus.extremal) {
-        CHECK(point.kind == kind);
-        const double along = point.parameter == M::x ? point.at.x - x_0 : point.at.y - y_0;
-        const double across = point.parameter == M::x ? point.at.y - y_0 : point.at.x - x_0;
+    const auto extremal = locus.of(SingularityKind::extremal_fold, SingularityKind::extremal_pitchfork);
+    REQUIRE(extremal.size() == 4 * copies);
+    for (const auto& point : extremal) {
+        CHECK(curve_of(point.kind) == kind);
+        const double along = point.extremal == M::x ? point.x() - x_0 : point.y() - y_0;
+        const double across = point.extremal == M::x ? point.y() - y_0 : point.x() - x_0;
         CHECK(std::abs(along) == Approx(radius).margin(1e-12));
         CHECK(std::abs(across) < 1e-10);
     }
@@ -65,14 +67,14 @@ void check_circle(const Locus<M>& locus, LocusKind kind, std::size_t copies) {
 
 TEST_CASE("a circle of folds, 3e-4 of the window in radius, is found and traced") {
     const auto locus = trace_locus<FoldIsola, FoldIsola::x, FoldIsola::y>({0, 0, x_0, y_0, radius, 1, 0, 0}, {0, 1, 0, 1}, few);
-    check_circle(locus, LocusKind::fold, 2);  // theta = 0 and theta = pi
+    check_circle(locus, SingularityKind::fold, 2);  // theta = 0 and theta = pi
     for (const auto& region : locus.regions) CHECK(region.count == (region.area < 1e-3 ? 6 : 2));
 }
 
 TEST_CASE("a circle of pitchforks, 3e-4 of the window in radius, is found and traced") {
     const auto locus = trace_locus<PitchforkCircle, PitchforkCircle::x, PitchforkCircle::y>({0, 0, x_0, y_0, radius},
                                                                                            {0, 1, 0, 1}, few);
-    check_circle(locus, LocusKind::pitchfork, 1);
+    check_circle(locus, SingularityKind::pitchfork, 1);
     for (const auto& region : locus.regions) CHECK(region.count == (region.area < 1e-3 ? 4 : 2));
 }
 
@@ -81,16 +83,17 @@ TEST_CASE("a lens between two cusps, 1e-3 of the window, is found and traced") {
     const auto locus = trace_locus<FoldIsola, FoldIsola::x, FoldIsola::y>({0, 0, x_0, y_0, r, 0, 1, 1e-7}, {0, 1, 0, 1}, few);
     CAPTURE(locus.argument());
     CHECK(locus.evidence.complete());
-    REQUIRE(locus.cusps.size() == 4);  // theta = 0 and theta = pi
-    for (const auto& cusp : locus.cusps) {
-        CHECK(std::abs(cusp.at.x - x_0) < 1e-10);
-        CHECK(std::abs(std::abs(cusp.at.y - y_0) - r) < 1e-12);
+    const auto cusps = locus.of(SingularityKind::cusp);
+    REQUIRE(cusps.size() == 4);  // theta = 0 and theta = pi
+    for (const auto& cusp : cusps) {
+        CHECK(std::abs(cusp.x() - x_0) < 1e-10);
+        CHECK(std::abs(std::abs(cusp.y() - y_0) - r) < 1e-12);
     }
     REQUIRE(locus.curves.size() == 2);
     for (const auto& curve : locus.curves) CHECK(curve.ends[0] == CurveEnd::closed);
     for (const auto& curve : locus.curves)
         for (const auto& at : curve.points) {
-            const double s = r * r - (at.y - y_0) * (at.y - y_0), x = 1e-7 * (at.x - x_0);
+            const double s = r * r - (at.y() - y_0) * (at.y() - y_0), x = 1e-7 * (at.x() - x_0);
             CHECK(std::abs(4 * s * s * s - 27 * x * x) < 1e-20);
         }
 }

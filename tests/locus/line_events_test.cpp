@@ -128,7 +128,7 @@ TEST_CASE("Random three-link chains: every event, the tables those of other enum
             CHECK(std::any_of(found.events.begin(), found.events.end(), [&](const auto& other) {
                 return other.kind == e.kind && other.change == e.change &&
                        std::abs(other.value - e.value) < 1e-10 * (1 + e.value) &&
-                       detail::same_unknowns<Chain>(other.q, image, 1e-8);
+                       same_unknowns<Chain>(other.q, image, 1e-8);
             }));
         }
 
@@ -193,7 +193,7 @@ TEST_CASE("A chain measured from other directions has the same events") {
         CHECK(turned.events[k].value == Approx(known[k]).epsilon(1e-12));
         CHECK(std::any_of(turned.events.begin(), turned.events.end(), [&](const auto& other) {
             const Unknowns<TurnedChain> q{e.q[0] + TurnedChain::from[0], e.q[1] + TurnedChain::from[1]};
-            return std::abs(other.value - e.value) < 1e-10 && detail::same_unknowns<TurnedChain>(other.q, q, 1e-6) &&
+            return std::abs(other.value - e.value) < 1e-10 && same_unknowns<TurnedChain>(other.q, q, 1e-6) &&
                    std::abs(other.reduced.fourth - e.reduced.fourth) < 1e-6;
         }));
     }

@@ -36,15 +36,16 @@ TEST_CASE("The mechanism's locus in the plane of c2 and the force has ten cusps,
     const auto locus = trace_locus<M, M::stiffness_2, M::force>(M::paper_parameters(0), {0, 600, -300, 300});
     CAPTURE(locus.argument());
     CHECK(locus.evidence.complete());
-    REQUIRE(locus.cusps.size() == 10);
+    const auto cusps = locus.of(SingularityKind::cusp);
+    REQUIRE(cusps.size() == 10);
     std::vector<double> symmetric;
-    for (const auto& cusp : locus.cusps) {
+    for (const auto& cusp : cusps) {
         CHECK(cusp.residual < 1e-10);
-        CHECK(std::abs(cusp.fourth) > 1);
-        if (std::abs(cusp.at.y) < 1e-9) symmetric.push_back(cusp.at.x);
+        CHECK(std::abs(cusp.derivative(4)) > 1);
+        if (std::abs(cusp.y()) < 1e-9) symmetric.push_back(cusp.x());
         // x -> -x
-        CHECK(std::any_of(locus.cusps.begin(), locus.cusps.end(), [&](const auto& other) {
-            return std::abs(other.at.x - cusp.at.x) < 1e-9 && std::abs(other.at.y + cusp.at.y) < 1e-9;
+        CHECK(std::any_of(cusps.begin(), cusps.end(), [&](const auto& other) {
+            return std::abs(other.x() - cusp.x()) < 1e-9 && std::abs(other.y() + cusp.y()) < 1e-9;
         }));
     }
     std::sort(symmetric.begin(), symmetric.end());

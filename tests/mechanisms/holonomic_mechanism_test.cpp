@@ -9,6 +9,7 @@
 #include <equilibria/certify/refine_root.hpp>
 #include <equilibria/enumerate/prove.hpp>
 #include <equilibria/enumerate/torque_trace.hpp>
+#include <equilibria/model/torus.hpp>
 
 #include "instances/enumerate/holonomic_enumeration.hpp"
 #include "support/enumeration.hpp"
@@ -39,15 +40,11 @@ Parameters<M> random_parameters(Generator& generator) {
 
 Unknowns<M> random_angles(Generator& generator) { return {uniform(generator, -pi, pi), uniform(generator, -pi, pi)}; }
 
-double difference(const Unknowns<M>& a, const Unknowns<M>& b) {
-    return std::max(std::abs(std::remainder(a[0] - b[0], 2 * pi)), std::abs(std::remainder(a[1] - b[1], 2 * pi)));
-}
-
 /// The equilibrium of the set that is next to q.
 Equilibrium<M> nearest(const RootSet<M>& set, const Unknowns<M>& q) {
     REQUIRE(set.real() > 0);
     return *std::min_element(set.equilibria.begin(), set.equilibria.end(),
-                             [&](const auto& a, const auto& b) { return difference(a.q, q) < difference(b.q, q); });
+                             [&](const auto& a, const auto& b) { return distance<M>(a.q, q) < distance<M>(b.q, q); });
 }
 
 void check_complete(const RootSet<M>& r) {
@@ -195,7 +192,7 @@ TEST_CASE("with the force reversed, every equilibrium is the reflected one") {
         REQUIRE(reflected.real() == r.real());
         for (const auto& e : r.equilibria) {
             const auto f = nearest(reflected, {pi - e.q[0], -e.q[1]});
-            CHECK(difference(f.q, {pi - e.q[0], -e.q[1]}) < 1e-10);
+            CHECK(distance<M>(f.q, {pi - e.q[0], -e.q[1]}) < 1e-10);
             CHECK(f.index == e.index);
         }
     }
@@ -225,7 +222,7 @@ TEST_CASE("without a force: q1 = +-pi/2 with q2 = 0 or pi, and a pair more where
             for (const double down : {1, -1}) {
                 const Unknowns<M> q{up * pi / 2, down > 0 ? 0 : pi};
                 const auto e = nearest(r, q);
-                CHECK(difference(e.q, q) < 1e-10);
+                CHECK(distance<M>(e.q, q) < 1e-10);
                 // Hess V = -a up, b down and c up down on and off the diagonal
                 const double determinant = -a * b * up * down - a * c * down + b * c * up;
                 CHECK((e.index == 1) == (determinant < 0));

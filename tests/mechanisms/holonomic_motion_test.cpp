@@ -9,6 +9,7 @@
 #include <equilibria/dynamics/basins.hpp>
 #include <equilibria/dynamics/hamilton.hpp>
 #include <equilibria/dynamics/lagrange_first_kind.hpp>
+#include <equilibria/model/torus.hpp>
 #include <equilibria/stability/lagrange_dirichlet.hpp>
 #include <equilibria/stability/linearise.hpp>
 #include <equilibria/stability/pole_count.hpp>
@@ -168,7 +169,7 @@ TEST_CASE("Damped motions from anywhere come to the one stable equilibrium, or t
             CHECK(e.stable());
             CHECK(y.energy_rise < 1e-7);
             CHECK(y.trapped_time <= y.time);
-            CHECK(detail::distance<M>(y.last.q, e.q) < 0.01);
+            CHECK(distance<M>(y.last.q, e.q) < 0.01);
             ++reached[*y.equilibrium];
         }
         return reached;

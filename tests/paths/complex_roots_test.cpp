@@ -4,6 +4,7 @@
 #include <complex>
 
 #include <equilibria/enumerate/enumerate.hpp>
+#include <equilibria/model/torus.hpp>
 #include <equilibria/start/linear_product.hpp>
 #include <equilibria/paths/complex_roots.hpp>
 
@@ -62,7 +63,7 @@ TEST_CASE("a linear-product start finds the roots that a total-degree start find
                 double off = 0;
                 for (int u = 0; u < 3; ++u) {
                     const auto d = root.q[u] - other.q[u];
-                    const double re = u < 2 ? std::remainder(d.real(), 2 * std::numbers::pi) : d.real();
+                    const double re = u < 2 ? wrap(d.real()) : d.real();
                     off = std::max(off, std::hypot(re, d.imag()));
                 }
                 nearest = std::min(nearest, off);

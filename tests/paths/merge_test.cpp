@@ -2,6 +2,7 @@
 #include <cmath>
 #include <vector>
 
+#include <equilibria/evaluation/point_of.hpp>
 #include <equilibria/paths/merge.hpp>
 
 #include "support/catch.hpp"
@@ -16,7 +17,7 @@ using S = struct OneAngle {
 
 Endpoint<S> endpoint(PathStatus status, double theta, int winding = 1) {
     Endpoint<S> end;
-    end.q = point_at<S>({std::complex<double>(theta)});
+    end.q = point_of<S>({std::complex<double>(theta)});
     end.status = status;
     end.reason = status == PathStatus::failed ? FailureReason::too_many_steps : FailureReason::none;
     end.winding_number = static_cast<std::int16_t>(winding);

@@ -13,6 +13,7 @@
 #include <equilibria/enumerate/enumerate.hpp>
 #include <equilibria/mechanisms/rotating_chain.hpp>
 #include <equilibria/model/derivatives.hpp>
+#include <equilibria/model/torus.hpp>
 
 #include "instances/enumerate/chain_enumerations.hpp"
 #include "support/catch.hpp"
@@ -72,7 +73,7 @@ double distance(const Root<M>& a, const Root<M>& b) {
     double largest = 0;
     for (int u = 0; u < n_unknowns<M>; ++u) {
         std::complex<double> d = a.q[u] - b.q[u];
-        if (u < n_angles<M>) d.real(std::remainder(d.real(), 2 * std::numbers::pi));
+        if (u < n_angles<M>) d.real(wrap(d.real()));
         largest = std::max(largest, std::abs(d));
     }
     return largest;
@@ -146,7 +147,7 @@ bool identical(const RootSet<M>& a, const RootSet<M>& b) {
 template <class M>
 double residual(const Unknowns<M>& q, const Parameters<M>& p) {
     const auto f = equations<M, double>(q, p);
-    const auto scale = detail::equation_scales<M, double>(coefficients<M, double>(p));
+    const auto scale = equation_scales<M>(coefficients<M, double>(p));
     double largest = 0;
     for (int u = 0; u < n_unknowns<M>; ++u) largest = std::max(largest, std::abs(f[u]) / scale[u]);
     return largest;

@@ -8,27 +8,9 @@
 #include <numbers>
 
 #include <equilibria/certify/krawczyk.hpp>
+#include <equilibria/evaluation/point_of.hpp>
 
 namespace equilibria {
-
-/// Angles in complex radians, then coordinates.
-template <class M, class S>
-using ComplexUnknowns = Array<Complex<S>, n_unknowns<M>>;
-
-/// cos and sin of the angles.
-template <class M, class S>
-Point<M, S> point_of(const ComplexUnknowns<M, S>& q) {
-    using std::cos, std::exp, std::sin;
-    Point<M, S> y;
-    for (int i = 0; i < n_angles<M>; ++i) {
-        const S c = cos(q[i].re), s = sin(q[i].re), e = exp(q[i].im);
-        const S ch = (e + 1 / e) / 2, sh = (e - 1 / e) / 2;
-        y.c[i] = Complex<S>(S(c * ch), S(-(s * sh)));
-        y.s[i] = Complex<S>(S(s * ch), S(c * sh));
-    }
-    for (int j = 0; j < n_coordinates<M>; ++j) y.x[j] = q[n_angles<M> + j];
-    return y;
-}
 
 template <class M, class S>
 ComplexUnknowns<M, S> unknowns_of(const Array<std::complex<double>, n_unknowns<M>>& q) {

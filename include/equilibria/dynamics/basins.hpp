@@ -6,7 +6,6 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <numbers>
 #include <optional>
 #include <vector>
 
@@ -14,6 +13,7 @@
 #include <equilibria/dynamics/lagrange_second_kind.hpp>
 #include <equilibria/dynamics/motion.hpp>
 #include <equilibria/model/model.hpp>
+#include <equilibria/model/torus.hpp>
 #include <equilibria/run/threads.hpp>
 
 namespace equilibria {
@@ -39,21 +39,6 @@ struct Settled {
     double energy_rise = 0;  ///< the most that the energy rose in a step, over what it lost in all: 0 but for errors
     MotionPoint<M> last;
 };
-
-namespace detail {
-
-/// How far two places are apart: the largest difference of an unknown, of angles the smaller way around.
-template <class M>
-double distance(const Unknowns<M>& a, const Unknowns<M>& b) {
-    double y = 0;
-    for (int i = 0; i < a.size(); ++i) {
-        const double d = a[i] - b[i];
-        y = std::max(y, std::abs(i < n_angles<M> ? std::remainder(d, 2 * std::numbers::pi) : d));
-    }
-    return y;
-}
-
-}  // namespace detail
 
 /// Follows the motion from each start until it has settled at one of the equilibria. `equilibria`: all of them, as of
 /// RootSet, or other objects with q, energy and stable(). The energy must fall: forces beside the potential and damping
@@ -98,8 +83,7 @@ std::vector<Settled<M>> find_basins(const Parameters<M>& p, const Equilibria& eq
             std::size_t nearest = 0;
             for (std::size_t k = 0; k < wells.size(); ++k) {
                 if (energy < wells[k].barrier && std::isnan(below[k])) below[k] = y.last.time;
-                if (detail::distance<M>(y.last.q, wells[k].q) < detail::distance<M>(y.last.q, wells[nearest].q))
-                    nearest = k;
+                if (distance<M>(y.last.q, wells[k].q) < distance<M>(y.last.q, wells[nearest].q)) nearest = k;
             }
             const auto& well = wells[nearest];
             const double height = std::min(well.barrier, std::max(first, well.energy)) - well.energy;

@@ -10,6 +10,7 @@
 
 #include <equilibria/enumerate/detail/family_probe.hpp>
 #include <equilibria/enumerate/root_set.hpp>
+#include <equilibria/evaluation/point_of.hpp>
 #include <equilibria/homotopy/polish.hpp>
 #include <equilibria/run/run_options.hpp>
 
@@ -157,7 +158,7 @@ FamilyProbe::System family_system(const P& polisher, const Array<double, n_unkno
         constexpr auto at = [](int i) { return static_cast<std::size_t>(i); };
         Array<std::complex<double>, n> place;
         for (int i = 0; i < n; ++i) place[i] = i < n_angles<M> ? q[at(i)] : unit[i] * q[at(i)];
-        const Point<M, double> point = point_at<M>(place);
+        const Point<M, double> point = point_of<M>(place);
         Complex<double> value[n], slope[n][n];
         double size[n];
         polisher.linearize(point, value, slope, size);

@@ -20,6 +20,7 @@
 #include <vector>
 
 #include <equilibria/enumerate/root_set.hpp>
+#include <equilibria/evaluation/point_of.hpp>
 #include <equilibria/paths/coincidence.hpp>
 #include <equilibria/paths/complex_roots.hpp>
 #include <equilibria/run/run_options.hpp>
@@ -74,7 +75,7 @@ public:
         run_.checkpoint.clear();  // it would be of the enumeration
         // a root that is there twice is followed once, and counts twice
         std::vector<Point<M, double>> points;
-        for (const auto& root : set.roots) points.push_back(point_at<M>(root.q));
+        for (const auto& root : set.roots) points.push_back(point_of<M>(root.q));
         std::vector<double> weight(points.size(), 1);
         for (const auto& group : CoincidenceFinder<M>(false).groups(
                  points.size(), [&](std::size_t k) { return &points[k]; }, 1e-8))

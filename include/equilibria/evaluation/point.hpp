@@ -32,18 +32,6 @@ void copy_lane(const Point<M, R>& a, int from, Point<M, Q>& b, int to) {
     copy(a.x, b.x);
 }
 
-/// The point of complex angles (radians) and coordinates.
-template <class M>
-Point<M, double> point_at(const Array<std::complex<double>, n_unknowns<M>>& q) {
-    Point<M, double> y;
-    for (int i = 0; i < n_angles<M>; ++i) {
-        set_lane(y.c[i], 0, std::cos(q[i]));
-        set_lane(y.s[i], 0, std::sin(q[i]));
-    }
-    for (int j = 0; j < n_coordinates<M>; ++j) set_lane(y.x[j], 0, q[n_angles<M> + j]);
-    return y;
-}
-
 /// The complex angle, in radians, of the point (c, s): c + i s = exp(i theta). Real part in (-pi, pi].
 inline std::complex<double> angle_of(const Complex<double>& c, const Complex<double>& s) {
     const std::complex<double> z(c.re - s.im, c.im + s.re), w(c.re + s.im, c.im - s.re);  // exp(i theta), exp(-i theta)

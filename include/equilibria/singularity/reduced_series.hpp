@@ -1,23 +1,24 @@
 /// \file
-/// The reduced potential of an equilibrium along one direction, as a power series: the splitting lemma, or the method
-/// of Lyapunov and Schmidt for a gradient, order by order.
+/// The equilibrium equations along one direction, reduced to one equation, as a power series: the method of Lyapunov
+/// and Schmidt, or the splitting lemma where there is a potential, order by order.
 ///
-/// With a unit vector l the curve q(xi) = q + xi l + z(xi), l . z = 0, along which F is a multiple of l,
+/// With unit vectors l and u the curve q(xi) = q + xi l + z(xi), l . z = 0, along which F is a multiple of u,
 ///
-///     F(q(xi), p) = g(xi) l,        g(xi) = d phi / d xi,        phi(xi) = V(q(xi), p),
+///     F(q(xi), p) = g(xi) u,
 ///
-/// carries all equilibria near q if the bordered matrix is regular, one a zero of g. Its coefficients follow from
+/// carries all equilibria near q if the bordered matrix is regular, one a zero of g. Where there is a potential u = l,
+/// and g = d phi / d xi of the reduced potential phi(xi) = V(q(xi), p). The coefficients follow from
 ///
-///     [ J    -l ] [ z_k ]   [ -(F of the terms below k, coefficient k) ]
+///     [ J    -u ] [ z_k ]   [ -(F of the terms below k, coefficient k) ]
 ///     [ l^T   0 ] [ g_k ] = [  0                                       ]
 ///
-/// whose matrix is factored once. At a degenerate equilibrium with l its null vector g_1 = 0, and the first coefficient
-/// that is not 0 names the singularity: g_2 fold (A2), g_3 cusp (A3), g_4 swallowtail (A4), g_5 butterfly (A5). Which l
-/// is taken does not matter for that, if the border is regular: another l is another coordinate on the same curve of
-/// reduced equilibria. The scalar S may be a dual: then the coefficients come with their derivatives.
-/// Where it fails: a second null vector makes the bordered matrix singular, and `regular` false.
-/// Sources: Golubitsky and Schaeffer, Singularities and Groups in Bifurcation Theory I, chapter VII; Poston and
-/// Stewart, Catastrophe Theory and its Applications, 4.5.
+/// whose matrix is factored once. At a degenerate equilibrium with l and u the null vectors of J and of its transpose
+/// g_1 = 0, and the first coefficient that is not 0 names the singularity: g_2 fold (A2), g_3 cusp (A3), g_4
+/// swallowtail (A4), g_5 butterfly (A5). Which l and u are taken does not matter for that, if the border is regular:
+/// others are another coordinate on the same curve of reduced equilibria. The scalar S may be a dual: then the
+/// coefficients come with their derivatives. Where it fails: a second null vector makes the bordered matrix singular,
+/// and `regular` false. Sources: Golubitsky and Schaeffer, Singularities and Groups in Bifurcation Theory I, chapter
+/// VII; Poston and Stewart, Catastrophe Theory and its Applications, 4.5.
 #pragma once
 
 #include <equilibria/core/array.hpp>
@@ -27,18 +28,18 @@
 
 namespace equilibria {
 
-/// The reduced potential's derivatives, to order Order + 1.
-template <PotentialModel M, int Order, class S = double>
+/// The reduced equation to the order Order; of the reduced potential the derivatives to Order + 1.
+template <Model M, int Order, class S = double>
 struct ReducedSeries {
     static_assert(Order >= 1, "equilibria: a reduced series has at least the order 1");
 
-    /// g_k: g(xi) = sum g_k xi^k. g_0 = l . F(q, p); the part of F across l is taken off, as by a constant force.
+    /// g_k: g(xi) = sum g_k xi^k. g_0 = u . F(q, p); the part of F across u is taken off, as by a constant force.
     Array<S, Order + 1> gradient;
     Array<Unknowns<M, S>, Order + 1> curve;  ///< of q(xi); curve[1] is the null vector, with l . v = 1, where g_1 = 0
     Unknowns<M, S> force;                    ///< F(q, p)
     bool regular = false;                    ///< the bordered matrix; else the coefficients from 1 on mean nothing
 
-    /// phi^(k) at xi = 0, for k = 1..Order + 1.
+    /// phi^(k) at xi = 0, for k = 1..Order + 1: the derivative of g of one order less.
     S derivative(int k) const {
         double factorial = 1;
         for (int j = 2; j < k; ++j) factorial *= j;
@@ -46,9 +47,11 @@ struct ReducedSeries {
     }
 };
 
-/// The reduced potential at q along the unit vector l. q need not be an equilibrium, nor degenerate.
-template <PotentialModel M, int Order, class S = double>
-ReducedSeries<M, Order, S> reduced_series(const Unknowns<M, S>& q, const Unknowns<M, S>& l, const Parameters<M, S>& p) {
+/// The reduced equation at q along the unit vector l, F being a multiple of the unit vector u. q need not be an
+/// equilibrium, nor degenerate.
+template <Model M, int Order, class S = double>
+ReducedSeries<M, Order, S> reduced_series(const Unknowns<M, S>& q, const Unknowns<M, S>& l, const Unknowns<M, S>& u,
+                                          const Parameters<M, S>& p) {
     constexpr int n = n_unknowns<M>;
     using Series = Taylor<S, Order>;
     Unknowns<M, Series> along;
@@ -63,7 +66,7 @@ ReducedSeries<M, Order, S> reduced_series(const Unknowns<M, S>& q, const Unknown
         column[j] = Series::variable(q[j]);
         const auto f = equations<M, Series>(column, constant);
         for (int i = 0; i < n; ++i) bordered[i][j] = f[i].coefficient[1];
-        bordered[j][n] = -l[j];
+        bordered[j][n] = -u[j];
         bordered[n][j] = l[j];
     }
     const detail::DenseFactorization<S, n + 1> factors(bordered);
@@ -76,7 +79,7 @@ ReducedSeries<M, Order, S> reduced_series(const Unknowns<M, S>& q, const Unknown
         if (k == 1)
             for (int i = 0; i < n; ++i) {
                 y.force[i] = f[i].coefficient[0];
-                y.gradient[0] = y.gradient[0] + l[i] * f[i].coefficient[0];
+                y.gradient[0] = y.gradient[0] + u[i] * f[i].coefficient[0];
             }
         if (!y.regular) break;
         Array<S, n + 1> b;
@@ -88,6 +91,12 @@ ReducedSeries<M, Order, S> reduced_series(const Unknowns<M, S>& q, const Unknown
     for (int k = 0; k <= Order; ++k)
         for (int i = 0; i < n; ++i) y.curve[k][i] = along[i].coefficient[k];
     return y;
+}
+
+/// The reduced potential at q along the unit vector l.
+template <PotentialModel M, int Order, class S = double>
+ReducedSeries<M, Order, S> reduced_series(const Unknowns<M, S>& q, const Unknowns<M, S>& l, const Parameters<M, S>& p) {
+    return reduced_series<M, Order, S>(q, l, l, p);
 }
 
 }  // namespace equilibria

@@ -13,9 +13,12 @@
 #include <equilibria/core/array.hpp>
 #include <equilibria/core/dense_factorization.hpp>
 #include <equilibria/core/dual.hpp>
+#include <equilibria/core/error.hpp>
+#include <equilibria/model/active_parameters.hpp>
 #include <equilibria/model/derivatives.hpp>
-#include <equilibria/singularity/reduced_series.hpp>
+#include <equilibria/singularity/null_vector.hpp>
 #include <equilibria/singularity/singularity.hpp>
+#include <equilibria/singularity/singularity_evidence.hpp>
 #include <equilibria/singularity/singularity_newton.hpp>
 
 namespace equilibria {
@@ -32,80 +35,122 @@ double cubic_discriminant(const Array<S, 4>& cubic) {
            (square * square);
 }
 
-}  // namespace detail
+/// F and the three entries of C, with W, in y = (q, p_X, p_Y, p_Z).
+template <PotentialModel M, class S, int X, int Y, int Z>
+class UmbilicSystem {
+public:
+    static constexpr int n = n_unknowns<M>, size = n + 3;
+    using Vector = Array<S, size>;
+    using Plane = Array<Unknowns<M, S>, 2>;
 
-/// The umbilic near q and p, corank 2, in the parameters number X, Y and Z; named by the discriminant of its cubic.
-/// Throws InvalidArgument for arguments that are not finite.
-template <PotentialModel M, int X, int Y, int Z, class S = double>
-requires(n_unknowns<M> >= 2) Singularity<M, S> refine_umbilic(const Unknowns<M>& q, const Parameters<M, S>& p) {
-    constexpr int n = n_unknowns<M>, size = n + 3;
-    detail::check_active<M, X, Y, Z>();
-    using D = Dual<S, size>;
-    auto at = detail::singularity_at<M, S>(q, p);
-    Array<Unknowns<M, S>, 2> w;
-    const auto weakest = detail::weakest_directions<2, M>(q, detail::to_double(p));
-    for (int c = 0; c < 2; ++c) w[c] = detail::in_digits_of<S>(weakest[c]);
-    detail::SquareArray<S, size> last;
-    Array<S, size> y;
-    for (int i = 0; i < n; ++i) y[i] = at.q[i];
-    y[n] = p[X], y[n + 1] = p[Y], y[n + 2] = p[Z];
-    const auto evaluate = [&](const Array<S, size>& now, Array<S, size>& r, detail::SquareArray<S, size>& jacobian) {
-        Array<D, size> variables;
-        for (int j = 0; j < size; ++j) variables[j] = D::variable(now[j], j);
-        Unknowns<M, D> lifted;
-        for (int i = 0; i < n; ++i) lifted[i] = variables[i];
-        const auto parameters = detail::with_active<M, X, Y, Z>(at.p, variables, n);
-        const auto force = equations<M, D>(lifted, parameters);
-        const auto hessian = equilibria::jacobian<M, D>(lifted, parameters);
-        detail::SquareArray<D, n + 2> bordered;
-        for (int i = 0; i < n; ++i) {
-            for (int j = 0; j < n; ++j) bordered[i][j] = hessian(i, j);
-            for (int c = 0; c < 2; ++c) bordered[i][n + c] = D(-w[c][i]), bordered[n + c][i] = D(w[c][i]);
-        }
-        const detail::DenseFactorization<D, n + 2> factors(bordered);
+    UmbilicSystem(const Parameters<M, S>& p, const Array<Unknowns<M>, 2>& weakest) : p_(p) {
+        for (int c = 0; c < 2; ++c) w_[c] = in_digits_of<S>(weakest[c]);
+    }
+
+    Vector packed(const Unknowns<M, S>& q) const {
+        Vector y;
+        for (int i = 0; i < n; ++i) y[i] = q[i];
+        y[n] = p_[X], y[n + 1] = p_[Y], y[n + 2] = p_[Z];
+        return y;
+    }
+    Parameters<M, S> parameters(const Vector& y) const { return lifted_with_active<X, Y, Z>(p_, y, n); }
+
+    /// The equations r and their Jacobian at y; the plane W becomes that of X there.
+    bool operator()(const Vector& y, Vector& r, SquareArray<S, size>& jacobian) {
+        using D = Dual<S, size>;
+        const Array<D, size> u = independent(y);
+        Unknowns<M, D> q;
+        for (int i = 0; i < n; ++i) q[i] = u[i];
+        const auto p = lifted_with_active<X, Y, Z>(p_, u, n);
+        const auto force = equations<M, D>(q, p);
+        const DenseFactorization<D, n + 2> factors(bordered<D>(q, p));
         if (!factors.regular()) return false;
-        Array<D, n + 2> solution[2];
+        Array<Array<D, n + 2>, 2> x_and_c;  // X over C, by columns
         for (int c = 0; c < 2; ++c) {
-            solution[c][n + c] = D(1.0);
-            solution[c] = factors.solve(solution[c]);
+            x_and_c[c][n + c] = D(1.0);
+            x_and_c[c] = factors.solve(x_and_c[c]);
         }
-        const D* conditions[] = {&solution[0][n], &solution[1][n], &solution[1][n + 1]};
-        for (int i = 0; i < size; ++i) {
-            const D& f = i < n ? force[i] : *conditions[i - n];
-            r[i] = f.value;
-            jacobian[i] = f.derivative;
-        }
-        last = jacobian;
+        Array<D, size> f;
+        for (int i = 0; i < n; ++i) f[i] = force[i];
+        f[n] = x_and_c[0][n], f[n + 1] = x_and_c[1][n], f[n + 2] = x_and_c[1][n + 1];
+        split_duals(f, r, jacobian);
+        jacobian_ = jacobian;
         for (int c = 0; c < 2; ++c)
-            for (int i = 0; i < n; ++i) w[c][i] = solution[c][i].value;
-        w[0] = detail::normalized(w[0]);
-        const S along = detail::dot(w[0], w[1]);
-        for (int i = 0; i < n; ++i) w[1][i] = w[1][i] - along * w[0][i];
-        w[1] = detail::normalized(w[1]);
+            for (int i = 0; i < n; ++i) w_[c][i] = x_and_c[c][i].value;
+        orthonormalize();
         return true;
-    };
-    detail::newton(y, at, evaluate);
-    if (!(at.correction < S(1e3))) return at;
-    Array<S, size> r;
-    detail::SquareArray<S, size> jacobian;
-    if (!evaluate(y, r, jacobian)) at.converged = false;
-    at.residual = detail::largest(r);
-    for (int i = 0; i < n; ++i) at.q[i] = y[i];
-    at.p = detail::with_active<M, X, Y, Z>(p, y, n);
-    at.v = w[0];
-    at.w = w[1];
-    const auto second_v = directional_derivative<2, M, S>(at.q, at.v, at.p);
-    const auto second_w = directional_derivative<2, M, S>(at.q, at.w, at.p);
-    at.cubic = {detail::dot(second_v, at.v), detail::dot(second_v, at.w), detail::dot(second_w, at.v),
-                detail::dot(second_w, at.w)};
-    at.discriminant = detail::cubic_discriminant(at.cubic);
-    const double cubic = detail::to_double(detail::largest(at.cubic));
-    at.nullity = detail::nullity<M>(detail::to_double(at.q), detail::to_double(at.p), cubic);
-    Array<Unknowns<M>, 2> plane;
-    for (int c = 0; c < 2; ++c) plane[c] = detail::to_double(w[c]);
-    at.versality = detail::versality<n, 2, size>(last, plane);
+    }
+
+    const Plane& plane() const { return w_; }
+    double versality() const {
+        Array<Unknowns<M>, 2> w;
+        for (int c = 0; c < 2; ++c) w[c] = to_double(w_[c]);
+        return detail::versality<n, 2, size>(jacobian_, w, w);
+    }
+
+private:
+    /// [ J  -W ]
+    /// [ W^T 0 ]
+    template <class D>
+    SquareArray<D, n + 2> bordered(const Unknowns<M, D>& q, const Parameters<M, D>& p) const {
+        const auto hessian = equilibria::jacobian<M, D>(q, p);
+        SquareArray<D, n + 2> y;
+        for (int i = 0; i < n; ++i) {
+            for (int j = 0; j < n; ++j) y[i][j] = hessian(i, j);
+            for (int c = 0; c < 2; ++c) y[i][n + c] = D(-w_[c][i]), y[n + c][i] = D(w_[c][i]);
+        }
+        return y;
+    }
+    void orthonormalize() {
+        w_[0] = normalized(w_[0]);
+        const S along = dot(w_[0], w_[1]);
+        for (int i = 0; i < n; ++i) w_[1][i] = w_[1][i] - along * w_[0][i];
+        w_[1] = normalized(w_[1]);
+    }
+
+    Parameters<M, S> p_;
+    Plane w_;
+    SquareArray<S, size> jacobian_;
+};
+
+/// The cubic on the plane of v and w, its discriminant, the nullity, and the kind.
+template <PotentialModel M, class S>
+void name_umbilic(Singularity<M, S>& at) {
+    const auto vv = directional_derivative<2, M, S>(at.q, at.v, at.p);
+    const auto ww = directional_derivative<2, M, S>(at.q, at.w, at.p);
+    at.cubic = {dot(vv, at.v), dot(vv, at.w), dot(ww, at.v), dot(ww, at.w)};
+    at.discriminant = cubic_discriminant(at.cubic);
+    at.nullity = nullity<M>(rounded_jacobian<M>(at.q, at.p), to_double(largest(at.cubic)));
     if (at.converged && at.nullity == 2 && std::abs(at.discriminant) > 1e-8)
         at.kind = at.discriminant > 0 ? SingularityKind::elliptic_umbilic : SingularityKind::hyperbolic_umbilic;
+}
+
+}  // namespace detail
+
+/// The umbilic near q (radians, coordinates) and p, corank 2, in the parameters number X, Y and Z; named by the
+/// discriminant of its cubic. Throws InvalidArgument for arguments that are not finite. Source:
+/// Arnold, Gusein-Zade and Varchenko, Singularities of Differentiable Maps I (D_4).
+template <PotentialModel M, int X, int Y, int Z, class S = double>
+requires(n_unknowns<M> >= 2) Singularity<M, S> refine_umbilic(const Unknowns<M>& q, const Parameters<M, S>& p) {
+    require_finite(q, "q");
+    require_finite(p, "p");
+    auto at = singularity_at<M, X, Y, Z>(SingularityKind::undecided, detail::in_digits_of<S>(q), p);
+    using System = detail::UmbilicSystem<M, S, X, Y, Z>;
+    System system(p, null_vectors<2, M>(detail::rounded_jacobian<M>(at.q, p)));
+    auto y = system.packed(at.q);
+    detail::newton(y, at, system);
+    if (!(at.correction < S(1e3))) return at;
+    const double versality = system.versality();
+    typename System::Vector r;
+    detail::SquareArray<S, System::size> jacobian;
+    if (!system(y, r, jacobian)) at.converged = false;
+    at.residual = detail::largest(r);
+    for (int i = 0; i < System::n; ++i) at.q[i] = y[i];
+    at.p = system.parameters(y);
+    at.v = system.plane()[0];
+    at.w = system.plane()[1];
+    detail::name_umbilic(at);
+    at.versality = versality;
     return at;
 }
 

@@ -1,69 +1,40 @@
 /// \file
-/// Degenerate equilibria of every kind that three or four parameters meet: their names, and what decided.
+/// A degenerate equilibrium: where it is, of what kind (singularity_kind.hpp), and what decided that. One type for the
+/// points of curves, for what Newton's method found, and for cusps, extremal points and the higher kinds alike.
 ///
-///     A_{k+1}, k parameters    g_1 = .. = g_k = 0: fold, cusp, swallowtail, butterfly (refine_singularity.hpp)
-///     B_{k+1}, k parameters    g_1 = g_3 = .. = g_{2k-1} = 0 on a symmetric branch: pitchfork, tricritical,
-///                              tetracritical (refine_symmetric_singularity.hpp)
-///     D_4, three parameters    corank 2: hyperbolic, elliptic umbilic (refine_umbilic.hpp)
-///     tangencies               a curve of cusps touches a plane z = const: lips, beak-to-beak
-///                              (refine_cusp_tangency.hpp)
-///
-/// with F(q, p) = 0 each, and g_k the coefficients of the reduced gradient along the null vector (reduced_series.hpp).
-/// Sources: Arnold, Gusein-Zade and Varchenko, Singularities of Differentiable Maps I (A_k, D_k; B_k for the symmetric
-/// ones); Arnold, Catastrophe Theory, chapter 9 (lips and beak-to-beak).
+/// q are the angles in radians and the coordinates, p the parameters; phi is the reduced potential along the null
+/// vector, V'''[v, v, v] + .. its derivatives (reduced_series.hpp). For models without a potential they are those of
+/// the reduced equation, one order lower: phi''' is u . F''[v, v] with the unit left null vector u, u . v > 0.
 #pragma once
 
+#include <array>
+#include <cstddef>
+
 #include <equilibria/core/array.hpp>
+#include <equilibria/model/active_parameters.hpp>
 #include <equilibria/model/derivatives.hpp>
+#include <equilibria/singularity/singularity_kind.hpp>
 
 namespace equilibria {
 
-enum class SingularityKind {
-    undecided,                ///< not converged, or a coefficient that decides is 0 to rounding: a higher kind
-    fold,                     ///< A2
-    cusp,                     ///< A3
-    swallowtail,              ///< A4
-    butterfly,                ///< A5
-    hyperbolic_umbilic,       ///< D4+: corank 2, the cubic has one real root line
-    elliptic_umbilic,         ///< D4-: corank 2, the cubic has three real root lines
-    pitchfork,                ///< B2 of a symmetric branch: phi'' = 0
-    tricritical_pitchfork,    ///< B3: phi'' = phi'''' = 0, where a pitchfork turns from super- to subcritical
-    tetracritical_pitchfork,  ///< B4: phi'' = phi'''' = phi^(6) = 0, where two mirror-image curves of cusps meet
-    lips,                     ///< A3, two cusps meet as a third parameter moves: the second-order form is definite
-    beak_to_beak              ///< the same with an indefinite form: two fold curves meet and reconnect
-};
-
-constexpr const char* to_string(SingularityKind kind) {
-    switch (kind) {
-        case SingularityKind::undecided: return "undecided";
-        case SingularityKind::fold: return "fold";
-        case SingularityKind::cusp: return "cusp";
-        case SingularityKind::swallowtail: return "swallowtail";
-        case SingularityKind::butterfly: return "butterfly";
-        case SingularityKind::hyperbolic_umbilic: return "hyperbolic umbilic";
-        case SingularityKind::elliptic_umbilic: return "elliptic umbilic";
-        case SingularityKind::pitchfork: return "pitchfork";
-        case SingularityKind::tricritical_pitchfork: return "tricritical pitchfork";
-        case SingularityKind::tetracritical_pitchfork: return "tetracritical pitchfork";
-        case SingularityKind::lips: return "lips";
-        case SingularityKind::beak_to_beak: return "beak-to-beak";
-    }
-    return "unknown";
-}
-
-/// A degenerate equilibrium in the digits of S, with what decided its kind.
-template <PotentialModel M, class S = double>
+/// A degenerate equilibrium in the digits of S. The coefficients are there if `nullity` is not 0.
+template <Model M, class S = double>
 struct Singularity {
     SingularityKind kind = SingularityKind::undecided;
-    Parameters<M, S> p;       ///< the active ones refined, the others as given
-    Unknowns<M, S> q;         ///< the equilibrium
-    Unknowns<M, S> v;         ///< a unit null vector
-    Unknowns<M, S> w;         ///< corank 2: the other one, orthogonal to v; else 0
-    S residual{};             ///< the largest |equation|
-    S correction{};           ///< the last Newton step, largest entry over the unknown's size or 1: about the error
-    int steps = 0;            ///< of Newton's method
-    bool converged = false;   ///< the correction is a few thousand roundings, or less
-    int nullity = 0;          ///< eigenvalues of J below 1e-8 of the largest derivative, in double
+    Parameters<M, S> p;  ///< the active ones as refined or traced, the others as given
+    Unknowns<M, S> q;    ///< the equilibrium
+    Unknowns<M, S> v;    ///< a unit null vector
+    Unknowns<M, S> w;    ///< corank 2: the other one, orthogonal to v; else 0
+    /// The numbers of the active parameters, in the order in which they were named: x, y, z, ..; -1 beyond.
+    std::array<int, 4> active{-1, -1, -1, -1};
+    int extremal = -1;  ///< of extremal points the number of the parameter that turns back on its curve; else -1
+
+    S residual{};            ///< the largest |equation|
+    S correction{};          ///< the last Newton step, largest entry over the unknown's size or 1: about the error
+    int steps = 0;           ///< of Newton's method
+    bool converged = false;  ///< the correction is a few thousand roundings, or less
+
+    int nullity = 0;          ///< singular values of J below 1e-8 of the largest derivative, in double
     Array<S, 6> derivatives;  ///< corank 1: of the reduced potential along v, phi''' .. phi^(8)
     Array<S, 4> cubic;        ///< corank 2: V'''[vvv], V'''[vvw], V'''[vww], V'''[www]
     /// Corank 2: the discriminant of the cubic over 27 and the fourth power of its norm: above 0 elliptic, below
@@ -73,13 +44,37 @@ struct Singularity {
     /// (q, v, x, y, z), on the tangent plane with the metric of (q, v, x, y).
     Array<double, 2> form;
     /// How far the active parameters unfold the singularity: the smallest singular value of the derivatives of the
-    /// unfolding's coefficients by the parameters, each by its effect on all equations together. 0: not versal. Not of
-    /// lips and beak-to-beak, whose x and y do not unfold the cusp.
+    /// unfolding's coefficients by the parameters, each by its effect on all equations together. 0: not versal. Of the
+    /// kinds A, B and D; of the others not computed.
     double versality = 0;
     bool versal() const { return versality > 1e-8; }
 
     /// phi^(k), k = 3..8.
     const S& derivative(int k) const { return derivatives[k - 3]; }
+
+    /// The active parameters, of which there must be so many.
+    S& x() { return p[active[0]]; }
+    S& y() { return p[active[1]]; }
+    S& z() { return p[active[2]]; }
+    const S& x() const { return p[active[0]]; }
+    const S& y() const { return p[active[1]]; }
+    const S& z() const { return p[active[2]]; }
 };
+
+/// The equilibrium q at p with the null vector v, the parameters number Active.. being active; the rest as by default.
+template <Model M, int... Active, class S = double>
+Singularity<M, S> singularity_at(SingularityKind kind, const Unknowns<M, S>& q, const Parameters<M, S>& p,
+                                 const Unknowns<M, S>& v = Unknowns<M, S>()) {
+    static_assert(sizeof...(Active) <= 4, "equilibria: at most four active parameters");
+    detail::check_active<M, Active...>();
+    Singularity<M, S> at;
+    at.kind = kind;
+    at.p = p;
+    at.q = q;
+    at.v = v;
+    std::size_t k = 0;
+    ((at.active[k++] = Active), ...);
+    return at;
+}
 
 }  // namespace equilibria

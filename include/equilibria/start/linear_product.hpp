@@ -24,6 +24,7 @@
 #include <equilibria/core/random.hpp>
 #include <equilibria/evaluation/factor_series.hpp>
 #include <equilibria/evaluation/point.hpp>
+#include <equilibria/evaluation/point_of.hpp>
 #include <equilibria/start/start.hpp>
 #include <equilibria/system/sparse_system.hpp>
 
@@ -89,7 +90,7 @@ public:
     const std::vector<Solution>& solutions() const { return solutions_; }
 
     PathNumbering numbering() const { return PathNumbering::all(solutions_.size()); }
-    Point<Unknowns, double> point(std::uint64_t k) const { return point_at<Unknowns>(solutions_[k]); }
+    Point<Unknowns, double> point(std::uint64_t k) const { return point_of<Unknowns>(solutions_[k]); }
 
 private:
     /// A random form of length 1.

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include <equilibria/evaluation/point_of.hpp>
 #include <equilibria/start/total_degree.hpp>
 
 namespace equilibria {
@@ -43,7 +44,7 @@ public:
     std::string_view name() const { return degree_.empty() ? "a solved instance" : "total degree"; }
     const PathNumbering& numbering() const { return numbering_; }
     Point<M, double> point(std::uint64_t k) const {
-        return degree_.empty() ? point_at<M>(points_[k]) : degree_.front().point(k);
+        return degree_.empty() ? point_of<M>(points_[k]) : degree_.front().point(k);
     }
 
 private:

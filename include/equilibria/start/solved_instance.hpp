@@ -11,6 +11,7 @@
 #include <vector>
 
 #include <equilibria/evaluation/point.hpp>
+#include <equilibria/evaluation/point_of.hpp>
 #include <equilibria/evaluation/start_forms.hpp>
 #include <equilibria/start/start.hpp>
 #include <equilibria/system/sparse_system.hpp>
@@ -56,7 +57,7 @@ public:
     }
 
     PathNumbering numbering() const { return PathNumbering::all(points_.size()); }
-    Point<Unknowns, double> point(std::uint64_t k) const { return point_at<Unknowns>(points_[k]); }
+    Point<Unknowns, double> point(std::uint64_t k) const { return point_of<Unknowns>(points_[k]); }
 
 private:
     static auto find(const std::vector<Term>& terms, const Term& t) {

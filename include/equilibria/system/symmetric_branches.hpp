@@ -16,7 +16,6 @@
 #include <Eigen/LU>
 
 #include <equilibria/algebra/formulation.hpp>
-#include <equilibria/core/symmetric_eigen.hpp>
 #include <equilibria/model/derivatives.hpp>
 
 namespace equilibria {
@@ -74,18 +73,6 @@ std::vector<double> polynomial_roots(F&& f, int degree, double low, double high)
     }
     std::sort(roots.begin(), roots.end());
     return roots;
-}
-
-/// The unit vector that J maps to the shortest one.
-template <Model M>
-Unknowns<M> null_vector(const UnknownMatrix<M>& j) {
-    UnknownMatrix<M> square = j.transpose() * j, vectors = UnknownMatrix<M>::Identity();
-    detail::diagonalize(square, &vectors);
-    Eigen::Index smallest = 0;
-    square.diagonal().minCoeff(&smallest);
-    Unknowns<M> v;
-    for (int i = 0; i < n_unknowns<M>; ++i) v[i] = vectors(i, smallest);
-    return v;
 }
 
 /// Where J is singular on a symmetric branch, with the parameter number `active` in [low, high], the others those of p.

@@ -12,6 +12,7 @@
 #include <equilibria/enumerate/enumerate.hpp>
 #include <equilibria/locus/line/line_events.hpp>
 #include <equilibria/locus/line/model_problem.hpp>
+#include <equilibria/model/torus.hpp>
 
 namespace equilibria {
 
@@ -76,7 +77,7 @@ BifurcationDiagram<M> trace_diagram(const Parameters<M>& p, double low, double h
                     if (turned)  // the degenerate equilibrium itself
                         for (const auto& event : diagram.events) {
                             Eigen::VectorXd to = Problem::vector(event.q) - last;
-                            for (int i = 0; i < n_angles<M>; ++i) to(i) = std::remainder(to(i), 2 * std::numbers::pi);
+                            for (int i = 0; i < n_angles<M>; ++i) to(i) = wrap(to(i));
                             if (std::abs(event.value - end) > 1e-9 * (high - low) || to.cwiseAbs().maxCoeff() > 0.2)
                                 continue;
                             last += to;

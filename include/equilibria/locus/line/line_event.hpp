@@ -9,11 +9,13 @@
 #include <vector>
 
 #include <Eigen/Core>
+#include <Eigen/LU>
 
 #include <equilibria/continuation/critical_point.hpp>
 #include <equilibria/core/symmetric_eigen.hpp>
 #include <equilibria/locus/line/model_problem.hpp>
 #include <equilibria/model/derivatives.hpp>
+#include <equilibria/singularity/null_vector.hpp>
 #include <equilibria/singularity/reduced_coefficients.hpp>
 
 namespace equilibria {
@@ -40,23 +42,27 @@ struct LineEvent {
 
 namespace detail {
 
-/// dF/dp of the parameter number `active`.
 template <Model M>
-Eigen::Matrix<double, n_unknowns<M>, 1> load(const Unknowns<M>& q, const Parameters<M>& p, int active) {
-    const auto f_p = parameter_derivative<M, double>(q, p, active);
-    Eigen::Matrix<double, n_unknowns<M>, 1> y;
-    for (int i = 0; i < n_unknowns<M>; ++i) y(i) = f_p[i];
-    return y;
+using UnknownColumn = Eigen::Matrix<double, n_unknowns<M>, 1>;
+
+template <Model M>
+UnknownColumn<M> column(const Unknowns<M>& q) {
+    return Eigen::Map<const UnknownColumn<M>>(q.elements);
 }
 
-/// By what a branch moves with the parameter, across the null vector v: J w = -dF/dp.
+/// By what a branch moves with the parameter, across the null vector v, whose left one is `left`: J w = -dF/dp, v . w =
+/// 0.
 template <Model M>
-Unknowns<M> motion(const UnknownMatrix<M>& j, const Eigen::Matrix<double, n_unknowns<M>, 1>& left,
-                   const Eigen::Matrix<double, n_unknowns<M>, 1>& v,
-                   const Eigen::Matrix<double, n_unknowns<M>, 1>& f_p) {
-    const Eigen::Matrix<double, n_unknowns<M>, 1> w = bordered_solve<n_unknowns<M>>(j, left, v, -f_p, 0);
+Unknowns<M> motion(const UnknownMatrix<M>& j, const UnknownColumn<M>& left, const UnknownColumn<M>& v,
+                   const UnknownColumn<M>& f_p) {
+    constexpr int n = n_unknowns<M>;
+    Eigen::Matrix<double, n + 1, n + 1> bordered;
+    bordered << j, left, v.transpose(), 0.0;
+    Eigen::Matrix<double, n + 1, 1> right;
+    right << -f_p, 0.0;
+    const Eigen::Matrix<double, n + 1, 1> w = bordered.partialPivLu().solve(right);
     Unknowns<M> y;
-    for (int i = 0; i < n_unknowns<M>; ++i) y[i] = w(i);
+    for (int i = 0; i < n; ++i) y[i] = w(i);
     return y;
 }
 
@@ -66,12 +72,12 @@ void describe(LineEvent<M>& event, Parameters<M> p, int active) {
     constexpr int n = n_unknowns<M>;
     p[active] = event.value;
     const UnknownMatrix<M> j = jacobian<M, double>(event.q, p);
-    Eigen::Matrix<double, n, 1> v;
-    for (int i = 0; i < n; ++i) v(i) = event.v[i];
+    const UnknownColumn<M> v = column<M>(event.v);
     event.residual = (j * v).cwiseAbs().maxCoeff();
     for (const double f : equations<M, double>(event.q, p)) event.residual = std::max(event.residual, std::abs(f));
     event.reduced = reduced_coefficients<M>(event.q, event.v, p);
-    const Eigen::Matrix<double, n, 1> left = left_null_vector<M>(j, v), f_p = load<M>(event.q, p, active);
+    const UnknownColumn<M> left = column<M>(left_null_vector<M>(j, event.v)),
+                           f_p = column<M>(parameter_derivative<M, double>(event.q, p, active));
     if (event.kind == CriticalKind::fold) {
         event.slope = left.dot(f_p);
     } else {
@@ -108,17 +114,15 @@ void describe(LineEvent<M>& event, Parameters<M> p, int active) {
 /// its size.
 template <Model M, int Active>
 CriticalKind bifurcation_kind(const LineEvent<M>& event, Parameters<M> p) {
-    constexpr int n = n_unknowns<M>;
-    using Vector = Eigen::Matrix<double, n, 1>;
+    using Vector = UnknownColumn<M>;
     using Problem = ModelProblem<M, Active>;
     const Problem problem(p);
     p[Active] = event.value;
     const UnknownMatrix<M> j = jacobian<M, double>(event.q, p);
-    Vector v, w;
-    for (int i = 0; i < n; ++i) v(i) = event.v[i];
-    const Vector left = left_null_vector<M>(j, v), f_p = load<M>(event.q, p, Active);
+    const Vector v = column<M>(event.v), left = column<M>(left_null_vector<M>(j, event.v)),
+                 f_p = column<M>(parameter_derivative<M, double>(event.q, p, Active));
     const Unknowns<M> moving = motion<M>(j, left, v, f_p);
-    for (int i = 0; i < n; ++i) w(i) = moving[i];
+    const Vector w = column<M>(moving);
     const UnknownMatrix<M> jv = jacobian_derivative<M, double>(event.q, event.v, p),
                            jw = jacobian_derivative<M, double>(event.q, moving, p),
                            jp = jacobian_parameter_derivative<M, double>(event.q, p, Active);

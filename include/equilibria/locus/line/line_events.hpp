@@ -11,7 +11,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <numbers>
 #include <optional>
 #include <sstream>
 #include <string>
@@ -19,9 +18,11 @@
 
 #include <equilibria/enumerate/enumerate.hpp>
 #include <equilibria/locus/line/line_event.hpp>
+#include <equilibria/model/active_parameters.hpp>
+#include <equilibria/model/torus.hpp>
 #include <equilibria/paths/complex_roots.hpp>
-#include <equilibria/singularity/locus_point.hpp>
-#include <equilibria/singularity/refine_point.hpp>
+#include <equilibria/singularity/null_vector.hpp>
+#include <equilibria/singularity/refine_singularity.hpp>
 #include <equilibria/system/critical_system.hpp>
 #include <equilibria/system/symmetric_branches.hpp>
 
@@ -78,16 +79,6 @@ struct LineEvents {
 
 namespace detail {
 
-/// With angles in (-pi, pi].
-template <Model M>
-Unknowns<M> principal(Unknowns<M> q) {
-    for (int i = 0; i < n_angles<M>; ++i) {
-        q[i] = std::remainder(q[i], 2 * std::numbers::pi);
-        if (q[i] <= -std::numbers::pi) q[i] = std::numbers::pi;
-    }
-    return q;
-}
-
 template <Model M, int Active>
 class LineEventFinder {
 public:
@@ -124,11 +115,7 @@ private:
     static constexpr double same_value = 1e-9;
 
     bool in_segment(double value) const { return value >= found_.low && value <= found_.high; }
-    Parameters<M> at(double value) const {
-        Parameters<M> p = p_;
-        p[Active] = value;
-        return p;
-    }
+    Parameters<M> at(double value) const { return with_active<Active>(p_, value); }
 
     void add_pitchforks() {
         if constexpr (Formulation<M>::reflection_symmetric)
@@ -147,7 +134,7 @@ private:
                                (k + 1 < values.size() && values[k + 1] - values[k] < near);
             event.kind = twice ? CriticalKind::multiple : CriticalKind::pitchfork;
             if (!twice) {
-                const auto refined = refine_pitchfork<M, Active>(branch, at(event.value));
+                const auto refined = refine_singularity<M, SingularityKind::pitchfork, Active>(branch, at(event.value));
                 if (refined.converged && std::abs(refined.p[Active] - event.value) < 100 * near) {
                     event.value = refined.p[Active];
                     event.v = refined.v;
@@ -207,10 +194,10 @@ private:
         const double around = 1e-3 * scale_[0];
         if (value < found_.low - around || value > found_.high + around) return;
         LineEvent<M> event;
-        const auto refined = refine_fold<M, Active>(q, at(value));
+        const auto refined = refine_singularity<M, SingularityKind::fold, Active>(q, at(value));
         if (refined.converged && std::abs(refined.p[Active] - value) < around && same_unknowns<M>(refined.q, q, 1e-3)) {
             event.value = refined.p[Active];
-            event.q = principal<M>(refined.q);
+            event.q = wrapped<M>(refined.q);
             event.v = refined.v;
             event.correction = refined.correction;
             // the fold's system converges at bifurcations too, linearly, and from an endpoint's digits that is enough
@@ -225,7 +212,7 @@ private:
             }
             event.kind = point->kind;
             event.value = point->p;
-            event.q = principal<M>(Problem::unknowns(point->q));
+            event.q = wrapped<M>(Problem::unknowns(point->q));
             event.v = Problem::unknowns(point->null_vector.normalized());
             event.correction = std::numeric_limits<double>::quiet_NaN();
         }

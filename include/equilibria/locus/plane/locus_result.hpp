@@ -3,47 +3,25 @@
 #pragma once
 
 #include <array>
+#include <concepts>
 #include <cstdint>
+#include <map>
 #include <sstream>
 #include <string>
 #include <vector>
 
+#include <equilibria/locus/plane/curve_end.hpp>
 #include <equilibria/locus/regions/regions.hpp>
 #include <equilibria/paths/solution_counts.hpp>
-#include <equilibria/singularity/locus_point.hpp>
+#include <equilibria/singularity/singularity.hpp>
 
 namespace equilibria {
 
-/// Why a curve ends.
-enum class CurveEnd {
-    window,     ///< at the border of the window
-    closed,     ///< where it began
-    symmetric,  ///< on a symmetric branch, where a fold curve meets a pitchfork curve and turns into its mirror image
-    step,       ///< the step control gave up
-    length      ///< too many points
-};
-
 template <Model M>
 struct LocusCurve {
-    LocusKind kind;
-    std::vector<LocusPoint<M>> points;
-    std::array<CurveEnd, 2> ends;
-};
-
-/// A cusp (A3): third = 0, fourth != 0.
-template <Model M>
-struct Cusp {
-    LocusPoint<M> at;
-    double residual;  ///< the largest of |F|, |J v| and |third|
-    double fourth;    ///< the reduced fourth derivative
-};
-
-/// A point of a curve at which one of the parameters is extremal: there the curve turns back.
-template <Model M>
-struct ExtremalPoint {
-    LocusKind kind;
-    int parameter;  ///< the number of the one that is extremal
-    LocusPoint<M> at;
+    SingularityKind kind;  ///< fold or pitchfork
+    std::vector<Singularity<M>> points;
+    std::array<CurveEnd, 2> ends;  ///< a fold curve that ends on a symmetric branch meets a pitchfork curve there
 };
 
 /// A region of constant count.
@@ -63,11 +41,20 @@ struct Locus {
     PlaneWindow window;
     Parameters<M> parameters;
     std::vector<LocusCurve<M>> curves;
-    std::vector<Cusp<M>> cusps;
-    std::vector<LocusPoint<M>> degenerate_pitchforks;  ///< where a pitchfork turns from super- to subcritical
+    /// The special points of the curves, in the order in which they were found: cusps (with the derivatives phi''' and
+    /// phi'''' of the reduced potential, residual the largest of |F|, |J v| and |phi'''|), tricritical pitchforks, and
+    /// extremal folds and pitchforks, at which the parameter number `extremal` turns back on the curve.
+    std::vector<Singularity<M>> points;
     std::vector<LocusRegion> regions;
     std::vector<RegionBorder> borders;  ///< regions and curves by their numbers here
-    std::vector<ExtremalPoint<M>> extremal;
+
+    /// The special points of these kinds, in their order.
+    std::vector<Singularity<M>> of(std::same_as<SingularityKind> auto... kinds) const {
+        std::vector<Singularity<M>> found;
+        for (const auto& at : points)
+            if (((at.kind == kinds) || ...)) found.push_back(at);
+        return found;
+    }
 
     /// The evidence of completeness.
     struct Evidence {
@@ -75,9 +62,8 @@ struct Locus {
         /// By how much the borders of x and of y were moved in, in parts of the window: the model may degenerate on them.
         /// A piece of a curve that lies in a corner of that size, and has no special point, is not seen.
         std::array<double, 2> inset{};
-        SolutionCounts lines_solved;                 ///< folds of a generic line in each direction
-        SolutionCounts cusps_solved, extremal_solved;
-        SolutionCounts extremal_pitchforks_solved, degenerate_pitchforks_solved;
+        /// Complex solutions by kind: folds of a generic line in each direction, all special points of the plane.
+        std::map<SingularityKind, SolutionCounts> solved;
         // what follows must be 0
         std::uint64_t failed_paths = 0;        ///< of the other lines
         std::uint64_t untraced_seeds = 0;      ///< points solved for that no curve passes
@@ -89,8 +75,9 @@ struct Locus {
         double seconds = 0;
 
         std::uint64_t all_failed_paths() const {
-            return failed_paths + lines_solved.paths.failed + cusps_solved.paths.failed + extremal_solved.paths.failed +
-                   extremal_pitchforks_solved.paths.failed + degenerate_pitchforks_solved.paths.failed;
+            std::uint64_t failed = failed_paths;
+            for (const auto& [kind, counts] : solved) failed += counts.paths.failed;
+            return failed;
         }
         bool complete() const {
             return all_failed_paths() + untraced_seeds + unseeded_crossings + unsolved_points + broken_curves +
@@ -106,22 +93,26 @@ struct Locus {
 template <Model M>
 std::string Locus<M>::argument() const {
     std::ostringstream out;
-    const auto solved = [&](const char* what, const SolutionCounts& c) {
+    const auto solved = [&](const char* what, SingularityKind kind) {
+        const auto of_kind = evidence.solved.find(kind);
+        if (of_kind == evidence.solved.end()) return;
+        const SolutionCounts& c = of_kind->second;
         if (c.searches == 0) return;
         out << "; " << what << ": " << c.paths.total << " paths, " << c.solutions << " regular complex solutions, "
             << c.paths.failed << " failed";
-        if (c.attempts > c.searches) out << " (start system " << c.attempts << " of as many as " << c.searches << " needed)";
+        if (c.attempts > c.searches)
+            out << " (start system " << c.attempts << " of as many as " << c.searches << " needed)";
     };
     const Evidence& e = evidence;
     out << "a curve that enters the window crosses its border";
     out << " (moved in by " << e.inset[0] << " and " << e.inset[1] << " of it)";
     out << ", a line of which all folds and pitchforks are solved for; one "
            "that does not has a cusp or points with vertical and horizontal tangents, all of which are solved for";
-    solved("folds of a line", e.lines_solved);
-    solved("cusps", e.cusps_solved);
-    solved("such tangents of fold curves", e.extremal_solved);
-    solved("of pitchfork curves", e.extremal_pitchforks_solved);
-    solved("degenerate pitchforks", e.degenerate_pitchforks_solved);
+    solved("folds of a line", SingularityKind::fold);
+    solved("cusps", SingularityKind::cusp);
+    solved("such tangents of fold curves", SingularityKind::extremal_fold);
+    solved("of pitchfork curves", SingularityKind::extremal_pitchfork);
+    solved("degenerate pitchforks", SingularityKind::tricritical_pitchfork);
     out << "; " << e.seeds << " points in the window, " << e.untraced_seeds << " of them on no curve; "
         << e.unseeded_crossings << " crossings of " << e.lines << " lines and " << e.unsolved_points
         << " special points of curves were not solved for; " << e.wrong_counts << " of " << e.checked_points

@@ -15,24 +15,26 @@
 #include <equilibria/locus/plane/locus_result.hpp>
 #include <equilibria/locus/plane/plane_family.hpp>
 #include <equilibria/locus/plane/plane_solver.hpp>
+#include <equilibria/model/torus.hpp>
+#include <equilibria/singularity/null_vector.hpp>
+#include <equilibria/singularity/singularity.hpp>
+#include <equilibria/singularity/singularity_newton.hpp>
 #include <equilibria/system/symmetric_branches.hpp>
 
 namespace equilibria {
 
 namespace detail {
 
-enum class LocusSource { line, cusp, extremal, degenerate_pitchfork };
-
-/// A point that some curve must pass. On a line the parameter number `fixed` has the value `line`; of an extremal point
-/// `fixed` is the parameter that is extremal.
+/// A point that some curve must pass: a fold or pitchfork on a line, on which the parameter number `fixed` has the
+/// value `line`, or a special point of the plane.
 template <Model M>
 struct LocusSeed {
-    LocusKind kind;
-    LocusSource source;
-    int fixed;
-    double line;
-    LocusPoint<M> at;
+    Singularity<M> at;
+    int fixed = -1;  ///< of points on lines; else -1
+    double line = 0;
     bool traced = false;
+
+    SingularityKind curve() const { return curve_of(at.kind); }
 };
 
 /// All such points of a window, and what they have to do with the curves that were traced.
@@ -64,31 +66,25 @@ public:
     const std::vector<double>& lines(int axis) const { return lines_[static_cast<std::size_t>(axis)]; }
 
     /// The same event, or its mirror image; angles modulo 2 pi, null vectors up to sign.
-    bool same(const LocusPoint<M>& a, const LocusPoint<M>& b) const {
+    bool same(const Singularity<M>& a, const Singularity<M>& b) const {
         constexpr double tolerance = 1e-5;
-        if (std::abs(a.x - b.x) > tolerance * window_.width()) return false;
-        if (std::abs(a.y - b.y) > tolerance * window_.height()) return false;
-        double dot = 0;
-        for (int i = 0; i < n; ++i) dot += a.v[i] * b.v[i];
-        if (!(std::abs(std::abs(dot) - 1) < 100 * tolerance)) return false;
+        if (std::abs(a.x() - b.x()) > tolerance * window_.width()) return false;
+        if (std::abs(a.y() - b.y()) > tolerance * window_.height()) return false;
+        if (!(std::abs(std::abs(dot(a.v, b.v)) - 1) < 100 * tolerance)) return false;
         return same_unknowns<M>(a.q, b.q, 100 * tolerance) ||
-               (reflection_symmetric && same_unknowns<M>(a.q, b.q, 100 * tolerance, -1));
+               (reflection_symmetric && same_unknowns<M>(a.q, mirrored<M>(b.q), 100 * tolerance));
     }
 
     /// Every point solved for is on a curve, and every special point of a curve was solved for.
     void compare(Locus<M>& locus) {
         if constexpr (PotentialModel<M>) {
-            const auto find = [&](LocusSource source, LocusKind kind, int fixed, const LocusPoint<M>& at) {
+            for (const Singularity<M>& at : locus.points) {
                 bool known = false;
                 for (LocusSeed<M>& seed : seeds_)
-                    if (seed.source == source && seed.kind == kind && seed.fixed == fixed && same(seed.at, at))
+                    if (seed.at.kind == at.kind && seed.at.extremal == at.extremal && same(seed.at, at))
                         known = seed.traced = true;
                 locus.evidence.unsolved_points += !known;
-            };
-            for (const auto& cusp : locus.cusps) find(LocusSource::cusp, LocusKind::fold, -1, cusp.at);
-            for (const auto& point : locus.extremal) find(LocusSource::extremal, point.kind, point.parameter, point.at);
-            for (const auto& at : locus.degenerate_pitchforks)
-                find(LocusSource::degenerate_pitchfork, LocusKind::fold, -1, at);
+            }
         }
     }
 
@@ -97,12 +93,20 @@ private:
     using Family = PlaneFamily<M, X, Y>;
 
     void add_seed(const LocusSeed<M>& seed) {
-        if (!window_.contains(seed.at.x, seed.at.y) || is_family(seed.at)) return;
+        if (!window_.contains(seed.at.x(), seed.at.y()) || is_family(seed.at)) return;
         for (const LocusSeed<M>& other : seeds_)  // the mirror image
-            if (other.source == seed.source && other.fixed == seed.fixed && other.line == seed.line &&
-                other.kind == seed.kind && same(other.at, seed.at))
+            if (other.at.kind == seed.at.kind && other.at.extremal == seed.at.extremal && other.fixed == seed.fixed &&
+                other.line == seed.line && same(other.at, seed.at))
                 return;
         seeds_.push_back(seed);
+    }
+    /// Special points of the plane; extremal: the number of the parameter that turns back there, or -1.
+    void add_points(std::vector<Singularity<M>> points, SingularityKind kind, int extremal = -1) {
+        for (Singularity<M>& at : points) {
+            at.kind = kind;
+            at.extremal = extremal;
+            add_seed({at});
+        }
     }
 
     template <int Active, int Fixed>
@@ -114,9 +118,12 @@ private:
         const int degree = Solver::System::entry().degree[Active == X ? 0 : 1];
         Generator generator(seed_);
         const typename Solver::Lines lines(solver_, Fixed == X ? 0 : 1, low + size * uniform(generator));
-        evidence.lines_solved.add(lines.counts());
-        const auto add = [&](double line, const std::vector<LocusPoint<M>>& folds) {
-            for (const auto& at : folds) add_seed({LocusKind::fold, LocusSource::line, Fixed, line, at});
+        evidence.solved[SingularityKind::fold].add(lines.counts());
+        const auto add = [&](double line, const std::vector<Singularity<M>>& folds) {
+            for (Singularity<M> at : folds) {
+                at.kind = SingularityKind::fold;
+                add_seed({at, Fixed, line});
+            }
             Parameters<M> p = parameters_;
             p[Fixed] = line;
             for (const Unknowns<M>& branch : symmetric_branches<M>()) {
@@ -126,9 +133,8 @@ private:
                 };
                 for (const double value : polynomial_roots(determinant, n * degree, active_low, active_high)) {
                     p[Active] = value;
-                    LocusPoint<M> at{value, line, branch, null_vector<M>(jacobian<M, double>(branch, p))};
-                    if (Fixed == X) std::swap(at.x, at.y);
-                    add_seed({LocusKind::pitchfork, LocusSource::line, Fixed, line, at});
+                    const auto v = null_vector<M>(jacobian<M, double>(branch, p));
+                    add_seed({singularity_at<M, X, Y>(SingularityKind::pitchfork, branch, p, v), Fixed, line});
                 }
             }
             lines_[Fixed == X ? 0 : 1].push_back(line);
@@ -160,28 +166,29 @@ private:
 
     void solve_points(Evidence& evidence) {
         if constexpr (PotentialModel<M>) {
-            for (const auto& at : solver_.cusps(evidence.cusps_solved))
-                add_seed({LocusKind::fold, LocusSource::cusp, -1, 0, at});
+            using Kind = SingularityKind;
+            auto& solved = evidence.solved;
+            add_points(solver_.cusps(solved[Kind::cusp]), Kind::cusp);
             for (const int which : {0, 1})
-                for (const auto& at : solver_.extremal_folds(which, evidence.extremal_solved))
-                    add_seed({LocusKind::fold, LocusSource::extremal, which == 0 ? X : Y, 0, at});
+                add_points(solver_.extremal_folds(which, solved[Kind::extremal_fold]), Kind::extremal_fold,
+                           which == 0 ? X : Y);
             if constexpr (reflection_symmetric) {
                 for (const int which : {0, 1})
-                    for (const auto& at : solver_.extremal_pitchforks(which, evidence.extremal_pitchforks_solved))
-                        add_seed({LocusKind::pitchfork, LocusSource::extremal, which == 0 ? X : Y, 0, at});
-                for (const auto& at : solver_.degenerate_pitchforks(evidence.degenerate_pitchforks_solved))
-                    add_seed({LocusKind::fold, LocusSource::degenerate_pitchfork, -1, 0, at});
+                    add_points(solver_.extremal_pitchforks(which, solved[Kind::extremal_pitchfork]),
+                               Kind::extremal_pitchfork, which == 0 ? X : Y);
+                add_points(solver_.degenerate_pitchforks(solved[Kind::tricritical_pitchfork]),
+                           Kind::tricritical_pitchfork);
             }
         }
     }
 
     /// Where a parameter by which equations were divided is 0, one of them vanishes identically, as that of a massless
     /// link does: all its solutions are degenerate, and none is an event.
-    bool is_family(const LocusPoint<M>& at) const {
+    bool is_family(const Singularity<M>& at) const {
         for (int i = 0; i < n; ++i)
             for (int k = 0; k < 2; ++k)
                 if (Solver::System::entry().content[i][k] > 0 &&
-                    std::abs(k == 0 ? at.x : at.y) <= 1e-9 * (k == 0 ? window_.width() : window_.height()))
+                    std::abs(k == 0 ? at.x() : at.y()) <= 1e-9 * (k == 0 ? window_.width() : window_.height()))
                     return true;
         return false;
     }

@@ -17,7 +17,12 @@
 #include <equilibria/locus/plane/locus_seeds.hpp>
 #include <equilibria/locus/plane/pitchfork_curve.hpp>
 #include <equilibria/locus/plane/region_counts.hpp>
+#include <equilibria/model/active_parameters.hpp>
+#include <equilibria/model/torus.hpp>
+#include <equilibria/singularity/null_vector.hpp>
 #include <equilibria/singularity/reduced_coefficients.hpp>
+#include <equilibria/singularity/singularity.hpp>
+#include <equilibria/singularity/singularity_newton.hpp>
 
 namespace equilibria {
 
@@ -64,43 +69,31 @@ public:
 
 private:
     using Seed = LocusSeed<M>;
-    using Source = LocusSource;
     using Family = PlaneFamily<M, X, Y>;
-
-    Parameters<M> parameters_at(double x, double y) const {
-        Parameters<M> p = locus_.parameters;
-        p[X] = x;
-        p[Y] = y;
-        return p;
-    }
 
     using Folds = FoldCurve<Family>;
     using Pitchforks = PitchforkCurve<M, X, Y>;
     /// Of both kinds of curves: q, x and the border.
     using At = Configuration<Folds>;
 
-    /// The unit null vector, with the sign of `before` where that is given.
-    Eigen::VectorXd null_vector(const At& at, double y, const Eigen::VectorXd* before = nullptr) const {
-        const BorderedTangent<PlaneProblem<M, X, Y>> b(Family{locus_.parameters}(y), at);
-        Eigen::VectorXd v = b.regular ? b.null.x.normalized().eval() : Eigen::VectorXd::Zero(n).eval();
-        if (before && v.dot(*before) < 0) v = -v;
-        return v;
-    }
-    LocusPoint<M> point_of(const At& at, double y) const {
-        using Problem = PlaneProblem<M, X, Y>;
-        return {at.p, y, Problem::unknowns(at.q), Problem::unknowns(null_vector(at, y))};
+    /// A point of a curve with its unit null vector, that of the divided equations; 0 where they are not defined.
+    Singularity<M> point_of(const At& at, double y, SingularityKind kind) const {
+        const UnknownMatrix<M> tangent = Family{locus_.parameters}(y).tangent(at.q, at.p);
+        return singularity_at<M, X, Y>(kind, PlaneProblem<M, X, Y>::unknowns(at.q),
+                                       with_active<X, Y>(locus_.parameters, at.p, y),
+                                       tangent.allFinite() ? null_vector<M>(tangent) : Unknowns<M>{});
     }
 
     void trace_from(const Seed& seed) {
         At at;
         at.q = PlaneProblem<M, X, Y>::vector(seed.at.q);
-        at.p = seed.at.x;
+        at.p = seed.at.x();
         PlaneProblem<M, X, Y>::vector(seed.at.v).cwiseAbs().maxCoeff(&at.border.column);
         at.border.row = at.border.column;  // about: J is symmetric but for scales of its rows
         const Family family{locus_.parameters};
-        at = with_best_border(family(seed.at.y), at);
-        if (seed.kind == LocusKind::fold)
-            trace(Folds(family, seed.at.y, locus_.window.width()), at, seed);
+        at = with_best_border(family(seed.at.y()), at);
+        if (seed.curve() == SingularityKind::fold)
+            trace(Folds(family, seed.at.y(), locus_.window.width()), at, seed);
         else if constexpr (Formulation<M>::reflection_symmetric)
             trace(Pitchforks(family, locus_.window.width()), at, seed);
     }
@@ -110,14 +103,14 @@ private:
         PathOptions path = options_.path;
         path.parameter_weight = 1 / locus_.window.height();
         PathStepper<Curve> stepper(system, path);
-        auto start = stepper.start(at, seed.at.y, 1);
+        auto start = stepper.start(at, seed.at.y(), 1);
         if (!start) {
             // where y turns back Newton's method at a fixed y fails, and the seed is exact
-            start = stepper.assess(at, seed.at.y, std::nullopt);
+            start = stepper.assess(at, seed.at.y(), std::nullopt);
             if (!start) return;
             start->proposed_step = path.first_step;
         }
-        LocusCurve<M> curve{seed.kind, {}, {CurveEnd::step, CurveEnd::step}};
+        LocusCurve<M> curve{seed.curve(), {}, {CurveEnd::step, CurveEnd::step}};
         std::vector<BranchPoint<Curve>> whole;
         for (int side = 0; side < 2; ++side) {
             PathStepper<Curve>::flip(start->tangent);
@@ -135,15 +128,16 @@ private:
         }
         for (const CurveEnd end : curve.ends)
             locus_.evidence.broken_curves += end == CurveEnd::step || end == CurveEnd::length;
-        for (const auto& point : whole) curve.points.push_back(point_of(point.q, point.p));
+        for (const auto& point : whole) curve.points.push_back(point_of(point.q, point.p, curve.kind));
         if (curve.points.size() < 2) return;
         // events are sought between points: not at the first one
-        if (seed.source == Source::extremal) locus_.extremal.push_back({seed.kind, seed.fixed, seed.at});
+        if (seed.at.extremal >= 0) locus_.points.push_back(seed.at);
         if constexpr (std::is_same_v<Curve, Folds>)
-            if (seed.source == Source::cusp || seed.source == Source::degenerate_pitchfork) note_cusp(*start);
-        note_extremal_points(stepper, whole, seed.kind);
-        claim_seeds(stepper, whole, seed.kind);
-        claim_near(stepper, whole, seed.kind);
+            if (seed.at.kind == SingularityKind::cusp || seed.at.kind == SingularityKind::tricritical_pitchfork)
+                note_cusp(*start);
+        note_extremal_points(stepper, whole);
+        claim_seeds(stepper, whole, curve.kind);
+        claim_near(stepper, whole, curve.kind);
         locus_.curves.push_back(std::move(curve));
     }
 
@@ -158,10 +152,10 @@ private:
             if (!next) return CurveEnd::step;
             if (!locus_.window.contains(next->q.p, next->p)) {
                 points.push_back(at_border(stepper, last, *next));
-                return CurveEnd::window;
+                return CurveEnd::border;
             }
             if constexpr (folds) {
-                const Eigen::VectorXd v = null_vector(last.q, last.p);
+                const Unknowns<M> v = point_of(last.q, last.p, SingularityKind::fold).v;
                 const EventFunction<Curve> third{"third derivative", [&](const BranchPoint<Curve>& at) {
                                                      return third_at(at, v);
                                                  }};
@@ -184,11 +178,10 @@ private:
     }
 
     /// The reduced third derivative along the null vector on the side of `before`.
-    double third_at(const BranchPoint<Folds>& at, const Eigen::VectorXd& before) const {
-        using Problem = PlaneProblem<M, X, Y>;
-        return reduced_coefficients<M>(Problem::unknowns(at.q.q), Problem::unknowns(null_vector(at.q, at.p, &before)),
-                                       parameters_at(at.q.p, at.p))
-            .third;
+    double third_at(const BranchPoint<Folds>& at, const Unknowns<M>& before) const {
+        const Singularity<M> point = point_of(at.q, at.p, SingularityKind::fold);
+        const double third = reduced_coefficients<M>(point.q, point.v, point.p).third;
+        return dot(point.v, before) < 0 ? -third : third;
     }
 
     /// Back at the first point, in the same direction; angles modulo 2 pi.
@@ -196,7 +189,7 @@ private:
     bool closes(const PathStepper<Curve>& stepper, const BranchPoint<Curve>& first, const BranchPoint<Curve>& now) const {
         Direction d = stepper.difference(first, now.q, now.p);
         for (int i = 0; i + 1 < d.q.size() && i < n_angles<M>; ++i)
-            d.q(i + 1) = std::remainder(d.q(i + 1), 2 * std::numbers::pi);
+            d.q(i + 1) = wrap(d.q(i + 1));
         return stepper.length(d) < 1.5 * options_.path.largest_step && stepper.dot(first.tangent, now.tangent) > 0.95;
     }
 
@@ -268,71 +261,75 @@ private:
 
     /// A zero of the third derivative; true if it is a symmetric point, where the curve turns into its mirror image.
     bool note_cusp(const BranchPoint<Folds>& cusp) {
-        const LocusPoint<M> at = point_of(cusp.q, cusp.p);
-        if (on_symmetric_branch<M>(at.q)) {
-            bool known = false;
-            for (const auto& other : locus_.degenerate_pitchforks) known = known || seeds_.same(other, at);
-            if (!known) locus_.degenerate_pitchforks.push_back(at);
-            return true;
+        Singularity<M> at = point_of(cusp.q, cusp.p, SingularityKind::cusp);
+        const bool symmetric = on_symmetric_branch<M>(at.q);
+        if (symmetric) {
+            at.kind = SingularityKind::tricritical_pitchfork;
+        } else {
+            const auto reduced = reduced_coefficients<M>(at.q, at.v, at.p);
+            const Eigen::Matrix<double, n, 1> v = PlaneProblem<M, X, Y>::vector(at.v);
+            at.nullity = 1;
+            at.derivatives[0] = reduced.third;
+            at.derivatives[1] = reduced.fourth;
+            at.residual = std::max(
+                {cusp.residual, (jacobian<M, double>(at.q, at.p) * v).cwiseAbs().maxCoeff(), std::abs(reduced.third)});
         }
-        for (const Cusp<M>& other : locus_.cusps)
-            if (seeds_.same(other.at, at)) return false;
-        const Parameters<M> p = parameters_at(at.x, at.y);
-        const auto coefficients = reduced_coefficients<M>(at.q, at.v, p);
-        const Eigen::Matrix<double, n, 1> v = PlaneProblem<M, X, Y>::vector(at.v);
-        const double residual = std::max({cusp.residual, (jacobian<M, double>(at.q, p) * v).cwiseAbs().maxCoeff(),
-                                          std::abs(coefficients.third)});
-        locus_.cusps.push_back({at, residual, coefficients.fourth});
-        return false;
+        note(at);
+        return symmetric;
+    }
+
+    /// Keeps a special point unless it is known.
+    void note(const Singularity<M>& at) {
+        for (const Singularity<M>& other : locus_.points)
+            if (other.kind == at.kind && other.extremal == at.extremal && seeds_.same(other, at)) return;
+        locus_.points.push_back(at);
     }
 
     /// The points at which one of x, y turns back and the other does not.
     template <class Curve>
-    void note_extremal_points(PathStepper<Curve>& stepper, const std::vector<BranchPoint<Curve>>& curve, LocusKind kind) {
+    void note_extremal_points(PathStepper<Curve>& stepper, const std::vector<BranchPoint<Curve>>& curve) {
+        constexpr auto kind =
+            std::is_same_v<Curve, Folds> ? SingularityKind::extremal_fold : SingularityKind::extremal_pitchfork;
         const EventFunction<Curve> slopes[] = {
             {"dx/ds", [](const BranchPoint<Curve>& at) { return at.tangent.q(0); }},
             {"dy/ds", [](const BranchPoint<Curve>& at) { return at.tangent.p; }}};
         const auto is_cusp = [&](const BranchPoint<Curve>& at) {
-            for (const auto& cusp : locus_.cusps)
-                if (at.q.p == cusp.at.x && at.p == cusp.at.y) return true;
+            for (const auto& cusp : locus_.points)
+                if (cusp.kind == SingularityKind::cusp && at.q.p == cusp.x() && at.p == cusp.y()) return true;
             return false;
         };
         for (std::size_t i = 0; i + 1 < curve.size(); ++i) {
             const auto &a = curve[i], &b = curve[i + 1];
             const bool turns[] = {a.tangent.q(0) * b.tangent.q(0) < 0, a.tangent.p * b.tangent.p < 0};
             if (turns[0] == turns[1] || is_cusp(a) || is_cusp(b)) continue;
-            const int parameter = turns[0] ? X : Y;
             const auto point = zero_between(stepper, slopes[turns[0] ? 0 : 1], a, b);
             if (!point || !locus_.window.contains(point->q.p, point->p)) continue;
-            const LocusPoint<M> at = point_of(point->q, point->p);
-            bool known = false;
-            for (const auto& other : locus_.extremal)
-                known = known || (other.kind == kind && other.parameter == parameter && seeds_.same(other.at, at));
-            if (!known) locus_.extremal.push_back({kind, parameter, at});
+            Singularity<M> at = point_of(point->q, point->p, kind);
+            at.extremal = turns[0] ? X : Y;
+            note(at);
         }
     }
 
     /// Marks the points of a kind that a traced curve passes.
     template <class Curve>
-    void claim_near(PathStepper<Curve>& stepper, const std::vector<BranchPoint<Curve>>& curve, LocusKind kind) {
+    void claim_near(PathStepper<Curve>& stepper, const std::vector<BranchPoint<Curve>>& curve, SingularityKind kind) {
         const auto position = [&](const BranchPoint<Curve>& at) {
             Eigen::VectorXd y(n + 2);
             y << at.q.p / locus_.window.width(), at.p / locus_.window.height(), at.q.q;
             return y;
         };
         for (Seed& seed : seeds_.all()) {
-            if (seed.traced || seed.kind != kind) continue;
-            for (const int mirror : {1, -1}) {
-                if (seed.traced || (mirror < 0 && !Formulation<M>::reflection_symmetric)) break;
+            if (seed.traced || seed.curve() != kind) continue;
+            for (const bool mirror : {false, true}) {
+                if (seed.traced || (mirror && !Formulation<M>::reflection_symmetric)) break;
+                const Unknowns<M> image = mirror ? mirrored<M>(seed.at.q) : seed.at.q;
                 for (std::size_t i = 0; i + 1 < curve.size() && !seed.traced; ++i) {
                     const Eigen::VectorXd a = position(curve[i]), chord = position(curve[i + 1]) - a;
                     Eigen::VectorXd to(n + 2);
-                    to(0) = seed.at.x / locus_.window.width() - a(0);
-                    to(1) = seed.at.y / locus_.window.height() - a(1);
-                    for (int k = 0; k < n; ++k) {
-                        to(k + 2) = (k < n_angles<M> ? mirror : 1) * seed.at.q[k] - a(k + 2);
-                        if (k < n_angles<M>) to(k + 2) = std::remainder(to(k + 2), 2 * std::numbers::pi);
-                    }
+                    to(0) = seed.at.x() / locus_.window.width() - a(0);
+                    to(1) = seed.at.y() / locus_.window.height() - a(1);
+                    const auto d = displacement<M>(PlaneProblem<M, X, Y>::unknowns(a.tail(n)), image);
+                    for (int k = 0; k < n; ++k) to(k + 2) = d[k];
                     const double length2 = chord.squaredNorm(), part = to.dot(chord) / length2;
                     if (!(part > -0.1 && part < 1.1) || (to - part * chord).squaredNorm() > 0.1 * length2 + 1e-10)
                         continue;
@@ -347,7 +344,7 @@ private:
                     const Direction normal = step;
                     PathStepper<Curve>::scale(step, reach);
                     const auto point = stepper.onto(curve[i].q, curve[i].p, step, normal, curve[i].tangent);
-                    if (point) seed.traced = seeds_.same(seed.at, point_of(point->q, point->p));
+                    if (point) seed.traced = seeds_.same(seed.at, point_of(point->q, point->p, kind));
                 }
             }
         }
@@ -355,7 +352,7 @@ private:
 
     /// Marks the seeds that a traced curve passes, and counts its crossings of lines that are no seed.
     template <class Curve>
-    void claim_seeds(PathStepper<Curve>& stepper, const std::vector<BranchPoint<Curve>>& curve, LocusKind kind) {
+    void claim_seeds(PathStepper<Curve>& stepper, const std::vector<BranchPoint<Curve>>& curve, SingularityKind kind) {
         const PlaneWindow& w = locus_.window;
         for (const int axis : {0, 1}) {
             const auto value = [&](std::size_t i) { return axis == 0 ? curve[i].q.p : curve[i].p; };
@@ -368,11 +365,11 @@ private:
                     entry(chord, axis) = -before;
                     const auto point = where(stepper, curve[i], chord, axis);
                     if (!point || !w.contains(point->q.p, point->p)) continue;
-                    const LocusPoint<M> at = point_of(point->q, point->p);
+                    const Singularity<M> at = point_of(point->q, point->p, kind);
                     bool known = false;
                     for (Seed& seed : seeds_.all())
-                        if (seed.source == Source::line && seed.kind == kind &&
-                            seed.fixed == (axis == 0 ? X : Y) && seed.line == line && seeds_.same(seed.at, at))
+                        if (seed.curve() == kind && seed.fixed == (axis == 0 ? X : Y) && seed.line == line &&
+                            seeds_.same(seed.at, at))
                             known = seed.traced = true;
                     locus_.evidence.unseeded_crossings += !known;
                 }

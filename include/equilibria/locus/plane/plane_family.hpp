@@ -7,6 +7,7 @@
 #include <Eigen/Core>
 
 #include <equilibria/locus/line/model_problem.hpp>
+#include <equilibria/model/active_parameters.hpp>
 #include <equilibria/system/critical_system.hpp>
 
 namespace equilibria {
@@ -64,9 +65,7 @@ private:
 
     static double exponent(int i, int k) { return System::entry().content[i][k] * System::entry().power[k]; }
     Parameters<M> at(double p) const {
-        Parameters<M> values = parameters_;
-        values[X] = p;
-        return values;
+        return with_active<X>(parameters_, p);
     }
     Vector scales(double p) const {
         Vector y(n);
@@ -83,9 +82,7 @@ template <Model M, int X, int Y>
 struct PlaneFamily {
     Parameters<M> parameters;  ///< entries X and Y are not read
     PlaneProblem<M, X, Y> operator()(double y) const {
-        Parameters<M> values = parameters;
-        values[Y] = y;
-        return PlaneProblem<M, X, Y>(values);
+        return PlaneProblem<M, X, Y>(with_active<Y>(parameters, y));
     }
 };
 

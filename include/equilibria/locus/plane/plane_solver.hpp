@@ -9,10 +9,12 @@
 #include <optional>
 #include <vector>
 
+#include <equilibria/model/torus.hpp>
 #include <equilibria/paths/complex_roots.hpp>
 #include <equilibria/paths/solution_counts.hpp>
-#include <equilibria/singularity/locus_point.hpp>
-#include <equilibria/singularity/refine_point.hpp>
+#include <equilibria/singularity/null_vector.hpp>
+#include <equilibria/singularity/refine_singularity.hpp>
+#include <equilibria/singularity/singularity.hpp>
 #include <equilibria/system/critical_system.hpp>
 #include <equilibria/system/symmetric_branches.hpp>
 #include <equilibria/system/symmetric_system.hpp>
@@ -26,7 +28,7 @@ public:
     using System = CriticalSystem<M, X, Y>;
     using Numbers = typename System::Numbers;
     using Roots = ComplexRoots<UnknownsOf<System::n_angles, System::n_coordinates>>;
-    using Points = std::vector<LocusPoint<M>>;
+    using Points = std::vector<Singularity<M>>;
     static constexpr int n = n_unknowns<M>;
 
     /// scales: values of X and Y that count as large, positive: the size of the window. more_digits: for paths to cusps
@@ -66,9 +68,11 @@ public:
                 for (const auto& root : roots)
                     if (const auto near = solver_->real_point(root)) {
                         auto at = *near;
-                        (fixed_ == 0 ? at.x : at.y) = value;
-                        const auto q = solver_->parameters_at(at.x, at.y);
-                        solver_->keep(points, at, fixed_ == 0 ? refine_fold<M, Y>(at.q, q) : refine_fold<M, X>(at.q, q));
+                        (fixed_ == 0 ? at.x() : at.y()) = value;
+                        constexpr auto fold = SingularityKind::fold;
+                        solver_->keep(points, at,
+                                      fixed_ == 0 ? refine_singularity<M, fold, Y>(at.q, at.p)
+                                                  : refine_singularity<M, fold, X>(at.q, at.p));
                     }
             };
             take(set.roots);
@@ -96,15 +100,21 @@ public:
 
     /// All cusps of the plane.
     Points cusps(SolutionCounts& counts) const requires PotentialModel<M> {
-        return solve(counts, [](Numbers& numbers) { numbers.cusp = 1; }, [](const Unknowns<M>& q, const Parameters<M>& p) {
-            return refine_cusp<M, X, Y>(q, p);
-        });
+        return solve(
+            counts, [](Numbers& numbers) { numbers.cusp = 1; },
+            [](const Unknowns<M>& q, const Parameters<M>& p) {
+                return refine_singularity<M, SingularityKind::cusp, X, Y>(q, p);
+            });
     }
     /// All points of fold curves at which the parameter number `which` (0 for X, 1 for Y) is extremal.
     Points extremal_folds(int which, SolutionCounts& counts) const requires PotentialModel<M> {
-        return solve(counts, [which](Numbers& numbers) { numbers.extremal[1 - which] = 1; }, [which](const Unknowns<M>& q, const Parameters<M>& p) {
-            return which == 0 ? refine_extremal<M, X, Y>(q, p) : refine_extremal<M, Y, X>(q, p);
-        });
+        return solve(
+            counts, [which](Numbers& numbers) { numbers.extremal[1 - which] = 1; },
+            [which](const Unknowns<M>& q, const Parameters<M>& p) {
+                constexpr auto extremal = SingularityKind::extremal_fold;
+                return which == 0 ? refine_singularity<M, extremal, X, Y>(q, p)
+                                  : refine_singularity<M, extremal, Y, X>(q, p);
+            });
     }
 
     /// All pitchforks of symmetric branches at which that parameter is extremal on their curve.
@@ -118,13 +128,6 @@ public:
 
 private:
     static constexpr std::uint64_t most_attempts = 12;
-
-    Parameters<M> parameters_at(double x, double y) const {
-        Parameters<M> p = p_;
-        p[X] = x;
-        p[Y] = y;
-        return p;
-    }
 
     /// Of the line on which the parameter number `fixed` has the value; and its folds, from their own start system.
     Numbers line(int fixed, double value, Generator& generator) const {
@@ -156,9 +159,9 @@ private:
     }
 
     /// The real parameters and unknowns next to a root, if it is about real.
-    std::optional<LocusPoint<M>> real_point(const auto& root) const {
+    std::optional<Singularity<M>> real_point(const auto& root) const {
         const double near = root.status == PathStatus::singular ? 1e-3 : 1e-5;
-        LocusPoint<M> at;
+        auto at = singularity_at<M, X, Y>(SingularityKind::undecided, {}, p_);
         for (int i = 0; i < n; ++i) {
             if (!(std::abs(root.q[i].imag()) < near)) return std::nullopt;
             at.q[i] = root.q[i].real();
@@ -167,26 +170,26 @@ private:
         return at;
     }
     /// The two parameters from their unknowns; false where they are not real to within `near`.
-    bool real_parameters(const std::complex<double>* unknowns, double near, LocusPoint<M>& at) const {
+    bool real_parameters(const std::complex<double>* unknowns, double near, Singularity<M>& at) const {
         for (int k = 0; k < 2; ++k) {
             const std::complex<double> x = unknowns[k];
             if (!(std::abs(x.imag()) < near * (1 + std::abs(x)))) return false;
             if (System::entry().power[k] == 2 && !(x.real() > -near)) return false;
-            (k == 0 ? at.x : at.y) =
+            (k == 0 ? at.x() : at.y()) =
                 System::parameter(k, System::entry().power[k] == 2 ? std::max(0.0, x.real()) : x.real(), scales_[k]);
         }
         return true;
     }
 
-    bool same(const LocusPoint<M>& a, const LocusPoint<M>& b, double tolerance) const {
-        if (!(std::abs(a.x - b.x) <= tolerance * scales_[0])) return false;
-        if (!(std::abs(a.y - b.y) <= tolerance * scales_[1])) return false;
-        return detail::same_unknowns<M>(a.q, b.q, tolerance);
+    bool same(const Singularity<M>& a, const Singularity<M>& b, double tolerance) const {
+        if (!(std::abs(a.x() - b.x()) <= tolerance * scales_[0])) return false;
+        if (!(std::abs(a.y() - b.y()) <= tolerance * scales_[1])) return false;
+        return same_unknowns<M>(a.q, b.q, tolerance);
     }
     /// Keeps the refined point if Newton's method stayed near, and it is new.
-    void keep(Points& points, const LocusPoint<M>& near, const RefinedPoint<M, double>& refined) const {
-        const LocusPoint<M> at{refined.p[X], refined.p[Y], refined.q, refined.v};
-        if (!refined.converged || !same(at, near, 1e-3)) return;
+    void keep(Points& points, const Singularity<M>& near, Singularity<M> at) const {
+        at.active = near.active;
+        if (!at.converged || !same(at, near, 1e-3)) return;
         for (const auto& other : points)
             if (same(other, at, 1e-8)) return;
         points.push_back(at);
@@ -201,7 +204,7 @@ private:
             auto set = solve_multihomogeneous(System::system(numbers), System::grouping, run_.with_seed(seed), {},
                                               more_digits_);
             for (const auto& root : set.roots)
-                if (const auto at = real_point(root)) keep(points, *at, refine(at->q, parameters_at(at->x, at->y)));
+                if (const auto at = real_point(root)) keep(points, *at, refine(at->q, at->p));
             return set;
         });
         return points;
@@ -218,9 +221,9 @@ private:
                     auto set =
                         solve_multihomogeneous(Branch::system(numbers), Branch::grouping, run_.with_seed(seed));
                     for (const auto& root : set.roots) {
-                        LocusPoint<M> at{0, 0, branch, {}};
+                        auto at = singularity_at<M, X, Y>(SingularityKind::pitchfork, branch, p_);
                         if (!real_parameters(&root.q[Branch::first_active], 1e-6, at)) continue;
-                        at.v = null_vector<M>(jacobian<M, double>(branch, parameters_at(at.x, at.y)));
+                        at.v = null_vector<M>(jacobian<M, double>(branch, at.p));
                         bool known = false;
                         for (const auto& other : points) known = known || same(other, at, 1e-8);
                         if (!known) points.push_back(at);

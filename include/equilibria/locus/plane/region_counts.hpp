@@ -10,6 +10,7 @@
 #include <equilibria/enumerate/enumerate.hpp>
 #include <equilibria/locus/plane/locus_result.hpp>
 #include <equilibria/locus/regions/regions.hpp>
+#include <equilibria/model/active_parameters.hpp>
 
 namespace equilibria::detail {
 
@@ -24,7 +25,7 @@ void place_points(Locus<M>& locus, const PlaneDecomposition& plane) {
                                     std::min(y - w.y_low, w.y_high - y) / w.height());
         for (const auto& curve : locus.curves)
             for (const auto& p : curve.points)
-                clearance = std::min(clearance, std::hypot((p.x - x) / w.width(), (p.y - y) / w.height()));
+                clearance = std::min(clearance, std::hypot((p.x() - x) / w.width(), (p.y() - y) / w.height()));
         const auto region = static_cast<std::size_t>(number);
         if (clearance > best[region]) best[region] = clearance, locus.regions[region].point = {x, y};
     };
@@ -53,16 +54,11 @@ inline bool differ_by_pairs(const std::vector<std::int64_t>& a, const std::vecto
 /// other cells, and at checks x checks points of a grid.
 template <Model M, int X, int Y>
 void count_regions(Locus<M>& locus, int checks, const RunOptions& run) {
-    const auto parameters_at = [&](double x, double y) {
-        Parameters<M> p = locus.parameters;
-        p[X] = x;
-        p[Y] = y;
-        return p;
-    };
+    const auto parameters_at = [&](double x, double y) { return with_active<X, Y>(locus.parameters, x, y); };
     std::vector<std::vector<PlanePoint>> lines;
     for (const auto& curve : locus.curves) {
         lines.emplace_back();
-        for (const auto& p : curve.points) lines.back().push_back({p.x, p.y});
+        for (const auto& p : curve.points) lines.back().push_back({p.x(), p.y()});
     }
     const PlaneDecomposition plane(locus.window, lines);
     locus.regions.resize(static_cast<std::size_t>(plane.regions()));

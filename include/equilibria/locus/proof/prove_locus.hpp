@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <complex>
 #include <cstdint>
 #include <ostream>
 #include <vector>
@@ -20,8 +21,11 @@
 
 #include <equilibria/certify/krawczyk.hpp>
 #include <equilibria/enumerate/prove.hpp>
+#include <equilibria/evaluation/point_of.hpp>
 #include <equilibria/locus/plane/locus_result.hpp>
+#include <equilibria/model/active_parameters.hpp>
 #include <equilibria/run/run_options.hpp>
+#include <equilibria/singularity/singularity.hpp>
 #include <equilibria/system/critical_system.hpp>
 #include <equilibria/system/symmetric_system.hpp>
 
@@ -67,13 +71,16 @@ public:
             for (std::size_t k = 0; k < curve.points.size(); ++k)
                 if (!special(curve.points[k]))
                     add(curve.kind, curve.points[k], across(curve, k),
-                        curve.kind == LocusKind::fold ? &proof_.folds : &proof_.pitchforks);
-        for (const auto& cusp : locus_->cusps) add(LocusKind::fold, cusp.at, {.third = 1}, &proof_.cusps);
-        for (const auto& point : locus_->extremal)
-            add(point.kind, point.at,
-                {.extremal = {point.parameter == Y ? 1.0 : 0.0, point.parameter == X ? 1.0 : 0.0}}, &proof_.extremal);
-        for (const auto& at : locus_->degenerate_pitchforks)
-            add(LocusKind::pitchfork, at, {.third = 1}, &proof_.degenerate_pitchforks);
+                        curve.kind == SingularityKind::fold ? &proof_.folds : &proof_.pitchforks);
+        for (const auto& at : locus_->points) {
+            if (at.extremal >= 0)
+                add(curve_of(at.kind), at, {.extremal = {at.extremal == Y ? 1.0 : 0.0, at.extremal == X ? 1.0 : 0.0}},
+                    &proof_.extremal);
+            else if (at.kind == SingularityKind::cusp)
+                add(SingularityKind::fold, at, {.third = 1}, &proof_.cusps);
+            else
+                add(SingularityKind::pitchfork, at, {.third = 1}, &proof_.degenerate_pitchforks);
+        }
         std::vector<double> radii(tasks_.size(), -1);
         run_.executor.for_blocks(tasks_.size(), 8, [&](std::size_t first, std::size_t last) {
             for (std::size_t k = first; k < last; ++k) radii[k] = radius(tasks_[k]);
@@ -86,7 +93,7 @@ public:
         }
         for (const LocusRegion& region : locus_->regions) {
             const auto proof =
-                prove(enumerate<M>(parameters_at(region.point.x, region.point.y), run_));
+                prove(enumerate<M>(with_active<X, Y>(locus_->parameters, region.point.x, region.point.y), run_));
             ++proof_.regions.of;
             proof_.regions.proved += proof.complete && proof.by_index == region.by_index;
         }
@@ -101,35 +108,22 @@ private:
         double third = 0;
     };
     struct Task {
-        LocusKind kind;
-        const LocusPoint<M>* at;
+        SingularityKind kind;  ///< fold or pitchfork: whose system it is
+        const Singularity<M>* at;
         Last last;
         ProvedShare* share;
     };
     using Folds = CriticalSystem<M, X, Y>;
     using Pitchforks = SymmetricSystem<M, X, Y>;
 
-    void add(LocusKind kind, const LocusPoint<M>& at, const Last& last, ProvedShare* share) {
+    void add(SingularityKind kind, const Singularity<M>& at, const Last& last, ProvedShare* share) {
         tasks_.push_back({kind, &at, last, share});
     }
-    Parameters<M> parameters_at(double x, double y) const {
-        Parameters<M> p = locus_->parameters;
-        p[X] = x;
-        p[Y] = y;
-        return p;
+    bool special(const Singularity<M>& at) const {
+        return std::ranges::any_of(locus_->points, [&](const auto& other) { return other.p == at.p; });
     }
-    bool special(const LocusPoint<M>& at) const {
-        const auto same = [&](const LocusPoint<M>& other) { return other.x == at.x && other.y == at.y; };
-        for (const auto& cusp : locus_->cusps)
-            if (same(cusp.at)) return true;
-        for (const auto& point : locus_->extremal)
-            if (same(point.at)) return true;
-        for (const auto& point : locus_->degenerate_pitchforks)
-            if (same(point)) return true;
-        return false;
-    }
-    Array<double, 2> unknowns(const LocusPoint<M>& at) const {
-        return {Folds::unknown(0, at.x, scales_[0]), Folds::unknown(1, at.y, scales_[1])};
+    Array<double, 2> unknowns(const Singularity<M>& at) const {
+        return {Folds::unknown(0, at.x(), scales_[0]), Folds::unknown(1, at.y(), scales_[1])};
     }
     /// A slice normal to the curve at its point number k.
     Last across(const LocusCurve<M>& curve, std::size_t k) const {
@@ -141,21 +135,20 @@ private:
 
     /// The radius within which the parameters are proved, in parts of the window; negative where nothing is.
     double radius(const Task& task) const {
-        if (task.kind == LocusKind::fold) return fold_radius(task);
+        if (task.kind == SingularityKind::fold) return fold_radius(task);
         if constexpr (Formulation<M>::reflection_symmetric) return pitchfork_radius(task);
         return -1;
     }
     double fold_radius(const Task& task) const {
         const Unknowns<M>& q = task.at->q;
         Generator generator(1);
-        auto numbers = Folds::numbers(parameters_at(task.at->x, task.at->y), scales_, generator);
+        auto numbers = Folds::numbers(task.at->p, scales_, generator);
         numbers.basis = basis(task);
         weigh(task, numbers);
         numbers.cusp = task.last.third;
-        Point<Folds, double> at;
-        for (auto& x : at.x) x = 0.0;
-        for (int i = 0; i < n_angles<M>; ++i) at.c[i] = std::cos(q[i]), at.s[i] = std::sin(q[i]);
-        for (int j = 0; j < n_coordinates<M>; ++j) at.x[j] = q[n_angles<M> + j];
+        Array<std::complex<double>, n_unknowns<Folds>> place{};
+        for (int u = 0; u < n; ++u) place[u] = q[u];
+        Point<Folds, double> at = point_of<Folds>(place);
         if constexpr (Folds::off_symmetric_branches) {
             double sum = 0;
             for (int i = 0; i < n_angles<M>; ++i) {
@@ -168,7 +161,7 @@ private:
     }
     double pitchfork_radius(const Task& task) const {
         Generator generator(1);
-        auto numbers = Pitchforks::numbers(parameters_at(task.at->x, task.at->y), scales_, task.at->q, generator);
+        auto numbers = Pitchforks::numbers(task.at->p, scales_, task.at->q, generator);
         numbers.plane.basis = basis(task);
         weigh(task, numbers);
         numbers.fourth = task.last.third;

@@ -18,7 +18,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <numbers>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -33,10 +32,11 @@
 #include <equilibria/locus/space/cusp_curve_result.hpp>
 #include <equilibria/locus/space/cusp_problem.hpp>
 #include <equilibria/model/derivatives.hpp>
+#include <equilibria/model/torus.hpp>
+#include <equilibria/singularity/null_vector.hpp>
 #include <equilibria/singularity/reduced_series.hpp>
 #include <equilibria/singularity/refine_cusp_tangency.hpp>
 #include <equilibria/singularity/refine_singularity.hpp>
-#include <equilibria/singularity/refine_symmetric_singularity.hpp>
 #include <equilibria/singularity/refine_umbilic.hpp>
 #include <equilibria/singularity/singularity.hpp>
 #include <equilibria/singularity/singularity_newton.hpp>
@@ -69,8 +69,8 @@ public:
             half.points.push_back(*start);
             curve.ends[side] = follow(half);
             append(curve, half, side);
-            if (curve.ends[0] == CuspCurveEnd::closed) {
-                curve.ends[1] = CuspCurveEnd::closed;
+            if (curve.ends[0] == CurveEnd::closed) {
+                curve.ends[1] = CurveEnd::closed;
                 break;
             }
         }
@@ -107,9 +107,9 @@ private:
     }
 
     std::optional<Point> start_at(const Unknowns<M>& q, const Parameters<M>& p) {
-        const auto cusp = refine_singularity<M, X, Y>(q, p);
+        const auto cusp = refine_singularity<M, SingularityKind::cusp, X, Y>(q, p);
         const bool found = cusp.converged && cusp.nullity == 1;
-        const Unknowns<M> v = found ? cusp.v : weakest_directions<1, M>(q, p)[0];
+        const Unknowns<M> v = found ? cusp.v : equilibria::null_vector<M>(jacobian<M, double>(q, p));
         const auto at =
             found ? Problem::packed(cusp.q, cusp.v, cusp.p[X], cusp.p[Y]) : Problem::packed(q, v, p[X], p[Y]);
         auto start = stepper_.start(at, p[Z], 1);
@@ -148,39 +148,39 @@ private:
         return bordered.determinant();
     }
 
-    CuspCurveEnd follow(Half& half) {
+    CurveEnd follow(Half& half) {
         const Point first = half.points.front();
         while (static_cast<int>(half.points.size()) < options_.most_points) {
             const Point& last = half.points.back();
             auto next = stepper_.advance(last);
-            if (symmetric_ && meets_mirror_image(half, next)) return CuspCurveEnd::symmetric;
+            if (symmetric_ && meets_mirror_image(half, next)) return CurveEnd::symmetric;
             if (!next) return given_up(half);
             const bool leaves = !contains(*next);
             if (leaves) next = at_border(last, *next);
             note_transitions(half, last, *next);
             if (!leaves && half.points.size() > 10 && closes(first, *next)) {
                 half.points.push_back(first);
-                return CuspCurveEnd::closed;
+                return CurveEnd::closed;
             }
             half.points.push_back(std::move(*next));
-            if (leaves) return CuspCurveEnd::box;
+            if (leaves) return CurveEnd::border;
         }
-        return CuspCurveEnd::length;
+        return CurveEnd::length;
     }
 
     /// Next to a face the last points, taken in ever smaller steps, are rounding.
-    CuspCurveEnd given_up(Half& half) const {
-        if (!at_face(half.points.back())) return CuspCurveEnd::step;
+    CurveEnd given_up(Half& half) const {
+        if (!at_face(half.points.back())) return CurveEnd::step;
         const auto is_noise = [&](const Point& at) { return at_face(at) && at.step < options_.path.first_step; };
         while (half.points.size() > 1 && is_noise(half.points.back())) half.points.pop_back();
         std::erase_if(half.transitions, [&](const auto& t) { return t.step + 1 >= half.points.size(); });
-        return CuspCurveEnd::degenerate;
+        return CurveEnd::degenerate;
     }
 
     /// Back at the first point, in the same direction; angles modulo 2 pi, the null vector up to its sign.
     bool closes(const Point& first, const Point& now) const {
         Direction d = stepper_.difference(first, now.q, now.p), along = now.tangent;
-        for (int i = 0; i < n_angles<M>; ++i) d.q(i) = std::remainder(d.q(i), 2 * std::numbers::pi);
+        for (int i = 0; i < n_angles<M>; ++i) d.q(i) = wrap(d.q(i));
         if (first.q.segment(n, n).dot(now.q.segment(n, n)) < 0) {
             d.q.segment(n, n) = -now.q.segment(n, n) - first.q.segment(n, n);
             along.q.segment(n, n) *= -1;
@@ -196,14 +196,12 @@ private:
         double off = std::max({std::abs(x_off), std::abs(y_off), std::abs(z_off)});
         for (int i = 0; i < n; ++i) off = std::max(off, std::abs(at.q[i] - near.q(i)));
         if (!at.converged || !(off < 1e-4)) {
-            at = Singularity<M>();
-            at.q = Problem::unknowns(near.q);
-            at.v = Problem::null_vector(near.q);
-            at.p = parameters(near);
+            at = singularity_at<M, X, Y, Z>(SingularityKind::undecided, Problem::unknowns(near.q), parameters(near),
+                                            Problem::null_vector(near.q));
             at.residual = near.residual;
-            at.nullity = nullity<M>(at.q, at.p, 0);
+            at.nullity = nullity<M>(jacobian<M, double>(at.q, at.p), 0);
         }
-        half.transitions.push_back({half.points.size() - 1, at.p[X], at.p[Y], at.p[Z], at});
+        half.transitions.push_back({half.points.size() - 1, at});
     }
 
     /// What changes sign between two points of the curve.
@@ -220,9 +218,10 @@ private:
         const std::size_t before = half.transitions.size();
         const auto swallowtail = zero(quartic);
         if (swallowtail)
-            note(half, *swallowtail,
-                 refine_singularity<M, X, Y, Z>(Problem::unknowns(swallowtail->q), parameters(*swallowtail),
-                                                Problem::null_vector(swallowtail->q)));
+            note(
+                half, *swallowtail,
+                refine_singularity<M, SingularityKind::swallowtail, X, Y, Z>(
+                    Problem::unknowns(swallowtail->q), parameters(*swallowtail), Problem::null_vector(swallowtail->q)));
         if constexpr (n >= 2)
             if (const auto at = zero(corank))
                 note(half, *at, refine_umbilic<M, X, Y, Z>(Problem::unknowns(at->q), parameters(*at)));
@@ -234,7 +233,7 @@ private:
                                                       Problem::null_vector(at->q)));
         }
         const auto along = [&](const CuspTransition<M>& t) {
-            const auto d = stepper_.difference(last, Problem::packed(t.at.q, t.at.v, t.x, t.y), t.z);
+            const auto d = stepper_.difference(last, Problem::packed(t.at.q, t.at.v, t.at.x(), t.at.y()), t.at.z());
             double sum = d.p * last.tangent.p * stepper_.parameter_weight() * stepper_.parameter_weight();
             for (int i = 0; i < n; ++i) sum += d.q(i) * last.tangent.q(i);
             for (int i = 2 * n; i < 2 * n + 2; ++i) sum += d.q(i) * last.tangent.q(i) * stepper_.metric()(i);
@@ -265,8 +264,8 @@ private:
                 if (!passes && !(sines(*next) < before)) return false;
             }
             const Point& near = passes ? last : *next;
-            const auto at = refine_symmetric_singularity<M, X, Y, Z>(Problem::unknowns(near.q), parameters(near),
-                                                                     Problem::null_vector(near.q));
+            const auto at = refine_singularity<M, SingularityKind::tetracritical_pitchfork, X, Y, Z>(
+                Problem::unknowns(near.q), parameters(near), Problem::null_vector(near.q));
             if (at.kind != SingularityKind::tetracritical_pitchfork || !contains(at)) return false;
             const double scales[] = {box_.x_high - box_.x_low, box_.y_high - box_.y_low, box_.z_high - box_.z_low};
             const double there[] = {at.p[X], at.p[Y], at.p[Z]}, here[] = {x(near), y(near), near.p};
@@ -281,9 +280,8 @@ private:
                 way = std::max(way, std::abs(there[k] - here[k]) / scales[k]);
             }
             if (!(off <= (passes ? 0.3 : 0.05) * way + 1e-9)) return false;
-            Unknowns<M> q = at.q;
-            for (int i = 0; i < n; ++i)  // the turn of the last point
-                q[i] += 2 * std::numbers::pi * std::round((near.q(i) - q[i]) / (2 * std::numbers::pi));
+            Unknowns<M> q = Problem::unknowns(near.q), way_there = displacement<M>(q, at.q);
+            for (int i = 0; i < n; ++i) q[i] += way_there[i];  // the turn of the last point
             Point end = near;
             end.q = Problem::packed(q, at.v, at.p[X], at.p[Y]);
             end.p = at.p[Z];
@@ -291,7 +289,7 @@ private:
                 note_transitions(half, last, *next);
                 half.points.push_back(*next);
             }
-            half.transitions.push_back({half.points.size() - 1, at.p[X], at.p[Y], at.p[Z], at});
+            half.transitions.push_back({half.points.size() - 1, at});
             half.points.push_back(std::move(end));
             return true;
         }
@@ -339,9 +337,13 @@ private:
     }
 
     void append(CuspCurve<M>& curve, const Half& half, std::size_t side) const {
-        std::vector<CuspCurvePoint<M>> points;
-        for (const Point& at : half.points)
-            points.push_back({x(at), y(at), at.p, Problem::unknowns(at.q), Problem::null_vector(at.q), fourth(at)});
+        std::vector<Singularity<M>> points;
+        for (const Point& at : half.points) {
+            points.push_back(singularity_at<M, X, Y, Z>(SingularityKind::cusp, Problem::unknowns(at.q), parameters(at),
+                                                        Problem::null_vector(at.q)));
+            points.back().nullity = 1;
+            points.back().derivatives[1] = fourth(at);
+        }
         if (side == 0) {
             curve.points.assign(points.rbegin(), points.rend());
             for (auto t = half.transitions.rbegin(); t != half.transitions.rend(); ++t) {

@@ -9,6 +9,7 @@
 
 #include <equilibria/continuation/path_options.hpp>
 #include <equilibria/core/error.hpp>
+#include <equilibria/locus/plane/curve_end.hpp>
 #include <equilibria/model/derivatives.hpp>
 #include <equilibria/singularity/singularity.hpp>
 
@@ -45,40 +46,9 @@ struct CuspCurveOptions {
     }
 };
 
-/// Why a curve of cusps ends.
-enum class CuspCurveEnd {
-    box,         ///< on a face of the box
-    closed,      ///< where it began
-    symmetric,   ///< on a symmetric branch, where it meets its mirror image: the last transition
-    degenerate,  ///< within 1e-6 of a face of the box where the step control gave up: the model is degenerate on it
-    step,        ///< the step control gave up elsewhere
-    length       ///< too many points
-};
-
-constexpr const char* to_string(CuspCurveEnd end) {
-    switch (end) {
-        case CuspCurveEnd::box: return "box";
-        case CuspCurveEnd::closed: return "closed";
-        case CuspCurveEnd::symmetric: return "symmetric";
-        case CuspCurveEnd::degenerate: return "degenerate";
-        case CuspCurveEnd::step: return "step";
-        case CuspCurveEnd::length: return "length";
-    }
-    return "unknown";
-}
-
-template <PotentialModel M>
-struct CuspCurvePoint {
-    double x = 0, y = 0, z = 0;  ///< the three parameters
-    Unknowns<M> q;               ///< the cusp
-    Unknowns<M> v;               ///< its unit null vector, continuous along the curve
-    double fourth = 0;           ///< b, the reduced fourth derivative
-};
-
 template <PotentialModel M>
 struct CuspTransition {
     std::size_t step = 0;  ///< between points step and step + 1
-    double x = 0, y = 0, z = 0;
     /// What it is, with the evidence. Where Newton's method did not confirm what changed sign on the curve: the point
     /// of the curve, `undecided` and not `converged`.
     Singularity<M> at;
@@ -86,9 +56,12 @@ struct CuspTransition {
 
 template <PotentialModel M>
 struct CuspCurve {
-    std::vector<CuspCurvePoint<M>> points;  ///< in order; none where no cusp was found to start from
-    std::array<CuspCurveEnd, 2> ends{CuspCurveEnd::step, CuspCurveEnd::step};  ///< at the first point, at the last
-    std::vector<CuspTransition<M>> transitions;                                ///< in the order of the points
+    /// Cusps in order, none where no cusp was found to start from: the null vector v is continuous along the curve, and
+    /// derivative(4) the reduced fourth derivative.
+    std::vector<Singularity<M>> points;
+    /// At the first point, at the last. `symmetric`: at the last transition. `degenerate`: within 1e-6 of a face.
+    std::array<CurveEnd, 2> ends{CurveEnd::step, CurveEnd::step};
+    std::vector<CuspTransition<M>> transitions;  ///< in the order of the points
 };
 
 }  // namespace equilibria

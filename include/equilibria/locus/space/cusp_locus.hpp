@@ -20,7 +20,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <numbers>
 #include <utility>
 #include <vector>
 
@@ -30,6 +29,8 @@
 #include <equilibria/locus/plane/plane_solver.hpp>
 #include <equilibria/locus/space/cusp_curve.hpp>
 #include <equilibria/locus/space/cusp_locus_result.hpp>
+#include <equilibria/model/active_parameters.hpp>
+#include <equilibria/model/torus.hpp>
 #include <equilibria/singularity/refine_singularity.hpp>
 
 namespace equilibria {
@@ -70,7 +71,7 @@ public:
             e.untraced_cusps += static_cast<std::uint64_t>(std::ranges::count(plane, false));
         for (const auto& curve : locus_.curves) {
             e.broken_curves += std::ranges::any_of(
-                curve.ends, [](auto end) { return end == CuspCurveEnd::step || end == CuspCurveEnd::length; });
+                curve.ends, [](auto end) { return end == CurveEnd::step || end == CurveEnd::length; });
             for (const auto& t : curve.transitions)
                 e.unconfirmed_transitions += t.at.kind == SingularityKind::undecided;
         }
@@ -120,17 +121,15 @@ private:
     CuspPlane<M> solved_at(double z) {
         CuspPlane<M> plane;
         plane.z = z;
-        Parameters<M> p = locus_.parameters;
-        p[Z] = z;
-        const auto points = PlaneSolver<M, X, Y>(p, run_).cusps(plane.counts);
-        std::vector<LocusPoint<M>> taken;
+        const PlaneSolver<M, X, Y> solver(with_active<Z>(locus_.parameters, z), run_);
+        const auto points = solver.cusps(plane.counts);
+        std::vector<Singularity<M>> taken;
         for (const auto& at : points) {
             if (std::ranges::any_of(taken, [&](const auto& other) { return same(other, at, 1e-7); })) continue;
             taken.push_back(at);
-            p[X] = at.x, p[Y] = at.y;
             if (!within(at))
                 ++plane.outside;
-            else if (at_face(at) && refine_singularity<M, X, Y>(at.q, p, at.v).kind != SingularityKind::cusp)
+            else if (at_face(at) && !is_cusp(at))
                 ++plane.degenerate;
             else
                 plane.cusps.push_back(at);
@@ -138,28 +137,29 @@ private:
         return plane;
     }
 
-    /// Parts of the box, beyond which x or y is off the range; below 0 inside.
-    double beyond(const LocusPoint<M>& at) const {
-        const CuspBox& b = locus_.box;
-        return std::max(std::max(b.x_low - at.x, at.x - b.x_high) / (b.x_high - b.x_low),
-                        std::max(b.y_low - at.y, at.y - b.y_high) / (b.y_high - b.y_low));
+    static bool is_cusp(const Singularity<M>& at) {
+        return refine_singularity<M, SingularityKind::cusp, X, Y>(at.q, at.p, at.v).kind == SingularityKind::cusp;
     }
-    bool within(const LocusPoint<M>& at) const { return beyond(at) < 1e-9; }
-    bool at_face(const LocusPoint<M>& at) const { return std::abs(beyond(at)) < 1e-9; }
+    /// Parts of the box, beyond which x or y is off the range; below 0 inside.
+    double beyond(const Singularity<M>& at) const {
+        const CuspBox& b = locus_.box;
+        return std::max(std::max(b.x_low - at.x(), at.x() - b.x_high) / (b.x_high - b.x_low),
+                        std::max(b.y_low - at.y(), at.y() - b.y_high) / (b.y_high - b.y_low));
+    }
+    bool within(const Singularity<M>& at) const { return beyond(at) < 1e-9; }
+    bool at_face(const Singularity<M>& at) const { return std::abs(beyond(at)) < 1e-9; }
 
     /// The same cusp, or its mirror image.
-    bool same(const LocusPoint<M>& a, const LocusPoint<M>& b, double tolerance) const {
+    bool same(const Singularity<M>& a, const Singularity<M>& b, double tolerance) const {
         const CuspBox& box = locus_.box;
-        if (!(std::abs(a.x - b.x) <= tolerance * (box.x_high - box.x_low))) return false;
-        if (!(std::abs(a.y - b.y) <= tolerance * (box.y_high - box.y_low))) return false;
+        if (!(std::abs(a.x() - b.x()) <= tolerance * (box.x_high - box.x_low))) return false;
+        if (!(std::abs(a.y() - b.y()) <= tolerance * (box.y_high - box.y_low))) return false;
         return same_unknowns<M>(a.q, b.q, tolerance) ||
-               (Formulation<M>::reflection_symmetric && same_unknowns<M>(a.q, b.q, tolerance, -1));
+               (Formulation<M>::reflection_symmetric && same_unknowns<M>(a.q, mirrored<M>(b.q), tolerance));
     }
 
-    void trace_from(const CuspPlane<M>& plane, const LocusPoint<M>& cusp, std::vector<std::vector<bool>>& traced) {
-        Parameters<M> p = locus_.parameters;
-        p[X] = cusp.x, p[Y] = cusp.y, p[Z] = plane.z;
-        auto curve = trace_cusp_curve<M, X, Y, Z>(p, cusp.q, locus_.box, options_.curve);
+    void trace_from(const CuspPlane<M>& plane, const Singularity<M>& cusp, std::vector<std::vector<bool>>& traced) {
+        auto curve = trace_cusp_curve<M, X, Y, Z>(with_active<Z>(cusp.p, plane.z), cusp.q, locus_.box, options_.curve);
         if (curve.points.empty()) return;
         for (std::size_t k = 0; k < locus_.planes.size(); ++k) {
             const auto& other = locus_.planes[k];
@@ -175,23 +175,18 @@ private:
     }
 
     /// Where the curve crosses the plane. Between its points are its transitions, at which it may turn back.
-    std::vector<LocusPoint<M>> crossings(const CuspCurve<M>& curve, double z) const {
-        struct Node {
-            LocusPoint<M> at;
-            double z;
-        };
-        std::vector<Node> nodes;
+    std::vector<Singularity<M>> crossings(const CuspCurve<M>& curve, double z) const {
+        std::vector<Singularity<M>> nodes;
         for (std::size_t i = 0; i < curve.points.size(); ++i) {
-            const auto& point = curve.points[i];
-            nodes.push_back({{point.x, point.y, point.q, point.v}, point.z});
+            nodes.push_back(curve.points[i]);
             for (const auto& t : curve.transitions)
-                if (t.step == i) nodes.push_back({{t.x, t.y, t.at.q, t.at.v}, t.z});
+                if (t.step == i) nodes.push_back(t.at);
         }
-        std::vector<LocusPoint<M>> found;
+        std::vector<Singularity<M>> found;
         for (std::size_t i = 0; i + 1 < nodes.size(); ++i) {
-            const Node &a = nodes[i], &b = nodes[i + 1];
-            if (!((a.z - z) * (b.z - z) <= 0)) continue;
-            const auto at = crossing(a.at, b.at, a.z == b.z ? 0 : (z - a.z) / (b.z - a.z), z);
+            const Singularity<M>&a = nodes[i], &b = nodes[i + 1];
+            if (!((a.z() - z) * (b.z() - z) <= 0)) continue;
+            const auto at = crossing(a, b, a.z() == b.z() ? 0 : (z - a.z()) / (b.z() - a.z()), z);
             if (std::ranges::none_of(found, [&](const auto& other) { return same(other, at, 1e-7); }))
                 found.push_back(at);
         }
@@ -199,19 +194,14 @@ private:
     }
 
     /// The cusp of the plane a part of the way from a to b; where Newton's method fails, the point of the chord.
-    LocusPoint<M> crossing(const LocusPoint<M>& a, const LocusPoint<M>& b, double part, double z) const {
+    Singularity<M> crossing(const Singularity<M>& a, const Singularity<M>& b, double part, double z) const {
         const auto between = [&](double u, double v) { return u + part * (v - u); };
-        LocusPoint<M> at = a;
-        at.x = between(a.x, b.x), at.y = between(a.y, b.y);
-        for (int i = 0; i < n; ++i) {
-            const double d = b.q[i] - a.q[i];
-            at.q[i] = a.q[i] + part * (i < n_angles<M> ? std::remainder(d, 2 * std::numbers::pi) : d);
-        }
-        Parameters<M> p = locus_.parameters;
-        p[X] = at.x, p[Y] = at.y, p[Z] = z;
-        const auto cusp = refine_singularity<M, X, Y>(at.q, p, at.v);
-        const LocusPoint<M> refined{cusp.p[X], cusp.p[Y], cusp.q, cusp.v};
-        return cusp.converged && same(refined, at, 1e-2) ? refined : at;
+        Singularity<M> at = a;
+        at.p = with_active<X, Y, Z>(locus_.parameters, between(a.x(), b.x()), between(a.y(), b.y()), z);
+        const auto d = displacement<M>(a.q, b.q);
+        for (int i = 0; i < n; ++i) at.q[i] = a.q[i] + part * d[i];
+        const auto refined = refine_singularity<M, SingularityKind::cusp, X, Y>(at.q, at.p, at.v);
+        return refined.converged && same(refined, at, 1e-2) ? refined : at;
     }
 
     RunOptions run_;

@@ -11,7 +11,7 @@
 
 #include <equilibria/locus/space/cusp_curve_result.hpp>
 #include <equilibria/paths/solution_counts.hpp>
-#include <equilibria/singularity/locus_point.hpp>
+#include <equilibria/singularity/singularity.hpp>
 
 namespace equilibria {
 
@@ -19,7 +19,7 @@ namespace equilibria {
 template <PotentialModel M>
 struct CuspPlane {
     double z = 0;
-    std::vector<LocusPoint<M>> cusps;  ///< those within the box, one of a mirror pair
+    std::vector<Singularity<M>> cusps;  ///< those within the box, one of a mirror pair
     std::uint64_t outside = 0;         ///< real cusps beyond the box, one of a mirror pair
     /// Real solutions on the faces of x and y that are no cusps, one of a mirror pair: the model is degenerate there,
     /// as without a mass, and all derivatives along the null vector are 0.

@@ -18,6 +18,7 @@
 #include <equilibria/core/array.hpp>
 #include <equilibria/core/dual.hpp>
 #include <equilibria/core/taylor.hpp>
+#include <equilibria/model/active_parameters.hpp>
 #include <equilibria/model/derivatives.hpp>
 
 namespace equilibria {
@@ -67,11 +68,7 @@ public:
     static Unknowns<M> unknowns(const Eigen::VectorXd& at) { return part(at, 0); }
     static Unknowns<M> null_vector(const Eigen::VectorXd& at) { return part(at, n); }
     Parameters<M> parameters(const Eigen::VectorXd& at, double z) const {
-        Parameters<M> p = parameters_;
-        p[X] = at(size - 2);
-        p[Y] = at(size - 1);
-        p[Z] = z;
-        return p;
+        return with_active<X, Y, Z>(parameters_, at(size - 2), at(size - 1), z);
     }
 
 private:

@@ -1,0 +1,45 @@
+/// \file
+/// From unknowns to points of (C*)^n x C^m (point.hpp): the cosines and sines of complex angles, in any real type.
+#pragma once
+
+#include <cmath>
+#include <complex>
+
+#include <equilibria/core/array.hpp>
+#include <equilibria/core/complex.hpp>
+#include <equilibria/evaluation/point.hpp>
+#include <equilibria/model/model.hpp>
+
+namespace equilibria {
+
+/// Angles in complex radians, then coordinates.
+template <class M, class S>
+using ComplexUnknowns = Array<Complex<S>, n_unknowns<M>>;
+
+/// The point of these unknowns: cos and sin of the angles, and the coordinates as they are. Angles far off the real
+/// axis overflow from |imaginary part| of about 700 in double.
+template <class M, class S>
+Point<M, S> point_of(const ComplexUnknowns<M, S>& q) {
+    using std::cos, std::exp, std::sin;
+    Point<M, S> y;
+    for (int i = 0; i < n_angles<M>; ++i) {
+        const S c = cos(q[i].re), s = sin(q[i].re), e = exp(q[i].im);
+        const S ch = (e + 1 / e) / 2, sh = (e - 1 / e) / 2;
+        y.c[i] = Complex<S>(S(c * ch), S(-(s * sh)));
+        y.s[i] = Complex<S>(S(s * ch), S(c * sh));
+    }
+    for (int j = 0; j < n_coordinates<M>; ++j) y.x[j] = q[n_angles<M> + j];
+    return y;
+}
+
+/// The same of std::complex, by its own cos and sin: a root's unknowns. For a lane of a pack see copy_lane.
+template <class M>
+Point<M, double> point_of(const Array<std::complex<double>, n_unknowns<M>>& q) {
+    const auto entry = [](const std::complex<double>& z) { return Complex<double>(z.real(), z.imag()); };
+    Point<M, double> y;
+    for (int i = 0; i < n_angles<M>; ++i) y.c[i] = entry(std::cos(q[i])), y.s[i] = entry(std::sin(q[i]));
+    for (int j = 0; j < n_coordinates<M>; ++j) y.x[j] = entry(q[n_angles<M> + j]);
+    return y;
+}
+
+}  // namespace equilibria

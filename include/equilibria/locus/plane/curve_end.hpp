@@ -1,0 +1,28 @@
+/// \file
+/// Why a curve of singularities ends, in a plane of parameters or in a space of three.
+#pragma once
+
+namespace equilibria {
+
+enum class CurveEnd {
+    border,      ///< at the border of the window, or on a face of the box
+    closed,      ///< where it began
+    symmetric,   ///< on a symmetric branch, where it meets its mirror image
+    degenerate,  ///< next to the border where the step control gave up: the model is degenerate on it (in space alone)
+    step,        ///< the step control gave up elsewhere
+    length       ///< too many points
+};
+
+constexpr const char* to_string(CurveEnd end) {
+    switch (end) {
+        case CurveEnd::border: return "border";
+        case CurveEnd::closed: return "closed";
+        case CurveEnd::symmetric: return "symmetric";
+        case CurveEnd::degenerate: return "degenerate";
+        case CurveEnd::step: return "step";
+        case CurveEnd::length: return "length";
+    }
+    return "unknown";
+}
+
+}  // namespace equilibria

@@ -1,1 +1,0 @@
-#include <equilibria/model/model.hpp>

@@ -1,1 +1,0 @@
-#include <equilibria/io/svg.hpp>

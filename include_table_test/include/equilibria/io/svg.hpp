@@ -1,1 +1,0 @@
-#include <equilibria/enumerate/enumerate.hpp>

@@ -1,1 +1,0 @@
-#include <equilibria/core/scalar.hpp>

@@ -1,1 +1,0 @@
-#include <equilibria/model/detail/angle.hpp>

@@ -11,16 +11,19 @@ using namespace equilibria;
 TEST_CASE("gnuplot: data blocks, and rows for those that are empty") {
     GnuplotData data;
     data.block("points", "1 2\n3 4\n").block("none", "").block("wide", "", 3);
-    CHECK(data.text() == "$points << EOD\n1 2\n3 4\nEOD\n$none << EOD\nnan nan \nEOD\n$wide << EOD\nnan nan nan \nEOD\n");
+    CHECK(data.text() ==
+          "$points << EOD\n1 2\n3 4\nEOD\n$none << EOD\nnan nan \nEOD\n$wide << EOD\nnan nan nan \nEOD\n");
 }
 
 TEST_CASE("gnuplot: numbers are no integers, text is quoted, arrays are never empty") {
     GnuplotData data;
     data.value("a", 3).value("b", 0.1).value("c", 1e-20).integer("n", 3).string("t", "it's {/:Italic x}");
-    CHECK(data.text() == "a = 3.0\nb = 0.10000000000000001\nc = 9.9999999999999995e-21\nn = 3\nt = 'it''s {/:Italic x}'\n");
+    CHECK(data.text() ==
+          "a = 3.0\nb = 0.10000000000000001\nc = 9.9999999999999995e-21\nn = 3\nt = 'it''s {/:Italic x}'\n");
     GnuplotData arrays;
     arrays.values("x", {1, 2.5}).strings("s", {"a", "b,c"}).values("none", {}).strings("no_text", {});
-    CHECK(arrays.text() == "array x[2] = [1.0,2.5]\narray s[2] = ['a','b,c']\narray none[1] = [0]\narray no_text[1] = ['']\n");
+    CHECK(arrays.text() ==
+          "array x[2] = [1.0,2.5]\narray s[2] = ['a','b,c']\narray none[1] = [0]\narray no_text[1] = ['']\n");
     GnuplotData text;
     text.string("lines", "a\nb");
     CHECK(text.text() == "lines = 'a b'\n");

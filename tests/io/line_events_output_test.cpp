@@ -1,4 +1,4 @@
-// Events on a line, and the diagram over it, as JSON and CSV.
+// Events on a line as JSON and CSV.
 #if __has_include(<nlohmann/json.hpp>)
 
 #include <cmath>
@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include <equilibria/io/results/diagram_output.hpp>
 #include <equilibria/io/results/line_events_output.hpp>
 
 #include "io/read_csv.hpp"
@@ -67,8 +66,9 @@ TEST_CASE("line events: an event and the tables beside it") {
     CHECK(again["paths"]["attempts"] == 2);
     CHECK(again["complete"] == false);
     CHECK(again["argument"] == two_intervals().argument());
-    for (const char* key : {"low", "high", "complex_solutions", "regular_solutions", "pitchfork_paths", "other_singular",
-                            "unexplained", "compared", "wrong_tables", "unclean", "solve_seconds", "seconds"})
+    for (const char* key :
+         {"low", "high", "complex_solutions", "regular_solutions", "pitchfork_paths", "other_singular", "unexplained",
+          "compared", "wrong_tables", "unclean", "solve_seconds", "seconds"})
         CHECK(again[key].is_number());
 }
 
@@ -93,20 +93,6 @@ TEST_CASE("line events: CSV") {
     CHECK(intervals_csv(found).text() ==
           "low,high,at,count,clean,index_0,index_1,index_2\n0,0.3333333333333333,0.1,2,1,1,1,0\n"
           "0.3333333333333333,1,0.5,4,0,2,1,1\n");
-}
-
-TEST_CASE("diagram: branches as JSON and CSV") {
-    BifurcationDiagram<M> diagram;
-    diagram.events = {an_event()};
-    diagram.failed_paths = 3;
-    diagram.pieces = {{0, {{0.25, {0.5, 1}}, {0.5, {0.75, 2}}}}, {2, {{0.125, {-0.5, 3}}}}};
-    const Json again = Json::parse(json_text(json_of(diagram, "gravity")));
-    CHECK(again["failed_paths"] == 3);
-    CHECK(again["events"][0]["gravity"] == 1.0 / 3);
-    CHECK(again["branches"].dump() ==
-          R"([{"index":0,"points":[[0.25,0.5,1.0],[0.5,0.75,2.0]]},{"index":2,"points":[[0.125,-0.5,3.0]]}])");
-    CHECK(diagram_csv(diagram, "gravity").text() ==
-          "branch,index,gravity,q1,q2\n0,0,0.25,0.5,1\n0,0,0.5,0.75,2\n1,2,0.125,-0.5,3\n");
 }
 
 #endif

@@ -22,7 +22,10 @@ TEST_CASE("text file: written, replaced, refused") {
     CHECK(held() == "one\n");
     write_text(file.name(), std::string("two\0\r\n", 6));
     CHECK(held() == std::string("two\0\r\n", 6));
-    CHECK(!std::filesystem::exists(file.name() + ".part"));
+    // nothing else is left beside it
+    const std::filesystem::path place(file.name());
+    for (const auto& entry : std::filesystem::directory_iterator(place.parent_path()))
+        CHECK((entry.path() == place || !entry.path().string().starts_with(file.name())));
 
     try {
         write_text(file.name() + "/below/a/file", "three");
@@ -35,6 +38,19 @@ TEST_CASE("text file: written, replaced, refused") {
 
     const tests::ScratchFile folder("folder");
     std::filesystem::create_directory(folder.name());
-    CHECK_THROWS_AS(write_text(folder.name(), "four"), std::system_error);
-    CHECK(!std::filesystem::exists(folder.name() + ".part"));
+    CHECK_THROWS_AS(write_text(folder.name(), "four"), std::system_error);  // no file, and not to be written to
+    CHECK(std::filesystem::is_empty(folder.name()));
+}
+
+TEST_CASE("text file: devices stay devices, links stay links") {
+    write_text("/dev/null", "nothing");
+    CHECK(std::filesystem::is_character_file("/dev/null"));
+
+    const tests::ScratchFile file("target"), link("link");
+    write_text(file.name(), "before");
+    std::filesystem::create_symlink(file.name(), link.name());
+    write_text(link.name(), "after");
+    CHECK(std::filesystem::is_symlink(link.name()));
+    std::ifstream in(file.name());
+    CHECK(std::string{std::istreambuf_iterator<char>(in), {}} == "after");
 }

@@ -18,12 +18,13 @@
 
 namespace equilibria {
 
-/// The image that gnuplot makes of a script; `terminal` is the argument of `set terminal`, for instance "svg size 900,700"
-/// or "pngcairo size 900,700". Throws std::runtime_error where gnuplot is missing or refuses the script.
+/// The image that gnuplot makes of a script; `terminal` is the argument of `set terminal`, for instance "svg size
+/// 900,700" or "pngcairo size 900,700". Throws std::runtime_error where gnuplot is missing or refuses the script.
 inline std::string gnuplot(const std::string& terminal, const std::string& script) {
     namespace fs = std::filesystem;
     std::random_device device;
-    const fs::path folder = fs::temp_directory_path() / ("equilibria-" + std::to_string(device()) + std::to_string(device()));
+    const fs::path folder =
+        fs::temp_directory_path() / ("equilibria-" + std::to_string(device()) + std::to_string(device()));
     fs::create_directory(folder);
     const fs::path input = folder / "script.gp", output = folder / "image";
     std::ofstream(input) << "set terminal " << terminal << "\nset output '" << output.string() << "'\n"
@@ -33,7 +34,8 @@ inline std::string gnuplot(const std::string& terminal, const std::string& scrip
     const std::string image{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
     fs::remove_all(folder);
     if (status != 0 || image.empty())
-        throw std::runtime_error("gnuplot is not on the PATH, or refused the script (status " + std::to_string(status) + ")");
+        throw std::runtime_error("gnuplot is not on the PATH, or refused the script (status " + std::to_string(status) +
+                                 ")");
     return image;
 }
 
@@ -59,10 +61,12 @@ public:
     GnuplotData& string(const std::string& name, std::string_view value) { return assign(name, quoted(value)); }
     /// Arrays count from 1. gnuplot has no empty ones: of nothing there is one entry, 0 or ''.
     GnuplotData& values(const std::string& name, const std::vector<double>& list) {
-        return array(name, list, [](double x) { return number(x); }, "0");
+        return array(
+            name, list, [](double x) { return number(x); }, "0");
     }
     GnuplotData& strings(const std::string& name, const std::vector<std::string>& list) {
-        return array(name, list, [](const std::string& text) { return quoted(text); }, "''");
+        return array(
+            name, list, [](const std::string& text) { return quoted(text); }, "''");
     }
     const std::string& text() const { return text_; }
 

@@ -33,8 +33,8 @@ struct BranchSample {
     std::string at;       ///< of a zero of an event function its name, else empty
 };
 
-/// Calls call(q, p, stable, at) for all points of a branch in their order: the critical point `from` that it leaves, the
-/// steps, and between them the zeros of `functions` and the critical points.
+/// Calls call(q, p, stable, at) for all points of a branch in their order: the critical point `from` that it leaves,
+/// the steps, and between them the zeros of `functions` and the critical points.
 template <class P, class Call>
 void for_each_point(const Branch<P>& branch, const std::vector<EventFunction<P>>& functions,
                     const CriticalPoint<P>* from, const Call& call) {
@@ -90,8 +90,8 @@ inline Json json_of(const std::vector<BranchSample>& samples) {
 }
 
 /// "parameter" and "measures" (their names), "nodes": critical points, each with the numbers of its "branches";
-/// "branches": each with "points", "stable", "parent" (a node, or null), "deflated", "nodes", "end"; "unexplained_steps",
-/// "seen", "images", "not_followed", "not_switched", "complete".
+/// "branches": each with "points", "stable", "parent" (a node, or null), "deflated", "nodes", "end";
+/// "unexplained_steps", "seen", "images", "not_followed", "not_switched", "complete".
 template <class P>
 Json json_of(const BranchGraph<P>& graph, const BranchMeasures<P>& how) {
     Json nodes = Json::array(), branches = Json::array(), unexplained = Json::array();
@@ -110,11 +110,16 @@ Json json_of(const BranchGraph<P>& graph, const BranchMeasures<P>& how) {
         for (const auto& step : edge.branch.unexplained)
             unexplained.push_back("branch " + std::to_string(k) + ": " + step.reason);
     }
-    return {{"parameter", how.parameter},           {"measures", how.names},
-            {"nodes", std::move(nodes)},            {"branches", std::move(branches)},
-            {"unexplained_steps", std::move(unexplained)}, {"seen", graph.seen},
-            {"images", graph.images},               {"not_followed", graph.not_followed},
-            {"not_switched", graph.not_switched},   {"complete", graph.complete()}};
+    return {{"parameter", how.parameter},
+            {"measures", how.names},
+            {"nodes", std::move(nodes)},
+            {"branches", std::move(branches)},
+            {"unexplained_steps", std::move(unexplained)},
+            {"seen", graph.seen},
+            {"images", graph.images},
+            {"not_followed", graph.not_followed},
+            {"not_switched", graph.not_switched},
+            {"complete", graph.complete()}};
 }
 
 /// A line a point: branch (from 0), parameter, the measures by their names, stable, at (the event function that is 0

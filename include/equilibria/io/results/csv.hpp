@@ -108,8 +108,7 @@ private:
 /// name1, name2, .. and what follows them, put behind `columns`.
 inline void add_columns(std::vector<std::string>& columns, std::string_view name, int count,
                         std::string_view suffix = "") {
-    for (int i = 1; i <= count; ++i)
-        columns.push_back(std::string(name) + std::to_string(i) + std::string(suffix));
+    for (int i = 1; i <= count; ++i) columns.push_back(std::string(name) + std::to_string(i) + std::string(suffix));
 }
 
 /// index_0, index_1, .. up to index_n: numbers of equilibria by index.

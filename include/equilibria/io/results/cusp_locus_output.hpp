@@ -18,10 +18,7 @@ namespace equilibria {
 /// The three parameters by their names, then the singularity.
 template <PotentialModel M>
 Json json_of(const CuspTransition<M>& t, const AxisNames& names) {
-    Json out{{"kind", kind_name(t.at.kind)},
-             {names.z, json_of(t.z)},
-             {names.x, json_of(t.x)},
-             {names.y, json_of(t.y)}};
+    Json out{{"kind", kind_name(t.at.kind)}, {names.z, json_of(t.z)}, {names.x, json_of(t.x)}, {names.y, json_of(t.y)}};
     add_keys(out, json_of(t.at));
     return out;
 }

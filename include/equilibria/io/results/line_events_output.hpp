@@ -73,8 +73,8 @@ Json json_of(const LineEvents<M>& found, const std::string& parameter) {
             {"seconds", found.seconds}};
 }
 
-/// A line an event: its parameter by its name, kind, q1, .. (angles in radians, then coordinates), v1, .. (the unit null
-/// vector), index, interval, residual, correction, third_derivative, fourth_derivative, slope.
+/// A line an event: its parameter by its name, kind, q1, .. (angles in radians, then coordinates), v1, .. (the unit
+/// null vector), index, interval, residual, correction, third_derivative, fourth_derivative, slope.
 template <Model M>
 CsvTable events_csv(const std::vector<LineEvent<M>>& events, const std::string& parameter) {
     std::vector<std::string> columns{parameter, "kind"};

@@ -82,9 +82,8 @@ Json json_of(const Locus<M>& locus, const AxisNames& names, int x) {
     for (const auto& curve : locus.curves) out["curves"].push_back(json_of(curve));
     for (const auto& region : locus.regions) out["regions"].push_back(json_of(region));
     for (const auto& b : locus.borders)
-        out["borders"].push_back({{"regions", {b.below, b.above}},
-                                  {"curve", b.curve},
-                                  {"kind", kind_name(locus.curves[b.curve].kind)}});
+        out["borders"].push_back(
+            {{"regions", {b.below, b.above}}, {"curve", b.curve}, {"kind", kind_name(locus.curves[b.curve].kind)}});
     for (const auto& p : locus.extremal) out["extremal"].push_back(json_of(p, names, x));
     out["argument"] = locus.argument();
     out["evidence"] = evidence_json(locus);

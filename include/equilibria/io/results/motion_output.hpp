@@ -25,8 +25,8 @@ Json evidence_json(const Motion<M>& motion) {
             {"largest_velocity_drift", motion.largest_velocity_drift}};
 }
 
-/// The evidence, and "points": each with "t", "q", "velocity", "momentum", "kinetic", "potential", "work", "dissipated",
-/// "balance", and, where the model has constraints, "multipliers" and "drift".
+/// The evidence, and "points": each with "t", "q", "velocity", "momentum", "kinetic", "potential", "work",
+/// "dissipated", "balance", and, where the model has constraints, "multipliers" and "drift".
 template <class M>
 Json json_of(const Motion<M>& motion) {
     Json out = evidence_json(motion), points = Json::array();

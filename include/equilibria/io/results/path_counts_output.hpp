@@ -31,10 +31,8 @@ inline void add_paths(Json& out, const PathCounts& n) {
 
 /// The evidence of a search for all complex solutions: "paths", "searches", "attempts", "solutions".
 inline Json json_of(const SolutionCounts& n) {
-    return {{"paths", json_of(n.paths)},
-            {"searches", n.searches},
-            {"attempts", n.attempts},
-            {"solutions", n.solutions}};
+    return {
+        {"paths", json_of(n.paths)}, {"searches", n.searches}, {"attempts", n.attempts}, {"solutions", n.solutions}};
 }
 
 }  // namespace equilibria

@@ -12,19 +12,14 @@ namespace equilibria {
 
 /// "exists", "distinct", "reality" (real, non-real, undecided), "index_proved", "index", "radius" (radians), "digits".
 inline Json json_of(const Certificate& c) {
-    return {{"exists", c.exists},
-            {"distinct", c.distinct},
-            {"reality", name(c.reality)},
-            {"index_proved", c.index_proved},
-            {"index", c.index},
-            {"radius", json_of(c.radius)},
+    return {{"exists", c.exists},         {"distinct", c.distinct},
+            {"reality", name(c.reality)}, {"index_proved", c.index_proved},
+            {"index", c.index},           {"radius", json_of(c.radius)},
             {"digits", c.digits}};
 }
 
 /// The value of the bound, or null.
-inline Json bound_json(const std::optional<ProvedBound>& bound) {
-    return bound ? Json(bound->value) : Json(nullptr);
-}
+inline Json bound_json(const std::optional<ProvedBound>& bound) { return bound ? Json(bound->value) : Json(nullptr); }
 
 /// An object of its own, beside the counts that the enumeration itself gives.
 template <Model M>
@@ -76,7 +71,8 @@ std::optional<Certificate> certificate_of(const Proof<M>& p, std::uint64_t path)
 template <Model M>
 void add_certificates(Json& equilibria, const Proof<M>& p) {
     for (auto& e : equilibria)
-        if (const auto c = certificate_of(p, e.at("path").template get<std::uint64_t>())) e["certificate"] = json_of(*c);
+        if (const auto c = certificate_of(p, e.at("path").template get<std::uint64_t>()))
+            e["certificate"] = json_of(*c);
 }
 
 }  // namespace equilibria

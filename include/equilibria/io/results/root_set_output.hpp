@@ -45,8 +45,8 @@ Json json_of(const Equilibrium<M>& e) {
     return out;
 }
 
-/// The parameters as an array in the model's order, or by their names. Throws InvalidArgument unless there is a name for
-/// each.
+/// The parameters as an array in the model's order, or by their names. Throws InvalidArgument unless there is a name
+/// for each.
 template <Model M>
 Json parameters_json(const Parameters<M>& p, const std::vector<std::string>& names = {}) {
     if (names.empty()) return json_list(p);

@@ -1,6 +1,6 @@
 /// \file
-/// Degenerate equilibria as JSON: points of a plane of two parameters, cusps, singularities of every kind. Here alone is
-/// known how these types name their members.
+/// Degenerate equilibria as JSON: points of a plane of two parameters, cusps, singularities of every kind. Here alone
+/// is known how these types name their members.
 #pragma once
 
 #include <string>

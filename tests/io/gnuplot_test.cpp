@@ -35,11 +35,11 @@ TEST_CASE("gnuplot: a script reads what stands before it") {
         return;
     }
     GnuplotData data;
-    data.value("third", 1).integer("n", 2).string("t", "it's").values("x", {0.5, -1e-3}).strings("s", {"a", "b c"});
+    data.value("third", 1).integer("n", 2).string("t", "it's").values("places", {0.5, -1e-3}).strings("words", {"a", "b c"});
     data.block("points", "1 2\n2 4\n").block("none", "");
     // a wrong value makes the script fail
     const std::string script =
-        "if (third / 3 == 0 || n != 2 || t ne \"it's\" || x[2] != -0.001 || s[2] ne 'b c') { exit status 3 }\n"
+        "if (third / 3 == 0 || n != 2 || t ne \"it's\" || places[2] != -0.001 || words[2] ne 'b c') { exit status 3 }\n"
         "plot $points with lines, $none with points\n";
     CHECK(gnuplot("svg size 200,100", data.text() + script).find("<svg") != std::string::npos);
     CHECK_THROWS_AS(gnuplot("svg size 200,100", data.text() + "if (n == 2) { exit status 3 }\n"), std::runtime_error);

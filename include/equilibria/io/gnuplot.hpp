@@ -44,7 +44,8 @@ inline std::string gnuplot_block(const std::string& name, const std::string& row
     return "$" + name + " << EOD\n" + rows + "EOD\n";
 }
 
-/// Data blocks and variables for a script file, in the order in which they are given. Numbers have every digit.
+/// Data blocks and variables for a script file, in the order in which they are given. Numbers have every digit. No array
+/// may be called x or y, which gnuplot plots over.
 class GnuplotData {
 public:
     /// $name: rows of numbers with spaces between. No rows become one that draws nothing, since gnuplot refuses a plot

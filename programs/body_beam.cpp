@@ -9,18 +9,17 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <equilibria/io/results/path_counts_output.hpp>
 #include <equilibria/storage/locked_file.hpp>
 #include <exception>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "support/body_beam_options.hpp"
-#include "support/command_line.hpp"
 #include "support/links.hpp"
-#include "support/numbers.hpp"
+#include "support/options.hpp"
 #include "support/output_file.hpp"
 #include "support/progress_bar.hpp"
 
@@ -28,7 +27,7 @@ namespace {
 
 using equilibria::mechanisms::BeamControl;
 using Beam = equilibria::mechanisms::RotatingBodyBeam<1>;
-using Json = nlohmann::ordered_json;
+using equilibria::Json;
 
 /// Of the spin about the undeformed beam; none where there is no such spin or where any tilt is as good.
 using WhirlSpeeds = std::array<std::vector<double>, 2>;
@@ -63,27 +62,94 @@ Answer answer(const BodyBeamValues& p, int modes, BeamControl control, BodyBeamR
                       : solved<2, BeamControl::momentum>(p, std::move(run));
 }
 
-Json counts(const equilibria::PathCounts& paths) {
-    return {{"paths", paths.total},       {"finite", paths.finite},           {"at_infinity", paths.at_infinity},
-            {"singular", paths.singular}, {"failed", paths.failed},           {"retracked", paths.retracked},
-            {"crossed", paths.crossed},   {"more_digits", paths.more_digits}, {"steps", paths.steps}};
+/// What the command line says.
+struct Command {
+    support::BodyBeamOptions body;
+    std::optional<double> speed, momentum;
+    BodyBeamRun run;
+    std::optional<support::OutputFile> json;
+
+    BeamControl control() const { return momentum ? BeamControl::momentum : BeamControl::speed; }
+    const char* control_name() const { return momentum ? "momentum" : "speed"; }
+    BodyBeamValues values() const {
+        auto p = support::body_beam_parameters<Beam>(body, speed.value_or(0));
+        if (momentum) p[Beam::momentum] = *momentum;
+        p[Beam::coupling] = body.coupled() ? 1 : 0;
+        return p;
+    }
+};
+
+Command read(int argc, char** argv) {
+    Command c;
+    CLI::App app{
+        "All relative equilibria of a rigid body with an elastic beam, free in space, with their index at fixed "
+        "angular "
+        "momentum: 0 where they are stable. Lengths, masses and times in any consistent units in which the beam has "
+        "line "
+        "density 1."};
+    support::add_body_beam_options(app, c.body);
+    app.add_option("--speed", c.speed, "angular speed, radians a unit of time: this or --momentum")
+        ->transform(support::positive());
+    app.add_option("--momentum", c.momentum, "size of the angular momentum: this or --speed")
+        ->transform(support::positive());
+    app.add_option(
+           "--checkpoint", c.run.checkpoint,
+           "keep the paths to the generic member in this file, and go on from it if it is there already: beams that "
+           "differ in speed, stiffness and moments alone share them")
+        ->transform(support::name_of("a file"));
+    support::add_seed(app, c.run.seed, "of the generic member and the start system, an integer (default 1)");
+    support::add_threads(app, c.run.threads, "1 to 1024, 0 for one each core (default 1); does not change the result");
+    app.add_flag("--prove", c.run.prove, "prove that each root exists and is distinct, and which are real (Krawczyk)");
+    support::add_output(app, "--json", c.json, "write JSON to this file, or to stdout for -, instead of a table");
+    support::parse(app, "body_beam", argc, argv);
+
+    if (c.body.modes > most_solved_modes)
+        support::fail("--modes", std::to_string(c.body.modes),
+                      "must be 1 or 2 here: the total degree grows 27 times a mode; body_beam_motion takes 4");
+    const char* const one = "one of --speed and --momentum must be given, and not both";
+    if (!c.speed && !c.momentum) support::fail("--speed", "", one);
+    if (c.speed && c.momentum) support::fail("--momentum", equilibria::to_text(*c.momentum), one);
+    return c;
 }
 
-std::string json(const support::BodyBeamOptions& body, BeamControl control, const BodyBeamValues& p,
-                 const BodyBeamRun& run, const Answer& a) {
+Json counts(const equilibria::PathCounts& paths) {
+    Json out = Json::object();
+    equilibria::add_paths(out, paths);
+    return out;
+}
+
+Json document(const RelativeEquilibrium& e) {
+    return {{"axis", equilibria::json_list(e.axis)},
+            {"modes", e.modes},
+            {"inertia", equilibria::json_rows(e.inertia)},
+            {"moment", e.moment},
+            {"momentum", e.momentum},
+            {"speed", e.speed},
+            {"index", e.index},
+            {"nullity", e.nullity},
+            {"stable", e.stable()},
+            {"family", e.circle ? "circle" : "point"},
+            {"energy", e.energy},
+            {"residual", e.residual},
+            {"condition", e.condition}};
+}
+
+Json document(const Command& c, const Answer& a) {
+    const auto& body = c.body;
     const auto& r = a.found;
-    Json out{{"body_mass", body.body_mass}, {"inertia", body.inertia}, {"centre", body.centre},
-             {"length", body.length},       {"mu", body.mu},           {"modes", body.modes},
-             {"strain", body.strain},       {"seed", run.seed},        {"threads", run.threads}};
-    out[control == BeamControl::speed ? "speed" : "momentum"] =
-        p[control == BeamControl::speed ? Beam::speed : Beam::momentum];
-    out["bound"] = r.generic.total;
-    out.update(counts(r.generic));
+    Json out{{"body_mass", body.body_mass},  {"inertia", body.inertia.values},
+             {"centre", body.centre.values}, {"length", body.length},
+             {"mu", body.mu.values},         {"modes", body.modes},
+             {"strain", body.strain},        {"seed", c.run.seed},
+             {"threads", c.run.threads},     {c.control_name(), c.momentum ? *c.momentum : *c.speed},
+             {"bound", r.generic.total}};
+    equilibria::add_paths(out, r.generic);
     out["generic_roots"] = r.generic_roots;
     out["followed"] = counts(r.paths);
     out["distinct"] = r.distinct;
     out["real"] = r.real;
-    if (run.prove) out.update({{"proved_distinct", r.proved_distinct}, {"proved_real", r.proved_real}});
+    if (c.run.prove)
+        equilibria::add_keys(out, {{"proved_distinct", r.proved_distinct}, {"proved_real", r.proved_real}});
     out["alarms"] = r.alarms;
     out["failures"] = r.failures;
     out["families"] = r.families;
@@ -91,35 +157,15 @@ std::string json(const support::BodyBeamOptions& body, BeamControl control, cons
     out["seconds"] = r.generic_seconds + r.seconds + r.proving_seconds;
     out["equilibria"] = Json::array();
     for (const auto& e : r.equilibria) {
-        Json inertia = Json::array();
-        for (int k = 0; k < 3; ++k) inertia.push_back({e.inertia(k, 0), e.inertia(k, 1), e.inertia(k, 2)});
-        out["equilibria"].push_back({{"axis", {e.axis(0), e.axis(1), e.axis(2)}},
-                                     {"modes", e.modes},
-                                     {"inertia", inertia},
-                                     {"moment", e.moment},
-                                     {"momentum", e.momentum},
-                                     {"speed", e.speed},
-                                     {"index", e.index},
-                                     {"nullity", e.nullity},
-                                     {"stable", e.stable()},
-                                     {"family", e.circle ? "circle" : "point"},
-                                     {"energy", e.energy},
-                                     {"residual", e.residual},
-                                     {"condition", e.condition}});
-        if (run.prove) out["equilibria"].back()["proved"] = e.proved;
+        out["equilibria"].push_back(document(e));
+        if (c.run.prove) out["equilibria"].back()["proved"] = e.proved;
     }
-    return out.dump(2) + "\n";
+    return out;
 }
 
-void print(const support::BodyBeamOptions& body, BeamControl control, const BodyBeamValues& p, const BodyBeamRun& run,
-           const Answer& a) {
-    const auto& r = a.found;
-    std::printf(
-        "Body of mass %g, inertia %s; beam of length %g, stiffnesses %s, %s strain, %d mode%s a direction; %s %g\n\n",
-        body.body_mass, support::joined(body.inertia).c_str(), body.length, support::joined(body.mu).c_str(),
-        body.strain.c_str(), body.modes, body.modes == 1 ? "" : "s",
-        control == BeamControl::speed ? "speed" : "momentum",
-        p[control == BeamControl::speed ? Beam::speed : Beam::momentum]);
+unsigned long long count(std::uint64_t value) { return value; }
+
+void print_equilibria(const RelativeEquilibria& r) {
     std::printf("axis                             moment    speed     momentum  index  modes\n");
     const auto zero = [](double x) { return std::abs(x) < 5e-8 ? 0.0 : x; };
     for (const auto& e : r.equilibria) {
@@ -128,7 +174,9 @@ void print(const support::BodyBeamOptions& body, BeamControl control, const Body
         for (const double u : e.modes) std::printf("%10.6f", zero(u));
         std::printf("%s%s%s\n", e.stable() ? "  stable" : "", e.circle ? "  circle" : "", e.proved ? "  proved" : "");
     }
-    const auto count = [](auto value) { return static_cast<unsigned long long>(value); };
+}
+
+void print_paths(const RelativeEquilibria& r, bool prove) {
     const auto line = [&](const char* what, const equilibria::PathCounts& n) {
         std::printf("%s: %llu paths: %llu finite, %llu at infinity, %llu singular, %llu failed\n", what, count(n.total),
                     count(n.finite), count(n.at_infinity), count(n.singular), count(n.failed));
@@ -140,8 +188,20 @@ void print(const support::BodyBeamOptions& body, BeamControl control, const Body
     for (const auto roots : r.generic_roots) std::printf(" %llu", count(roots));
     std::printf(" roots.\n%llu distinct roots here, %llu real, %zu relative equilibria up to the sense of turning\n",
                 count(r.distinct), count(r.real), r.equilibria.size());
-    if (run.prove)
+    if (prove)
         std::printf("Proved: %llu distinct roots, %llu of them real\n", count(r.proved_distinct), count(r.proved_real));
+}
+
+void print(const Command& c, const Answer& a) {
+    const auto& body = c.body;
+    const auto& r = a.found;
+    std::printf(
+        "Body of mass %g, inertia %s; beam of length %g, stiffnesses %s, %s strain, %d mode%s a direction; %s %g\n\n",
+        body.body_mass, support::joined(body.inertia.values).c_str(), body.length,
+        support::joined(body.mu.values).c_str(), body.strain.c_str(), body.modes, body.modes == 1 ? "" : "s",
+        c.control_name(), c.momentum ? *c.momentum : *c.speed);
+    print_equilibria(r);
+    print_paths(r, c.run.prove);
     if (r.paths.failed == 0 && r.paths.singular == 0 && r.alarms.empty()) std::printf("Each path is accounted for.\n");
     if (r.paths.failed > 0)
         std::printf("INCOMPLETE: %llu paths failed; equilibria may be missing.\n", count(r.paths.failed));
@@ -163,59 +223,18 @@ void print(const support::BodyBeamOptions& body, BeamControl control, const Body
 }  // namespace
 
 int main(int argc, char** argv) {
-    std::string speed, momentum, seed = "1", threads = "1", json_name, checkpoint;
-    bool prove = false;
-    support::BodyBeamOptions body;
-    CLI::App app{
-        "All relative equilibria of a rigid body with an elastic beam, free in space, with their index at fixed "
-        "angular "
-        "momentum: 0 where they are stable. Lengths, masses and times in any consistent units in which the beam has "
-        "line "
-        "density 1."};
-    support::add_body_beam_options(app, body);
-    app.add_option("--speed", speed, "angular speed, radians a unit of time: this or --momentum");
-    app.add_option("--momentum", momentum, "size of the angular momentum: this or --speed");
-    app.add_option("--seed", seed, "of the generic member and the start system, an integer (default 1)");
-    app.add_option("--threads", threads, "1 to 1024, 0 for one each core (default 1); does not change the result");
-    app.add_option(
-        "--checkpoint", checkpoint,
-        "keep the paths to the generic member in this file, and go on from it if it is there already: beams that "
-        "differ in speed, stiffness and moments alone share them");
-    app.add_flag("--prove", prove, "prove that each root exists and is distinct, and which are real (Krawczyk)");
-    app.add_option("--json", json_name, "write JSON to this file, or to stdout for -, instead of a table");
-    support::parse(app, "body_beam", argc, argv);
-
-    if (body.modes > most_solved_modes)
-        support::fail("--modes", std::to_string(body.modes),
-                      "must be 1 or 2 here: the total degree grows 27 times a mode; body_beam_motion takes 4");
-    if (speed.empty() == momentum.empty())
-        support::fail(speed.empty() ? "--speed" : "--momentum", momentum,
-                      "one of --speed and --momentum must be given, and not both");
-    const auto control = momentum.empty() ? BeamControl::speed : BeamControl::momentum;
-    const auto positive = [](double x) { return x > 0; };
-    auto p = support::body_beam_parameters<Beam>(
-        body,
-        control == BeamControl::speed ? support::number("--speed", speed, "must be a positive number", positive) : 0);
-    if (control == BeamControl::momentum)
-        p[Beam::momentum] = support::number("--momentum", momentum, "must be a positive number", positive);
-    p[Beam::coupling] = body.coupled() ? 1 : 0;
-    if (app.count("--checkpoint") > 0 && checkpoint.empty())
-        support::fail("--checkpoint", "''", "must be the name of a file");
+    Command c = read(argc, argv);
     std::optional<support::ProgressBar> bar("tracking");
-    const BodyBeamRun run{support::integer<std::uint64_t>("--seed", seed, 0, UINT64_MAX),
-                          support::integer<unsigned>("--threads", threads, 0, 1024),
-                          [&](std::uint64_t done, std::uint64_t all) { bar->update(done, all); }, checkpoint, prove};
-    std::optional<support::OutputFile> file;
-    if (app.count("--json") > 0) file.emplace("--json", json_name);
+    c.run.progress = [&](std::uint64_t done, std::uint64_t all) { bar->update(done, all); };
     try {
-        const Answer a = answer(p, body.modes, control, run);
+        const Answer a = answer(c.values(), c.body.modes, c.control(), c.run);
         bar.reset();
-        if (file) file->write(json(body, control, p, run, a));
-        if (!file || !file->to_stdout()) print(body, control, p, run, a);
+        if (c.json) c.json->write(equilibria::json_text(document(c, a)));
+        if (!to_stdout(c.json)) print(c, a);
         return a.found.generic.failed + a.found.paths.failed > 0 ? 1 : 0;
     } catch (const equilibria::CheckpointError& error) {
         bar.reset();
-        support::fail("--checkpoint", checkpoint, error.wrong());
+        support::fail("--checkpoint", c.run.checkpoint, error.wrong());
     } catch (const std::exception& error) {
         support::fail("command line", "", error.what());
     }

@@ -14,12 +14,11 @@
 #include <cstdlib>
 #include <equilibria/continuation/branch_graph.hpp>
 #include <equilibria/continuation/curves/critical_curve_trace.hpp>
-#include <equilibria/io/gnuplot.hpp>
 #include <equilibria/locus/line/model_problem.hpp>
+#include <equilibria/stability/inertia.hpp>
 #include <equilibria/studies/rotating_body_beam/rotating_body_beam.hpp>
 #include <equilibria/studies/rotating_body_beam/rotating_body_beam_boundary.hpp>
 #include <equilibria/studies/rotating_body_beam/rotating_body_beam_motion.hpp>
-#include <equilibria/stability/inertia.hpp>
 #include <exception>
 #include <filesystem>
 #include <map>
@@ -32,10 +31,13 @@
 #include <utility>
 #include <vector>
 
-#include "support/command_line.hpp"
-#include "support/fail.hpp"
-#include "support/numbers.hpp"
+#include "plots/body_beam_momentum.hpp"
+#include "plots/body_beam_ratio.hpp"
+#include "plots/body_beam_settling.hpp"
+#include "plots/body_beam_shapes.hpp"
+#include "support/options.hpp"
 #include "support/output_file.hpp"
+#include "support/pictures.hpp"
 
 namespace {
 
@@ -47,13 +49,13 @@ using Names = RotatingBodyBeam<1>;
 using Values = RotatingBodyBeamBoundary::Values;
 using std::numbers::pi;
 
-const std::string frame = "set tics out nomirror\nset border 31 lw 0.8\n";
-
 Values body(double ratio = 1.2) { return {2, 1.2, 1.3, 0.8, 0, 0, 0, 1, 1, ratio, 100}; }
 
 struct Figure {
-    std::string name, script;
-    int width, height;
+    std::string name;
+    GnuplotData data;
+    const char* script;
+    support::PictureSize size;
 };
 
 /// What the unknowns and the equations of the derivatives at the points are multiplied by. Either way the tangent's
@@ -330,45 +332,20 @@ std::string truncated_branches(BeamStrain strain) {
     return rows.str();
 }
 
-const std::string styles[] = {"lw 2.6 dt 1 lc rgb '#009e73'", "lw 1.8 dt (9,4) lc rgb '#e69f00'",
-                              "lw 1.8 dt (5,4) lc rgb '#0072b2'", "lw 1.8 dt (2,3) lc rgb '#cc79a7'"};
-
-const std::string truncated = "lw 1.6 dt (1,3) lc rgb '#555555'", pitchfork = "pt 7 ps 0.8 lc rgb 'black'",
-                  fold = "pt 9 ps 1 lc rgb '#d55e00'";
-
 Figure momentum_figure(const std::vector<const ContinuousBeam*>& beams, const std::vector<const Diagram*>& diagrams) {
-    std::ostringstream out;
+    GnuplotData data;
+    data.value("low", low).value("high", high);
     for (std::size_t s = 0; s < 2; ++s) {
-        const std::string number = std::to_string(s);
+        const std::string strain = std::to_string(s);
         auto by_index = pieces(*beams[s], *diagrams[s]);
-        for (int k = 0; k < 4; ++k)
-            out << gnuplot_block("b" + number + std::to_string(k), by_index[k].empty() ? "nan nan\n" : by_index[k]);
+        for (int k = 0; k < 4; ++k) data.block("b" + strain + std::to_string(k), by_index[k]);
         std::ostringstream folds, pitchforks;
         for (const auto& mark : marks(*beams[s], *diagrams[s]))
             (mark.fold ? folds : pitchforks) << mark.momentum << ' ' << mark.moment << '\n';
-        out << gnuplot_block("f" + number, folds.str().empty() ? "nan nan\n" : folds.str())
-            << gnuplot_block("p" + number, pitchforks.str())
-            << gnuplot_block("t" + number, truncated_branches<2>(s == 0 ? BeamStrain::linear : BeamStrain::coupled));
+        data.block("f" + strain, folds.str()).block("p" + strain, pitchforks.str());
+        data.block("t" + strain, truncated_branches<2>(s == 0 ? BeamStrain::linear : BeamStrain::coupled));
     }
-    out << frame << "set multiplot layout 1,2 margins 0.075,0.985,0.235,0.92 spacing 0.08\n"
-        << "set xlabel 'angular momentum |{/:Bold a}| / {/:Italic l}({/:Italic ρμ}_1)^{1/2}'\n"
-        << "set ylabel 'moment of inertia about the axis {/:Italic λ} / {/:Italic ρl}^{3}'\n"
-        << "unset key\n";
-    for (std::size_t s = 0; s < 2; ++s) {
-        const std::string n = std::to_string(s);
-        out << "set title '" << (s == 0 ? "(a) linear strain" : "(b) coupled strain") << "'\nplot [" << low << ":"
-            << high << "][0.65:" << (s == 0 ? 2.2 : 3.2) << "] $t" << n << " with lines " << truncated;
-        for (std::size_t k = 4; k-- > 0;) out << ", $b" << n << k << " with lines " << styles[k];
-        out << ", $p" << n << " with points " << pitchfork << ", $f" << n << " with points " << fold << '\n';
-    }
-    // the key: a picture of its own
-    out << "unset title\nunset xlabel\nunset ylabel\nunset tics\nunset border\nset key at screen 0.53,0.045 center "
-           "horizontal maxrows 1 samplen 3\nset margins 0,0,0,0\nset size 1,0.08\nset origin 0,0\nplot [0:1][0:1]";
-    const char* names[] = {"stable", "index 1", "index 2", "index 3, 4"};
-    for (std::size_t k = 0; k < 4; ++k) out << " NaN with lines " << styles[k] << " title '" << names[k] << "',";
-    out << " NaN with points " << pitchfork << " title 'pitchfork', NaN with points " << fold
-        << " title 'fold', NaN with lines " << truncated << " title 'two modes, whirling'\nunset multiplot\n";
-    return {"body_beam_momentum", out.str(), 1150, 560};
+    return {"body_beam_momentum", data, plots::body_beam_momentum, {1150, 560}};
 }
 
 /// Critical points of the coupled beam over the ratio of the stiffnesses.
@@ -424,25 +401,13 @@ Figure ratio_figure(const ContinuousBeam& beam, const Diagram& diagram) {
         }
     // where both planes whirl at the same speed
     const double a1 = mechanisms::whirl_speeds<8>(body(1), 1)[0], a2 = mechanisms::whirl_speeds<8>(body(1), 2)[0];
-    std::ostringstream out;
-    const auto block = [&](const std::string& name, const std::ostringstream& rows) {
-        out << gnuplot_block(name, rows.str().empty() ? "nan nan\n" : rows.str());
-    };
-    block("first", first);
-    block("secondary", secondary);
-    block("folds", folds);
-    block("cusps", cusps);
-    out << "$double << EOD\n" << a1 * beam.parameters()[Names::inertia_3] << ' ' << a1 * a1 / (a2 * a2) << "\nEOD\n";
-    out << frame << "set xlabel 'angular momentum |{/:Bold a}| / {/:Italic l}({/:Italic ρμ}_1)^{1/2}'\n"
-        << "set ylabel 'ratio of the bending stiffnesses {/:Italic μ}_2 / {/:Italic μ}_1'\n"
-        << "set key outside right center samplen 2.6 spacing 1.3\n"
-        << "plot [2.8:7.2][" << least << ":" << most
-        << "] $first with lines lw 2.4 lc rgb '#0072b2' title 'the spin begins to whirl', "
-        << "$secondary with lines lw 2 dt (8,4) lc rgb '#009e73' title 'secondary pitchforks', "
-        << "$folds with lines lw 2 lc rgb '#d55e00' title 'folds', "
-        << "$double with points pt 7 ps 1.3 lc rgb '#0072b2' title 'double pitchfork', "
-        << "$cusps with points pt 9 ps 1.5 lc rgb 'black' " << (cusps.str().empty() ? "notitle\n" : "title 'cusps'\n");
-    return {"body_beam_ratio", out.str(), 900, 560};
+    std::ostringstream both;
+    both << a1 * beam.parameters()[Names::inertia_3] << ' ' << a1 * a1 / (a2 * a2) << '\n';
+    GnuplotData data;
+    data.value("least", least).value("most", most).integer("cusps", !cusps.str().empty());
+    data.block("first", first.str()).block("secondary", secondary.str()).block("folds", folds.str());
+    data.block("cusps", cusps.str()).block("double", both.str());
+    return {"body_beam_ratio", data, plots::body_beam_ratio, {900, 560}};
 }
 
 std::string number(double x) {
@@ -451,72 +416,72 @@ std::string number(double x) {
     return y.str();
 }
 
-/// Shapes in the plane in which the beam is bent.
+/// What is drawn of one shape.
+struct Shape {
+    std::string rows, caption;
+    int plane;
+    bool across;  ///< the axis of rotation is normal to the plane
+    Eigen::Vector2d centre, along;
+};
+
+/// In the plane in which the beam is bent; nothing of a straight beam that turns about another axis than its own.
+std::optional<Shape> shape_of(const ContinuousBeam& beam, const VectorXd& q, double momentum) {
+    const Vector3d tip = beam.displacement(q, 1);
+    Vector3d n = beam.axis(q);
+    const bool straight = tip.head<2>().norm() < 1e-6;
+    if (straight && std::abs(n(2)) < 0.5) return {};
+    const int plane = std::abs(tip(1)) > std::abs(tip(0)) ? 1 : 0;
+    const double side = tip(plane) < 0 ? -1 : 1;
+    if (n(2) < -1e-6) n *= -1;
+    n(plane) *= side;
+    std::ostringstream rows;
+    Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+    constexpr int pieces = 80;
+    for (int k = 0; k <= pieces; ++k) {
+        const double z = static_cast<double>(k) / pieces;
+        const Vector3d u = beam.displacement(q, z);
+        const Eigen::Vector2d r(side * u(plane), z + u(2));
+        rows << r(0) << ' ' << r(1) << '\n';
+        sum += (k % pieces == 0 ? 0.5 : 1.0) / pieces * r;
+    }
+    const Eigen::Vector2d along(n(plane), n(2));
+    std::ostringstream caption;
+    caption.precision(3);
+    caption << "{/:Italic ω} = " << beam.speed(q, momentum) << ", index " << index(beam, q, momentum);
+    return Shape{rows.str(), caption.str(), plane, along.norm() < 0.5, sum / (beam.parameters()[Names::body_mass] + 1),
+                 along};
+}
+
 Figure shape_figure(const std::vector<const ContinuousBeam*>& beams, const std::vector<const Diagram*>& diagrams) {
     constexpr double momenta[] = {7, 4.4};
-    constexpr std::size_t columns = 5;
-    std::ostringstream out;
-    out << "set multiplot layout 2," << columns << " margins 0.012,0.988,0.02,0.89 spacing 0.012,0.15\n"
-        << "unset key\nunset tics\nset border 31 lw 0.4 lc rgb '#bbbbbb'\nset size ratio -1\n";
+    constexpr int columns = 5;
+    GnuplotData data;
+    std::vector<std::string> captions, headings;
+    std::vector<double> rows, places, axes, across, centre_x, centre_y, along_x, along_y;
     for (std::size_t s = 0; s < 2; ++s) {
-        const auto& beam = *beams[s];
-        std::size_t drawn = 0;
-        const std::string heading = std::string("'") + (s == 0 ? "(a) linear" : "(b) coupled") +
-                                    " strain, |{/:Bold a}| = " + number(momenta[s]) + "' at screen 0.012," +
-                                    (s == 0 ? "0.965" : "0.465") + " left\n";
-        for (const VectorXd& q : equilibria_at(beam, *diagrams[s], momenta[s])) {
-            const Vector3d tip = beam.displacement(q, 1);
-            Vector3d n = beam.axis(q);
-            const bool straight = tip.head<2>().norm() < 1e-6;
-            if ((straight && std::abs(n(2)) < 0.5) || drawn == columns) continue;
-            const int plane = std::abs(tip(1)) > std::abs(tip(0)) ? 1 : 0;
-            const double side = tip(plane) < 0 ? -1 : 1;
-            if (n(2) < -1e-6) n *= -1;
-            n(plane) *= side;
-            std::ostringstream rows;
-            Eigen::Vector2d sum = Eigen::Vector2d::Zero();
-            constexpr int pieces = 80;
-            for (int k = 0; k <= pieces; ++k) {
-                const double z = static_cast<double>(k) / pieces;
-                const Vector3d u = beam.displacement(q, z);
-                const Eigen::Vector2d r(side * u(plane), z + u(2));
-                rows << r(0) << ' ' << r(1) << '\n';
-                sum += (k % pieces == 0 ? 0.5 : 1.0) / pieces * r;
-            }
-            const Eigen::Vector2d centre = sum / (beam.parameters()[Names::body_mass] + 1);
-            const Eigen::Vector2d along(n(plane), n(2));
-            const std::string name = "shape" + std::to_string(s) + std::to_string(drawn);
-            out << gnuplot_block(name, rows.str()) << "unset arrow\nunset object\nunset label\n"
-                << (drawn == 0 ? "set label 9 " + heading : "")
-                << "set object 1 ellipse center 0,-0.17 size 0.62,0.34 fs solid 1 fc rgb '#9ecae1' lw 1\n"
-                << "set arrow 1 from -1,-1.1 to -0.6,-1.1 lw 0.8 lc rgb '#777777' size 0.07,20 filled\n"
-                << "set arrow 2 from -1,-1.1 to -1,-0.7 lw 0.8 lc rgb '#777777' size 0.07,20 filled\n"
-                << "set label 1 '3' at -1,-0.58 center tc rgb '#777777'\n"
-                << "set label 2 '" << plane + 1 << "' at -0.54,-1.1 tc rgb '#777777'\n";
-            const bool across = along.norm() < 0.5;
-            if (across) {
-                out << "set object 3 circle center " << centre(0) << ',' << centre(1)
-                    << " size 0.11 front fs empty border lc rgb '#d55e00' lw 2\n"
-                    << "set object 4 circle center " << centre(0) << ',' << centre(1)
-                    << " size 0.035 front fs solid fc rgb '#d55e00' lw 0\n";
-            } else {
-                const Eigen::Vector2d head = centre + 1.15 * along, foot = centre - 1.0 * along;
-                out << "set arrow 3 from " << foot(0) << ',' << foot(1) << " to " << head(0) << ',' << head(1)
-                    << " front lw 1.6 dt (12,4,2,4) lc rgb '#d55e00' size 0.1,18 filled\n"
-                    << "set object 4 circle center " << centre(0) << ',' << centre(1)
-                    << " size 0.04 front fs solid fc rgb '#d55e00' lw 0\n";
-            }
-            std::ostringstream text;
-            text.precision(3);
-            text << "{/:Italic ω} = " << beam.speed(q, momenta[s]) << ", index " << index(beam, q, momenta[s]);
-            out << "set title '" << text.str() << "' offset 0,-0.7\n"
-                << "plot [-1.15:1.95][-1.25:1.55] $" << name << " with lines lw 4 lc rgb 'black'\n";
-            ++drawn;
+        headings.push_back(std::string(s == 0 ? "(a) linear" : "(b) coupled") +
+                           " strain, |{/:Bold a}| = " + number(momenta[s]));
+        int drawn = 0;
+        for (const VectorXd& q : equilibria_at(*beams[s], *diagrams[s], momenta[s])) {
+            const auto shape = drawn < columns ? shape_of(*beams[s], q, momenta[s]) : std::nullopt;
+            if (!shape) continue;
+            captions.push_back(shape->caption);
+            data.block("shape" + std::to_string(captions.size()), shape->rows);
+            rows.push_back(static_cast<double>(s));
+            places.push_back(drawn++);
+            axes.push_back(shape->plane + 1);
+            across.push_back(shape->across);
+            centre_x.push_back(shape->centre(0));
+            centre_y.push_back(shape->centre(1));
+            along_x.push_back(shape->along(0));
+            along_y.push_back(shape->along(1));
         }
-        for (; drawn < columns; ++drawn) out << "set multiplot next\n";
     }
-    out << "unset multiplot\n";
-    return {"body_beam_shapes", out.str(), 1250, 560};
+    data.integer("columns", columns).integer("shapes", static_cast<long long>(captions.size()));
+    data.strings("heading", headings).strings("caption", captions).values("row", rows).values("column", places);
+    data.values("axis", axes).values("across", across).values("centre_x", centre_x).values("centre_y", centre_y);
+    data.values("along_x", along_x).values("along_y", along_y);
+    return {"body_beam_shapes", data, plots::body_beam_shapes, {1250, 560}};
 }
 
 /// From near the spin about the beam's axis, with damping.
@@ -554,23 +519,11 @@ std::string settling_rows(double momentum, double end) {
 
 Figure settling_figure() {
     constexpr double end = 80;
-    std::ostringstream out;
-    out << gnuplot_block("linear", settling_rows<BeamStrain::linear>(7, end))
-        << gnuplot_block("coupled", settling_rows<BeamStrain::coupled>(7, end)) << frame
-        << "set multiplot layout 3,1 margins 0.1,0.98,0.1,0.93 spacing 0.025\n"
-        << "set grid lc rgb '#dddddd'\nset format x ''\nset key at screen 0.54,0.985 center top horizontal samplen 3\n";
-    const char* labels[] = {"wobble angle [°]", "tip displacement / {/:Italic l}",
-                            "energy / ({/:Italic μ}_1/{/:Italic l})"};
-    for (int k = 0; k < 3; ++k) {
-        if (k == 2)
-            out << "set format x '%g'\nset xlabel 'time {/:Italic t} / {/:Italic l}^2({/:Italic ρ}/{/:Italic "
-                   "μ}_1)^{1/2}'\n";
-        out << "set ylabel '" << labels[k] << "'\nplot [0:" << end << "] $linear using 1:" << k + 2
-            << " with lines lw 1.6 lc rgb '#0072b2' title 'linear strain', $coupled using 1:" << k + 2
-            << " with lines lw 1.6 lc rgb '#d55e00' title 'coupled strain'\nunset key\n";
-    }
-    out << "unset multiplot\n";
-    return {"body_beam_settling", out.str(), 1000, 760};
+    GnuplotData data;
+    data.value("end", end);
+    data.block("linear", settling_rows<BeamStrain::linear>(7, end));
+    data.block("coupled", settling_rows<BeamStrain::coupled>(7, end));
+    return {"body_beam_settling", data, plots::body_beam_settling, {1000, 760}};
 }
 
 }  // namespace
@@ -580,21 +533,19 @@ int main(int argc, char** argv) {
     CLI::App app{
         "The figures of the rotating body with a beam as PNG (needs gnuplot): relative equilibria against the angular "
         "momentum, pitchforks and folds over the ratio of the bending stiffnesses, shapes, and motions that settle."};
-    app.add_option("--out", folder, "the folder to write them to (default: this one)");
+    app.add_option("--out", folder, "the folder to write them to (default: this one)")->transform(support::a_folder());
     support::parse(app, "body_beam_figures", argc, argv);
     try {
-        if (!std::filesystem::is_directory(folder)) support::fail("--out", support::shown(folder), "must be a folder");
         const ContinuousBeam linear(body(), BeamStrain::linear), coupled(body(), BeamStrain::coupled);
         const Diagram of_linear = diagram_of(linear), of_coupled = diagram_of(coupled);
         const Figure figures[] = {momentum_figure({&linear, &coupled}, {&of_linear, &of_coupled}),
                                   ratio_figure(coupled, of_coupled),
                                   shape_figure({&linear, &coupled}, {&of_linear, &of_coupled}), settling_figure()};
         for (const auto& figure : figures) {
-            const std::string path = folder + "/" + figure.name + ".png";
-            const std::string twice = std::to_string(2 * figure.width) + "," + std::to_string(2 * figure.height);
-            support::OutputFile("--out", path)
-                .write(gnuplot("pngcairo size " + twice + " fontscale 1.8 linewidth 2 pointscale 2", figure.script));
-            std::printf("%s\n", path.c_str());
+            support::Pictures pictures;
+            pictures.png.emplace("--out", folder + "/" + figure.name + ".png");
+            pictures.draw(figure.size, figure.data, figure.script);
+            std::printf("%s/%s.png\n", folder.c_str(), figure.name.c_str());
         }
     } catch (const std::exception& error) {
         std::fprintf(stderr, "body_beam_figures: %s\n", error.what());

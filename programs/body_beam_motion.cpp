@@ -1,5 +1,5 @@
-// The motion of a rotating body with a damped elastic beam, and the relative equilibria in which it ends: section 2 of
-// the seed.
+// The motion of a rotating body with a damped elastic beam, and the relative equilibria in which it ends
+// (docs/body-beam.md).
 //
 //   body_beam_motion --momentum 10 --damping 0.3,0.3,0.3 --runs 200 --threads 0 --json runs.json
 //   body_beam_motion --strain coupled --t-end 50 --samples 500 --csv motion.csv
@@ -7,15 +7,16 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
-#include <equilibria/run/threads.hpp>
 #include <equilibria/core/random.hpp>
+#include <equilibria/io/results/csv.hpp>
+#include <equilibria/io/results/json.hpp>
+#include <equilibria/model/derivatives.hpp>
+#include <equilibria/run/threads.hpp>
+#include <equilibria/stability/inertia.hpp>
 #include <equilibria/studies/rotating_body_beam/rotating_body_beam.hpp>
 #include <equilibria/studies/rotating_body_beam/rotating_body_beam_motion.hpp>
-#include <equilibria/model/derivatives.hpp>
-#include <equilibria/stability/inertia.hpp>
 #include <exception>
 #include <iterator>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <sstream>
 #include <string>
@@ -23,23 +24,26 @@
 #include <vector>
 
 #include "support/body_beam_options.hpp"
-#include "support/command_line.hpp"
-#include "support/numbers.hpp"
+#include "support/options.hpp"
 #include "support/output_file.hpp"
 
 namespace {
 
+using equilibria::Json;
 using equilibria::mechanisms::BeamDamping, equilibria::mechanisms::BeamStrain, equilibria::mechanisms::BodyBeamEvidence,
     equilibria::mechanisms::BodyBeamStatus;
-using Json = nlohmann::ordered_json;
 
 struct Options {
     support::BodyBeamOptions body;
-    BeamDamping damping{0.3, 0.3, 0.3};
+    support::List damping_values{{0.3, 0.3, 0.3}};
     double momentum = 10, t_end = 0, tolerance = 1e-9, deflection = 0.1;
-    int samples = 1000, runs = 1;
+    int samples = 1000, runs = 200;
     std::uint64_t seed = 1;
     unsigned threads = 1;
+
+    BeamDamping damping() const {
+        return {damping_values.values[0], damping_values.values[1], damping_values.values[2]};
+    }
 };
 
 /// A relative equilibrium in which motions ended.
@@ -58,12 +62,13 @@ struct Run {
     int equilibrium = -1;  ///< where it ended; none where it did not settle
 };
 
-std::string columns(int modes) {
-    std::string y = "t,q_w,q_x,q_y,q_z,w_1,w_2,w_3,a_1,a_2,a_3,space_a_1,space_a_2,space_a_3";
+std::vector<std::string> columns(int modes) {
+    std::vector<std::string> y{"t",   "q_w", "q_x", "q_y", "q_z",       "w_1",       "w_2",
+                               "w_3", "a_1", "a_2", "a_3", "space_a_1", "space_a_2", "space_a_3"};
     for (const char* name : {"u", "v"})
-        for (int d = 1; d <= 3; ++d)
-            for (int i = 1; i <= modes; ++i) y += "," + std::string(name) + std::to_string(d) + "_" + std::to_string(i);
-    return y + ",energy,dissipated,wobble";
+        for (int d = 1; d <= 3; ++d) equilibria::add_columns(y, name + std::to_string(d) + "_", modes);
+    y.insert(y.end(), {"energy", "dissipated", "wobble"});
+    return y;
 }
 
 /// The motion of the first of the starts, and the ends of all.
@@ -84,7 +89,7 @@ struct Solver {
     using Start = equilibria::mechanisms::BodyBeamState<K>;
 
     const Options& options;
-    Motion motion{support::body_beam_parameters<M>(options.body, 0), options.damping};
+    Motion motion{support::body_beam_parameters<M>(options.body, 0), options.damping()};
 
     /// All from one generator: what run k starts from does not depend on the threads.
     std::vector<Start> starts() const {
@@ -195,12 +200,9 @@ Study study(const Options& options, bool many) {
 }
 
 std::string csv(const Study& study, int modes) {
-    std::ostringstream out;
-    out.precision(17);
-    out << columns(modes) << '\n';
-    for (const auto& row : study.rows)
-        for (std::size_t k = 0; k < row.size(); ++k) out << row[k] << (k + 1 < row.size() ? ',' : '\n');
-    return out.str();
+    equilibria::CsvTable table(columns(modes));
+    for (const auto& row : study.rows) table.add(equilibria::CsvRow().add_all(row));
+    return table.text();
 }
 
 /// The largest over runs or equilibria.
@@ -211,7 +213,7 @@ double worst(const Items& items, const Value& value) {
     return y;
 }
 
-Json json(const BodyBeamEvidence& x) {
+Json document(const BodyBeamEvidence& x) {
     return {{"steps", x.steps},
             {"evaluations", x.evaluations},
             {"momentum_drift", x.momentum_drift},
@@ -219,16 +221,16 @@ Json json(const BodyBeamEvidence& x) {
             {"energy_increase", x.energy_increase}};
 }
 
-std::string json(const Options& o, const Study& study) {
+Json document(const Options& o, const Study& study) {
     Json out{{"body",
               {{"mass", o.body.body_mass},
-               {"inertia", o.body.inertia},
-               {"centre", o.body.centre},
+               {"inertia", o.body.inertia.values},
+               {"centre", o.body.centre.values},
                {"length", o.body.length},
-               {"mu", o.body.mu},
+               {"mu", o.body.mu.values},
                {"modes", o.body.modes},
                {"strain", o.body.strain}}},
-             {"damping", {o.damping.bending_1, o.damping.bending_2, o.damping.stretching}},
+             {"damping", o.damping_values.values},
              {"momentum", o.momentum},
              {"deflection", o.deflection},
              {"seed", o.seed},
@@ -253,10 +255,10 @@ std::string json(const Options& o, const Study& study) {
         run["modal_velocity"] = x.modal_velocity;
         run["deflection_from_rest"] = x.deflection;
         run["velocity_change"] = x.velocity_change;
-        run["evidence"] = json(x.evidence);
+        run["evidence"] = document(x.evidence);
         out["runs"].push_back(std::move(run));
     }
-    return out.dump(2) + "\n";
+    return out;
 }
 
 void print(const Study& study) {
@@ -290,78 +292,98 @@ void print(const Study& study) {
         worst(study.runs, [](const Run& x) { return x.time; }));
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
+/// What the command line says.
+struct Command {
     Options options;
-    std::string momentum = "10", damping = "0.3,0.3,0.3", t_end, samples = "1000", seed = "1", runs = "200",
-                threads = "1", tolerance = "1e-9", deflection = "0.1", csv_name, json_name;
+    bool one = false, many = true;  ///< the motion of the first start; the ends of many
+    bool t_end_given = false;
+    std::optional<support::OutputFile> csv, json;
+
+    bool quiet() const { return to_stdout(csv) || to_stdout(json); }
+    /// With a time of its own unless one is given.
+    Options until(double time) const {
+        Options y = options;
+        if (!t_end_given) y.t_end = time;
+        return y;
+    }
+};
+
+Command read(int argc, char** argv) {
+    Command c;
+    Options& o = c.options;
+    std::string csv_name, json_name;
     CLI::App app{
         "The motion of a rotating body with a damped elastic beam, free in space, from random starts: with --csv one "
         "motion, otherwise the relative equilibria in which many end."};
-    support::add_body_beam_options(app, options.body);
-    app.add_option("--momentum", momentum, "size of the angular momentum (default 10)");
-    app.add_option("--damping", damping, "k1,k2,k3 of bending and stretching (default 0.3,0.3,0.3)");
-    app.add_option("--t-end", t_end, "end of the motion (default 50), or the longest time to settle (default 10000)");
-    app.add_option("--samples", samples, "intervals of the CSV (default 1000)");
-    app.add_option("--seed", seed, "of the random starts (default 1)");
-    app.add_option("--deflection", deflection,
-                   "size of the lowest modes at the start, over length^(3/2) (default 0.1)");
-    app.add_option("--runs", runs, "starts (default 200)");
-    app.add_option("--tolerance", tolerance, "of the residual below which a motion has settled (default 1e-9)");
-    app.add_option("--threads", threads, "0: all of the machine's (default 1); the answer is the same");
+    support::add_body_beam_options(app, o.body);
+    app.add_option("--momentum", o.momentum, "size of the angular momentum (default 10)")
+        ->transform(support::positive());
+    app.add_option("--damping", o.damping_values, "k1,k2,k3 of bending and stretching (default 0.3,0.3,0.3)")
+        ->transform(
+            support::list("must be 3 numbers, 0 or more, with commas between", 3, 3, [](double k) { return k >= 0; }))
+        ->transform(support::three_numbers());
+    app.add_option("--t-end", o.t_end, "end of the motion (default 50), or the longest time to settle (default 10000)")
+        ->transform(support::positive());
+    app.add_option("--samples", o.samples, "intervals of the CSV (default 1000)")
+        ->transform(support::integer(1, 1'000'000));
+    support::add_seed(app, o.seed, "of the random starts (default 1)");
+    app.add_option("--deflection", o.deflection,
+                   "size of the lowest modes at the start, over length^(3/2) (default 0.1)")
+        ->transform(support::number_from(0, 1, "must be a number from 0 to 1"));
+    app.add_option("--runs", o.runs, "starts (default 200)")->transform(support::integer(1, 1'000'000));
+    app.add_option("--tolerance", o.tolerance, "of the residual below which a motion has settled (default 1e-9)")
+        ->transform(support::number_from(1e-12, 1e-3, "must be a number from 1e-12 to 1e-3"));
+    support::add_threads(app, o.threads, "0: all of the machine's (default 1); the answer is the same");
     app.add_option("--csv", csv_name, "write the motion of the first start to this file, or to stdout for -");
     app.add_option("--json", json_name, "write the ends of the runs to this file, or to stdout for - (then no table)");
     support::parse(app, "body_beam_motion", argc, argv);
-    support::check_body_beam(options.body);
-    try {
-        const auto positive = [](double x) { return x > 0; };
-        const bool one = app.count("--csv") > 0, many = !one || app.count("--runs") > 0 || app.count("--json") > 0;
-        options.momentum = support::number("--momentum", momentum, "must be a positive number", positive);
-        const auto k = support::three_numbers("--damping", damping, false);
-        if (*std::min_element(k.begin(), k.end()) < 0)
-            support::fail("--damping", damping, "must be 3 numbers, 0 or more, with commas between");
-        options.damping = {k[0], k[1], k[2]};
-        if (app.count("--t-end") > 0)
-            options.t_end = support::number("--t-end", t_end, "must be a positive number", positive);
-        options.samples = support::integer("--samples", samples, 1, 1'000'000);
-        options.seed = support::integer<std::uint64_t>("--seed", seed, 0, UINT64_MAX);
-        options.deflection = support::number("--deflection", deflection, "must be a number from 0 to 1",
-                                             [](double x) { return x >= 0 && x <= 1; });
-        options.runs = support::integer("--runs", runs, 1, 1'000'000);
-        options.tolerance = support::number("--tolerance", tolerance, "must be a number from 1e-12 to 1e-3",
-                                            [](double x) { return x >= 1e-12 && x <= 1e-3; });
-        options.threads = support::integer<unsigned>("--threads", threads, 0, 1024);
-        std::optional<support::OutputFile> csv_file, json_file;
-        if (one) csv_file.emplace("--csv", csv_name);
-        if (app.count("--json") > 0) json_file.emplace("--json", json_name);
-        if (csv_file && json_file && csv_name == json_name)
-            support::fail("--json", json_name, "must not be the file of --csv");
+    support::check_body_beam(o.body);
 
-        const auto solve = [&](bool all, double time) {
-            if (app.count("--t-end") == 0) options.t_end = time;
-            return options.body.coupled() ? study<BeamStrain::coupled>(options, all)
-                                          : study<BeamStrain::linear>(options, all);
-        };
+    c.one = app.count("--csv") > 0;
+    c.many = !c.one || app.count("--runs") > 0 || app.count("--json") > 0;
+    c.t_end_given = app.count("--t-end") > 0;
+    if (c.one) c.csv.emplace("--csv", csv_name);
+    if (app.count("--json") > 0) c.json.emplace("--json", json_name);
+    if (c.csv && c.json && csv_name == json_name) support::fail("--json", json_name, "must not be the file of --csv");
+    return c;
+}
+
+Study solve(const Options& options, bool many) {
+    return options.body.coupled() ? study<BeamStrain::coupled>(options, many)
+                                  : study<BeamStrain::linear>(options, many);
+}
+
+/// The motion of the first start; whether it came to its end.
+bool write_one(const Command& c) {
+    const Study y = solve(c.until(50), false);
+    c.csv->write(csv(y, c.options.body.modes));
+    if (!c.quiet())
+        std::printf(
+            "%s at t = %g; %llu steps; energy %.9g to %.9g, wobble %.6g to %.6g rad; momentum in space "
+            "%.1e, energy balance %.1e\n",
+            to_string(y.status), y.time, static_cast<unsigned long long>(y.evidence.steps), y.first_energy,
+            y.last_energy, y.first_wobble, y.last_wobble, y.evidence.momentum_drift, y.evidence.energy_balance);
+    return y.status == BodyBeamStatus::finished;
+}
+
+/// The ends of many; whether all settled.
+bool write_many(const Command& c) {
+    const Options options = c.until(10000);
+    const Study y = solve(options, true);
+    if (c.json) c.json->write(equilibria::json_text(document(options, y)));
+    if (!c.quiet()) print(y);
+    return std::all_of(y.runs.begin(), y.runs.end(),
+                       [](const Run& run) { return run.status == BodyBeamStatus::settled; });
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    try {
+        const Command c = read(argc, argv);
         bool good = true;
-        const bool quiet = (csv_file && csv_file->to_stdout()) || (json_file && json_file->to_stdout());
-        if (one) {
-            const Study y = solve(false, 50);
-            csv_file->write(csv(y, options.body.modes));
-            if (!quiet)
-                std::printf(
-                    "%s at t = %g; %llu steps; energy %.9g to %.9g, wobble %.6g to %.6g rad; momentum in space "
-                    "%.1e, energy balance %.1e\n",
-                    to_string(y.status), y.time, static_cast<unsigned long long>(y.evidence.steps), y.first_energy,
-                    y.last_energy, y.first_wobble, y.last_wobble, y.evidence.momentum_drift, y.evidence.energy_balance);
-            good = y.status == BodyBeamStatus::finished;
-        }
-        if (many) {
-            const Study y = solve(true, 10000);
-            if (json_file) json_file->write(json(options, y));
-            if (!quiet) print(y);
-            for (const auto& run : y.runs) good = good && run.status == BodyBeamStatus::settled;
-        }
+        if (c.one) good = write_one(c) && good;
+        if (c.many) good = write_many(c) && good;
         return good ? 0 : 1;
     } catch (const std::exception& error) {
         support::fail("command line", "", error.what());

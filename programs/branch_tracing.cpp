@@ -2,168 +2,177 @@
 // followed.
 //
 //   branch_tracing --case star_dome --svg dome.svg
+#include <cmath>
 #include <cstdio>
-#include <equilibria/io/gnuplot.hpp>
+#include <exception>
 #include <optional>
-#include <sstream>
-#include <type_traits>
+#include <string>
+#include <utility>
 #include <vector>
 
-#include "support/command_line.hpp"
-#include "support/numbers.hpp"
+#include "plots/branches.hpp"
+#include "support/options.hpp"
 #include "support/output_file.hpp"
+#include "support/pictures.hpp"
 #include "support/structures.hpp"
 #include "support/tracing.hpp"
 
 namespace {
 
 using Eigen::VectorXd;
-using support::Json;
 
-template <class P>
-std::string json(const support::Tracing<P>& t) {
-    Json out{{"case", t.name},
-             {"parameter", t.parameter},
-             {"measures", t.measures},
-             {"critical_points", critical_points_json(t)},
-             {"branches", Json::array()},
-             {"unexplained_steps", t.unexplained}};
-    for (const auto& b : t.branches) {
-        Json points = Json::array(), stable = Json::array();
-        for (const auto& point : b.points) {
-            points.push_back({point.parameter, point.measures[0], point.measures[1]});
-            stable.push_back(point.stable);
-        }
-        out["branches"].push_back({{"points", std::move(points)},
-                                   {"stable", std::move(stable)},
-                                   {"parent", b.parent ? Json(*b.parent) : Json(nullptr)},
-                                   {"end", b.end}});
+/// What the command line says.
+struct Command {
+    std::string name, strain = "green", load = "ring";
+    std::optional<double> rise;
+    int links = 3;
+    std::optional<support::Range> window;
+    equilibria::ContinuationOptions options;
+    std::optional<support::OutputFile> json;
+    support::Pictures pictures;
+
+    support::Strain strain_measure() const {
+        return strain == "green" ? support::Strain::green : support::Strain::engineering;
     }
-    return out.dump(1) + "\n";
+    /// The options with a case's own range of the parameter, unless one is given.
+    equilibria::ContinuationOptions within(double low, double high) const {
+        auto y = options;
+        y.low = window ? window->low : low;
+        y.high = window ? window->high : high;
+        return y;
+    }
+};
+
+Command read(int argc, char** argv) {
+    Command c;
+    const std::string cases = "must be von_mises_truss, star_dome, shallow_arch, rigid_link_chain or spring_elastica";
+    support::Range window;
+    CLI::App app{
+        "Follows the equilibria of a structure from its unloaded state, locates every fold and bifurcation, and "
+        "follows "
+        "the branches that leave the first one."};
+    const auto only = [&c](std::vector<std::string> names) {
+        return support::applies([&c, names = std::move(names)] {
+            for (const std::string& name : names)
+                if (c.name == name) return std::string();
+            return c.name;
+        });
+    };
+    app.add_option("--case", c.name, cases.substr(8))
+        ->transform(support::one_of(
+            {"von_mises_truss", "star_dome", "shallow_arch", "rigid_link_chain", "spring_elastica"}, cases));
+    app.add_option("--rise", c.rise, "of the truss over its half span (default 2), or of the arch (default 2.5)")
+        ->transform(support::positive())
+        ->transform(only({"von_mises_truss", "shallow_arch"}));
+    app.add_option("--strain", c.strain, "of the trusses' bars: green or engineering (default green)")
+        ->transform(support::one_of({"green", "engineering"}, "must be green or engineering"))
+        ->transform(only({"von_mises_truss", "star_dome"}));
+    app.add_option("--load", c.load, "of the dome: ring (1 a node, 0.5 at the apex) or apex (default ring)")
+        ->transform(support::one_of({"ring", "apex"}, "must be ring or apex"))
+        ->transform(only({"star_dome"}));
+    app.add_option("--links", c.links, "of the chains, 1 to 100000 (default 3)")
+        ->transform(CLI::Validator(
+            [&c](std::string& text) { return support::integer(1, c.name == "rigid_link_chain" ? 200 : 100000)(text); },
+            ""))
+        ->transform(only({"rigid_link_chain", "spring_elastica"}));
+    app.add_option("--parameter", window, "the range LOW:HIGH of the load (default: the case's own)")
+        ->transform(support::range("must be LOW:HIGH, finite, with LOW < HIGH", -1e12, 1e12));
+    app.add_option("--steps", c.options.most_steps, "of each branch at most, 1 to 100000 (default 1000)")
+        ->transform(support::integer(1, 100000));
+    support::add_output(app, "--json", c.json, "write JSON to this file, or to stdout for -");
+    c.pictures.add_to(app, "the branches");
+    support::parse(app, "branch_tracing", argc, argv);
+
+    if (c.name.empty()) support::fail("--case", "", cases);
+    if (app.count("--parameter") > 0) c.window = window;
+    c.options.path.largest_step = 0.05;
+    return c;
 }
 
-/// The parameter over the first measure; stable parts of branches heavier.
+/// Traces and writes; `how`: what is read off a configuration.
 template <class P>
-std::string script(const support::Tracing<P>& t) {
-    std::ostringstream out;
-    out << branch_blocks(t, 0) << "set tics out nomirror\nset border 31 lw 0.8\nset key outside right top samplen 2\n"
-        << "set title '" << support::title(t.name) << "'\nset xlabel '" << t.measures[0] << "'\nset ylabel '"
-        << t.parameter << "'\n"
-        << support::branch_plot();
-    return out.str();
+void run(const Command& c, const P& problem, equilibria::BranchMeasures<P> how, support::TracingStart<P> start) {
+    support::Tracing<P> t{.name = c.name, .how = std::move(how)};
+    trace(t, problem, start);
+    if (c.pictures.asked()) {
+        equilibria::GnuplotData data;
+        add_branches(data, t, 0);
+        data.string("measure", t.how.names[0]);
+        c.pictures.draw({1000, 620}, data, plots::branches);
+    }
+    if (c.json) c.json->write(equilibria::json_text(json_of(t), 1));
+    if (!to_stdout(c.json)) print(t);
+}
+
+void trace_truss(const Command& c) {
+    const double rise = c.rise.value_or(2);
+    const auto problem = support::von_mises_truss(rise, c.strain_measure());
+    run<support::Truss>(c, problem,
+                        {.parameter = "P / EA",
+                         .names = {"height of the apex", "sway of the apex"},
+                         .measure =
+                             [&](const VectorXd& q) {
+                                 return std::vector{problem.at(q, 1)(1), problem.at(q, 1)(0)};
+                             }},
+                        {problem.unloaded(), c.within(-1, 1), 0.02 * rise});
+}
+
+void trace_dome(const Command& c) {
+    const bool ring = c.load == "ring";
+    const auto problem = support::star_dome(ring ? 0.5 : 1, ring ? 1 : 0, c.strain_measure());
+    run<support::Truss>(c, problem,
+                        {.parameter = "P / EA",
+                         .names = {"height of the apex", "sway of the apex"},
+                         .measure =
+                             [&](const VectorXd& q) {
+                                 const Eigen::Vector3d x = problem.at(q, 0);
+                                 return std::vector{x(2), std::hypot(x(0), x(1))};
+                             }},
+                        {problem.unloaded(), c.within(-1e-3, ring ? 2e-3 : 1e-3), 0.3});
+}
+
+void trace_arch(const Command& c) {
+    const double rise = c.rise.value_or(2.5);
+    const support::ShallowArch problem{rise};
+    const double fold = rise > 1 ? problem.fold() : rise;
+    run<support::ShallowArch>(c, problem,
+                              {.parameter = "q",
+                               .names = {"A1", "A2"},
+                               .measure =
+                                   [](const VectorXd& q) {
+                                       return std::vector{q(0), q(1)};
+                                   }},
+                              {Eigen::Vector2d(rise, 0), c.within(2 * rise - fold - 3, fold + 3), 0.02 * rise});
+}
+
+/// P: the chain with a sparse or a dense tangent.
+template <class P>
+void trace_chain(const Command& c, const P& problem, double high) {
+    const double critical = problem.buckling_load();
+    auto options = c.within(-critical, high);
+    options.path.parameter_weight = 1 / critical;
+    run<P>(c, problem,
+           {.parameter = "P l / c",
+            .names = {"angle of the last link", "root mean square of the angles"},
+            .measure =
+                [](const VectorXd& q) {
+                    return std::vector{q(q.size() - 1), q.norm() / std::sqrt(static_cast<double>(q.size()))};
+                }},
+           {VectorXd::Zero(c.links), options, 0.05});
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-    std::string name, rise_text, strain_text = "green", load_text = "ring", links_text = "3", steps_text = "1000",
-                                 window_text, json_name, svg_name, png_name;
-    CLI::App app{
-        "Follows the equilibria of a structure from its unloaded state, locates every fold and bifurcation, and "
-        "follows "
-        "the branches that leave the first one."};
-    app.add_option("--case", name, "von_mises_truss, star_dome, shallow_arch, rigid_link_chain or spring_elastica");
-    app.add_option("--rise", rise_text, "of the truss over its half span (default 2), or of the arch (default 2.5)");
-    app.add_option("--strain", strain_text, "of the trusses' bars: green or engineering (default green)");
-    app.add_option("--load", load_text, "of the dome: ring (1 a node, 0.5 at the apex) or apex (default ring)");
-    app.add_option("--links", links_text, "of the chains, 1 to 100000 (default 3)");
-    app.add_option("--parameter", window_text, "the range LOW:HIGH of the load (default: the case's own)");
-    app.add_option("--steps", steps_text, "of each branch at most, 1 to 100000 (default 1000)");
-    app.add_option("--json", json_name, "write JSON to this file, or to stdout for -");
-    app.add_option("--svg", svg_name, "draw the branches to this SVG file (needs gnuplot)");
-    app.add_option("--png", png_name, "draw the branches to this PNG file (needs gnuplot)");
-    support::parse(app, "branch_tracing", argc, argv);
-
-    const bool truss = name == "von_mises_truss", dome = name == "star_dome", arch = name == "shallow_arch",
-               rigid = name == "rigid_link_chain", elastica = name == "spring_elastica";
-    if (!truss && !dome && !arch && !rigid && !elastica)
-        support::fail("--case", name,
-                      "must be von_mises_truss, star_dome, shallow_arch, rigid_link_chain or spring_elastica");
-    if (strain_text != "green" && strain_text != "engineering")
-        support::fail("--strain", strain_text, "must be green or engineering");
-    if (load_text != "ring" && load_text != "apex") support::fail("--load", load_text, "must be ring or apex");
-    const auto applies = [&](const char* option, bool here, const std::string& text) {
-        if (app.count(option) > 0 && !here) support::fail(option, text, "does not apply to " + name);
-    };
-    applies("--rise", truss || arch, rise_text);
-    applies("--strain", truss || dome, strain_text);
-    applies("--load", dome, load_text);
-    applies("--links", rigid || elastica, links_text);
-    if (rise_text.empty()) rise_text = arch ? "2.5" : "2";
-    const double rise =
-        support::number("--rise", rise_text, "must be a positive number", [](double r) { return r > 0; });
-    const int links = support::integer<int>("--links", links_text, 1, rigid ? 200 : 100000);
-    equilibria::ContinuationOptions options;
-    options.most_steps = support::integer<int>("--steps", steps_text, 1, 100000);
-    std::optional<support::OutputFile> json_file, svg_file, png_file;
-    if (app.count("--json") > 0) json_file.emplace("--json", json_name);
-    if (app.count("--svg") > 0) svg_file.emplace("--svg", svg_name);
-    if (app.count("--png") > 0) png_file.emplace("--png", png_name);
-
-    const auto strain = strain_text == "green" ? support::Strain::green : support::Strain::engineering;
-    const auto window = [&](double low, double high) {
-        options.low = low;
-        options.high = high;
-        if (app.count("--parameter") > 0) {
-            const auto given =
-                support::range("--parameter", window_text, "must be LOW:HIGH, finite, with LOW < HIGH", -1e12, 1e12);
-            options.low = given.low;
-            options.high = given.high;
-        }
-    };
-    options.path.largest_step = 0.05;
+    const Command c = read(argc, argv);
     try {
-        const auto run = [&](const auto& problem, const VectorXd& start, double amplitude, const char* parameter,
-                             std::vector<std::string> measures, const auto& measure) {
-            support::Tracing<std::remove_cvref_t<decltype(problem)>> t;
-            t.name = name;
-            t.parameter = parameter;
-            t.measures = std::move(measures);
-            t.value = [](const VectorXd&, double p) { return p; };
-            t.measure = measure;
-            trace(t, problem, start, options, amplitude);
-            if (svg_file)
-                svg_file->write(
-                    equilibria::gnuplot("svg size 1000,620 font 'Helvetica,14' background 'white'", script(t)));
-            if (png_file)
-                png_file->write(
-                    equilibria::gnuplot("pngcairo size 2000,1240 fontscale 1.8 linewidth 2 pointscale 2", script(t)));
-            if (json_file) json_file->write(json(t));
-            if (!json_file || !json_file->to_stdout()) print(t);
-        };
-        if (truss) {
-            const auto problem = support::von_mises_truss(rise, strain);
-            window(-1, 1);
-            run(problem, problem.unloaded(), 0.02 * rise, "P / EA", {"height of the apex", "sway of the apex"},
-                [&](const VectorXd& q) { return std::vector{problem.at(q, 1)(1), problem.at(q, 1)(0)}; });
-        } else if (dome) {
-            const bool ring = load_text == "ring";
-            const auto problem = support::star_dome(ring ? 0.5 : 1, ring ? 1 : 0, strain);
-            window(-1e-3, ring ? 2e-3 : 1e-3);
-            run(problem, problem.unloaded(), 0.3, "P / EA", {"height of the apex", "sway of the apex"},
-                [&](const VectorXd& q) {
-                    const Eigen::Vector3d x = problem.at(q, 0);
-                    return std::vector{x(2), std::hypot(x(0), x(1))};
-                });
-        } else if (arch) {
-            const support::ShallowArch problem{rise};
-            const double fold = rise > 1 ? problem.fold() : rise;
-            window(2 * rise - fold - 3, fold + 3);
-            run(problem, Eigen::Vector2d(rise, 0), 0.02 * rise, "q", {"A1", "A2"},
-                [](const VectorXd& q) { return std::vector{q(0), q(1)}; });
-        } else {
-            const support::SpringElastica problem{links};
-            const double critical = problem.buckling_load();
-            window(-critical, rigid ? 4.5 : 1.5 * critical);
-            options.path.parameter_weight = 1 / critical;
-            const std::vector<std::string> measures{"angle of the last link", "root mean square of the angles"};
-            const auto measure = [](const VectorXd& q) {
-                return std::vector{q(q.size() - 1), q.norm() / std::sqrt(static_cast<double>(q.size()))};
-            };
-            if (rigid)
-                run(support::DenseSpringElastica{{links}}, VectorXd::Zero(links), 0.05, "P l / c", measures, measure);
-            else
-                run(problem, VectorXd::Zero(links), 0.05, "P l / c", measures, measure);
+        if (c.name == "von_mises_truss") trace_truss(c);
+        if (c.name == "star_dome") trace_dome(c);
+        if (c.name == "shallow_arch") trace_arch(c);
+        if (c.name == "rigid_link_chain") trace_chain(c, support::DenseSpringElastica{{c.links}}, 4.5);
+        if (c.name == "spring_elastica") {
+            const support::SpringElastica chain{c.links};
+            trace_chain(c, chain, 1.5 * chain.buckling_load());
         }
     } catch (const std::exception& error) {
         std::fprintf(stderr, "branch_tracing: %s\n", error.what());

@@ -3,19 +3,30 @@
 //
 //   buckling --case right_angle_frame --elements 32 --json frame.json --svg frame.svg
 //   buckling --model frame.json --vtk shapes/frame
+#include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <cstddef>
 #include <cstdio>
 #include <equilibria/fem/loose_motion.hpp>
 #include <equilibria/io/structure/structure_json.hpp>
 #include <equilibria/io/structure/structure_output.hpp>
-#include <iomanip>
+#include <exception>
+#include <functional>
+#include <limits>
+#include <optional>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "instances/fem/structure_branches.hpp"
+#include "plots/buckling.hpp"
 #include "support/buckling_cases.hpp"
-#include "support/command_line.hpp"
-#include "support/numbers.hpp"
+#include "support/options.hpp"
 #include "support/output_file.hpp"
+#include "support/pictures.hpp"
 #include "support/tracing.hpp"
 
 namespace {
@@ -24,6 +35,127 @@ using Eigen::Vector3d;
 using equilibria::fem::Model;
 using equilibria::fem::StructureState;
 using support::Json;
+
+/// What the command line says.
+struct Command {
+    const support::CaseEntry* entry = nullptr;  ///< or a model
+    std::string model, order = "cubic", vtk;
+    support::CaseData data;
+    std::optional<int> steps;
+    std::optional<support::Range> window;
+    std::optional<support::OutputFile> json, csv;
+    support::Pictures pictures;
+
+    bool quiet() const { return to_stdout(json) || to_stdout(csv); }
+};
+
+const support::CaseEntry* entry_of(const std::string& name) {
+    for (const auto& c : support::buckling_cases())
+        if (name == c.name || name == std::to_string(c.number)) return &c;
+    return nullptr;
+}
+
+/// A case by name or number.
+CLI::Validator a_case() {
+    std::string names;
+    for (const auto& c : support::buckling_cases()) names += (names.empty() ? "" : ", ") + std::string(c.name);
+    return {[names](std::string& text) {
+                return support::verdict(entry_of(text) != nullptr, text, "must be a case: " + names);
+            },
+            ""};
+}
+
+/// One of some words, which may depend on the case.
+CLI::Validator one_of(std::function<std::vector<std::string>()> words) {
+    return {[words = std::move(words)](std::string& text) {
+                std::string all;
+                for (const std::string& word : words()) all += (all.empty() ? "" : ", ") + word;
+                return support::one_of(words(), "must be one of " + all)(text);
+            },
+            ""};
+}
+
+/// The data of a case, each refused where the case has no such thing.
+void add_case_data(CLI::App& app, Command& c) {
+    const auto only = [&c](CLI::Option* option) {
+        const std::string name = option->get_name();
+        option->transform(support::applies([&c, name]() -> std::string {
+            if (!c.entry) return c.model.empty() ? "" : "a model from a file";
+            const auto& own = c.entry->options;
+            return std::find(own.begin(), own.end(), name) == own.end() ? c.entry->name : "";
+        }));
+    };
+    const auto positive = [&](const char* name, std::optional<double>& value, const char* text) {
+        only(app.add_option(name, value, text)->transform(support::positive()));
+    };
+    positive("--ei2", c.data.ei2, "bending stiffness about axis 2, or in the plane");
+    positive("--ei3", c.data.ei3, "bending stiffness about axis 3");
+    positive("--gj", c.data.gj, "torsional stiffness");
+    positive("--ea", c.data.ea, "axial stiffness");
+    positive("--ga", c.data.ga, "shear stiffness");
+    only(app.add_option("--angle", c.data.angle, "opening angle of the arches, degrees")
+             ->transform(support::number("must be between 0 and 360, both excluded",
+                                         [](double x) { return x > 0 && x < 360; })));
+    only(app.add_option("--load-direction", c.data.load_direction,
+                        "of the right-angle frame: +x, -x, +y or -y (default +x)")
+             ->transform(one_of([] {
+                 return std::vector<std::string>{"+x", "-x", "+y", "-y"};
+             })));
+    only(app.add_option("--load", c.data.load, "of the ring: hydrostatic, fixed or central; of the dome: ring or apex")
+             ->transform(one_of([&c] {
+                 return c.entry && c.entry->number == 13 ? std::vector<std::string>{"ring", "apex"}
+                                                         : std::vector<std::string>{"hydrostatic", "fixed", "central"};
+             })));
+    only(app.add_option("--ends", c.data.ends, "of the column: cantilever, hinged, clamped or clamped-hinged")
+             ->transform(one_of([] {
+                 return std::vector<std::string>{"cantilever", "hinged", "clamped", "clamped-hinged"};
+             })));
+    only(app.add_option("--tension", c.data.tension, "of the twisted rod, T L^2 / EI2")
+             ->transform(support::finite("must be a number")));
+    positive("--rise", c.data.rise, "of toggle, truss and shallow arch");
+    only(app.add_option("--links", c.data.links, "of the chain, 1 to 1000 (default 3)")
+             ->transform(support::integer(1, 1000)));
+}
+
+Command read(int argc, char** argv) {
+    Command c;
+    support::Range window;
+    CLI::App app{
+        "Follows the equilibria of a structure with large rotations from its unloaded state, locates every critical "
+        "point, and follows the branches that leave the first one. Cases are named by name or number."};
+    app.add_option_function<std::string>(
+           "--case", [&c](const std::string& text) { c.entry = entry_of(text); },
+           "a case's name or number; see docs/finite-rotations.md")
+        ->transform(a_case());
+    app.add_option("--model", c.model, "a structure from this JSON file instead");
+    app.add_option("--elements", c.data.elements, "of the case's structure, 1 to 100000 (default 32)")
+        ->transform(support::integer(1, 100000));
+    app.add_option("--order", c.order, "of the elements: linear, quadratic or cubic (default cubic)")
+        ->transform(one_of([] {
+            return std::vector<std::string>{"linear", "quadratic", "cubic"};
+        }));
+    add_case_data(app, c);
+    app.add_option("--parameter", window, "the range LOW:HIGH of the parameter (default: the case's own)")
+        ->transform(support::range("must be LOW:HIGH, finite, with LOW < HIGH", -1e12, 1e12));
+    app.add_option("--steps", c.steps, "of each branch at most, 1 to 100000 (default: the case's own)")
+        ->transform(support::integer(1, 100000));
+    support::add_threads(app, c.data.threads,
+                         "of assembly, 1 to 1024, 0 for one each core (default 1); does not change the result");
+    support::add_output(app, "--json", c.json, "write JSON to this file, or to stdout for -");
+    support::add_output(app, "--csv", c.csv, "write the branches as CSV to this file, or to stdout for -");
+    app.add_option("--vtk", c.vtk, "write the deformed shapes to files NAME_branch_number.vtk");
+    support::add_output(app, "--svg", c.pictures.svg, "draw branches and shapes to this SVG file (needs gnuplot)");
+    support::add_output(app, "--png", c.pictures.png, "draw them to this PNG file (needs gnuplot)");
+    support::parse(app, "buckling", argc, argv);
+
+    if ((app.count("--case") > 0) == (app.count("--model") > 0))
+        support::fail("--case", app.count("--case") > 0 ? c.entry->name : "''",
+                      "must be given, or --model, and not both");
+    c.data.nodes = c.order == "linear" ? 2 : c.order == "quadratic" ? 3 : 4;
+    if (app.count("--parameter") > 0) c.window = window;
+    if (!c.vtk.empty()) support::OutputFile("--vtk", c.vtk + "_0_0.vtk");
+    return c;
+}
 
 /// A configuration on a branch.
 struct Shape {
@@ -37,38 +169,31 @@ struct Run {
     int elements = 0, dofs = 0;
     bool in_space = false;  ///< else all moves in the x-y plane
     double seconds = 0;
-    std::vector<Shape> shapes;
+    std::vector<Shape> shapes{};
 };
 
 template <class P>
-std::string json(const support::Tracing<P>& t, const Run& run) {
-    Json out{{"case", t.name},           {"parameter", t.parameter},
-             {"elements", run.elements}, {"dofs", run.dofs},
-             {"seconds", run.seconds},   {"critical_points", critical_points_json(t)},
-             {"branch", Json::array()},  {"branches", Json::array()},
-             {"families", t.families},   {"unexplained_steps", t.unexplained}};
-    for (std::size_t b = 0; b < t.branches.size(); ++b) {
+Json document(const support::Tracing<P>& t, const Run& run) {
+    Json out = json_of(t);
+    out["elements"] = run.elements;
+    out["dofs"] = run.dofs;
+    out["seconds"] = run.seconds;
+    // all branches' points in one list
+    out["branch"] = Json::array();
+    for (std::size_t b = 0; b < t.branches.size(); ++b)
         for (const auto& point : t.branches[b].points) {
             Json row{{"branch", b}, {"parameter", point.parameter}, {"tip", point.measures}, {"stable", point.stable}};
-            if (!point.name.empty()) row["at"] = point.name;
+            if (!point.at.empty()) row["at"] = point.at;
             out["branch"].push_back(std::move(row));
         }
-        const auto& parent = t.branches[b].parent;
-        out["branches"].push_back({{"parent", parent ? Json(*parent) : Json(nullptr)}, {"end", t.branches[b].end}});
-    }
-    return out.dump(1) + "\n";
+    return out;
 }
 
 template <class P>
 std::string csv(const support::Tracing<P>& t) {
-    std::ostringstream out;
-    out.precision(17);
-    out << "branch,parameter,x,y,z,stable,at\n";
-    for (std::size_t b = 0; b < t.branches.size(); ++b)
-        for (const auto& point : t.branches[b].points)
-            out << b << ',' << point.parameter << ',' << point.measures[0] << ',' << point.measures[1] << ','
-                << point.measures[2] << ',' << point.stable << ',' << std::quoted(point.name) << '\n';
-    return out.str();
+    std::vector<std::vector<equilibria::BranchSample>> branches;
+    for (const auto& b : t.branches) branches.push_back(b.points);
+    return equilibria::branches_csv(branches, t.how.names).text();
 }
 
 /// A node of a model in words.
@@ -91,246 +216,177 @@ std::string lines_of(const Model& model, const StructureState& state) {
     return out.str();
 }
 
-/// Branches at the left, shapes along them at the right.
+/// The component of the watched node that moves most.
 template <class P>
-std::string script(const support::Tracing<P>& t, const P& structure, const Run& run) {
-    // the component of the tip that moves most
+std::size_t widest(const support::Tracing<P>& t) {
     std::size_t most = 0;
-    double widest = -1;
+    double width = -1;
     for (std::size_t c = 0; c < 3; ++c) {
         double low = 1e300, high = -1e300;
         for (const auto& b : t.branches)
             for (const auto& point : b.points)
                 low = std::min(low, point.measures[c]), high = std::max(high, point.measures[c]);
-        if (high - low > widest) widest = high - low, most = c;
+        if (high - low > width) width = high - low, most = c;
     }
-    std::ostringstream out;
-    out << branch_blocks(t, most)
-        << equilibria::gnuplot_block("initial", lines_of(structure.model(), structure.initial()));
-    // up to six shapes of the main branch and of the first that leaves it, equally spaced
-    std::ostringstream plots;
-    const char* columns = run.in_space ? "" : " using 1:3";
-    for (std::size_t b = 0; b < std::min<std::size_t>(2, t.branches.size()); ++b) {
-        std::vector<const Shape*> own;
-        for (const Shape& shape : run.shapes)
-            if (shape.branch == b) own.push_back(&shape);
-        if (own.size() < 2) continue;
-        const std::size_t count = std::min<std::size_t>(b == 0 && t.branches.size() > 1 ? 2 : 6, own.size() - 1);
-        for (std::size_t k = 1; k <= count; ++k) {
-            const std::string name = "shape" + std::to_string(b) + "x" + std::to_string(k);
-            out << equilibria::gnuplot_block(name,
-                                             lines_of(structure.model(), own[k * (own.size() - 1) / count]->state));
-            plots << ", $" << name << columns << " with lines lw 1.6 lc rgb '" << (b == 0 ? "#009e73" : "#e69f00")
-                  << "' " << (k == 1 ? (b == 0 ? "title 'main branch'" : "title 'side branch'") : "notitle");
-        }
-    }
+    return most;
+}
+
+/// Up to six shapes of the main branch and of the first that leaves it, equally spaced; how many of one.
+long long add_shapes(equilibria::GnuplotData& data, const Model& model, const Run& run, std::size_t b, bool many) {
+    std::vector<const Shape*> own;
+    for (const Shape& shape : run.shapes)
+        if (shape.branch == b) own.push_back(&shape);
+    if (own.size() < 2) return 0;
+    const std::size_t count = std::min<std::size_t>(b == 0 && many ? 2 : 6, own.size() - 1);
+    for (std::size_t k = 1; k <= count; ++k)
+        data.block("shape" + std::to_string(b) + "x" + std::to_string(k),
+                   lines_of(model, own[k * (own.size() - 1) / count]->state), 3);
+    return static_cast<long long>(count);
+}
+
+/// Branches, and shapes along them.
+template <class P>
+equilibria::GnuplotData plotted(const support::Tracing<P>& t, const P& structure, const Run& run) {
+    equilibria::GnuplotData data;
+    const std::size_t most = widest(t);
+    add_branches(data, t, most);
+    data.string("component", t.how.names[most]).integer("in_space", run.in_space);
     // about three tics on the longest axis: 1, 2 or 5 times a power of 10
     const double third = structure.length() / 3, power = std::pow(10, std::floor(std::log10(third)));
-    const double tic = power * (third < 2 * power ? 1 : third < 5 * power ? 2 : 5);
-    out << "set multiplot title '" << support::title(t.name) << "'\nset tics out nomirror\nset border 31 lw 0.8\n"
-        << "set bmargin at screen 0.22\nset tmargin at screen 0.9\n"
-        << "set lmargin at screen 0.09\nset rmargin at screen 0.47\n"
-        << "set key at screen 0.28,0.01 center bottom horizontal maxrows 2 samplen 2\n"
-        << "set xlabel '{/:Italic " << t.measures[most] << "} of the watched node'\n"
-        << "set ylabel '" << t.parameter << "'\n"
-        << support::branch_plot() << "set key at screen 0.77,0.03 center bottom horizontal maxrows 1\n"
-        << "set lmargin at screen 0.56\nset rmargin at screen 0.97\nunset ylabel\nunset xlabel\n";
-    if (!run.in_space)
-        out << "set size ratio -1\nset offsets graph 0.05, graph 0.05, graph 0.05, graph 0.05\nplot";
+    data.value("tic", power * (third < 2 * power ? 1 : third < 5 * power ? 2 : 5));
+    data.block("initial", lines_of(structure.model(), structure.initial()), 3);
+    const bool many = t.branches.size() > 1;
+    const long long main = t.branches.empty() ? 0 : add_shapes(data, structure.model(), run, 0, many),
+                    side = many ? add_shapes(data, structure.model(), run, 1, many) : 0;
+    data.integer("main_shapes", main).integer("side_shapes", side);
+    return data;
+}
+
+/// What is followed, beside the structure itself.
+struct Setup {
+    std::string title, parameter;
+    std::function<double(const StructureState&, double)> value;
+    int tip;
+    std::vector<support::CasePoint> points;
+    equilibria::ContinuationOptions options;
+    double amplitude;
+    bool both_ways;
+};
+
+template <class S>
+support::Tracing<S> tracing_of(const Setup& setup) {
+    support::Tracing<S> t{.name = setup.title,
+                          .how = {.parameter = setup.parameter,
+                                  .names = {"x", "y", "z"},
+                                  .measure =
+                                      [tip = setup.tip](const StructureState& q) {
+                                          const Vector3d& x = q.frames[static_cast<std::size_t>(tip)].x;
+                                          return std::vector<double>(x.begin(), x.end());
+                                      },
+                                  .value = setup.value}};
+    for (const auto& point : setup.points)
+        t.functions.push_back(
+            {point.name, [f = point.value](const equilibria::BranchPoint<S>& at) { return f(at.q, at.p); }});
+    return t;
+}
+
+template <class S>
+Run run_of(const S& structure) {
+    Run run;
+    for (int k = 0; k < structure.model().nodes(); ++k)
+        run.in_space = run.in_space || structure.unknown(k, equilibria::fem::uz) >= 0;
+    run.dofs = structure.size() - structure.multipliers();
+    for (const auto& group : structure.model().groups())
+        if (group->n_nodes() > 1) run.elements += static_cast<int>(group->size());
+    return run;
+}
+
+void write_shapes(const std::string& name, const Model& model, const Run& run, const std::string& title) {
+    std::vector<int> number;
+    for (const Shape& shape : run.shapes) {
+        number.resize(std::max(number.size(), shape.branch + 1));
+        support::OutputFile(
+            "--vtk", name + "_" + std::to_string(shape.branch) + "_" + std::to_string(number[shape.branch]++) + ".vtk")
+            .write(vtk(model, shape.state, shape.parameter, title));
+    }
+}
+
+template <class S>
+void print(const support::Tracing<S>& t, const Run& run) {
+    support::print(t);
+    for (const auto& b : t.branches)
+        for (const auto& point : b.points)
+            if (!point.at.empty())
+                std::printf("%s: %s %.10g, tip %.9g %.9g %.9g\n", point.at.c_str(), t.how.parameter.c_str(),
+                            point.parameter, point.measures[0], point.measures[1], point.measures[2]);
+    std::printf("%d elements, %d degrees of freedom, %.2f s\n", run.elements, run.dofs, run.seconds);
+}
+
+/// Traces and writes.
+template <class S>
+void follow(const Command& c, const S& structure, Setup setup) {
+    if (c.steps) setup.options.most_steps = *c.steps;
+    if (c.window) setup.options.low = c.window->low, setup.options.high = c.window->high;
+    auto t = tracing_of<S>(setup);
+    Run run = run_of(structure);
+    if (!c.vtk.empty() || c.pictures.asked())
+        t.observe = [&](std::size_t branch, const StructureState& q, double p) {
+            // one branch after the other, 4 million nodes at most
+            if (run.shapes.size() * q.frames.size() < 4000000) run.shapes.push_back({branch, setup.value(q, p), q});
+        };
+    const auto begin = std::chrono::steady_clock::now();
+    equilibria::check_derivatives(structure, structure.initial(), 0.0);
+    trace(t, structure, {structure.initial(), setup.options, setup.amplitude, setup.both_ways});
+    run.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+
+    if (c.pictures.asked()) c.pictures.draw({1200, 560}, plotted(t, structure, run), plots::buckling);
+    if (!c.vtk.empty()) write_shapes(c.vtk, structure.model(), run, setup.title);
+    if (c.csv) c.csv->write(csv(t));
+    if (c.json) c.json->write(equilibria::json_text(document(t, run), 1));
+    if (!c.quiet()) print(t, run);
+}
+
+void follow_case(const Command& c) {
+    const support::BucklingCase s = c.entry->make(c.data);
+    follow(c, s.structure, {c.entry->name, s.parameter, s.value, s.tip, s.points, s.options, s.amplitude, s.both_ways});
+}
+
+void follow_model(const Command& c) {
+    auto input = equilibria::fem::read_structure(c.model);
+    Setup setup{.title = input.name.empty() ? c.model : input.name,
+                .parameter = input.parameter,
+                .value = [](const StructureState&, double p) { return p; },
+                .tip = input.measured,
+                .points = {},
+                .options = {},
+                .amplitude = 0.02,
+                .both_ways = false};
+    setup.options.low = input.low;
+    setup.options.high = input.high;
+    setup.options.path.first_step = input.first_step.value_or(0.01);
+    setup.options.path.largest_step = input.largest_step.value_or(0.1);
+    const auto run = [&](const auto& structure) {
+        if (const auto loose = equilibria::fem::loose_motion(structure, structure.initial(), 0))
+            throw std::runtime_error("the structure moves without a force: " + name_of(input, loose->node) + ", " +
+                                     to_string(loose->component));
+        follow(c, structure, setup);
+    };
+    const equilibria::fem::StructureOptions options{.executor = equilibria::threads(c.data.threads)};
+    if (input.conservative)
+        run(equilibria::fem::Structure(std::move(input.model), options));
     else
-        out << "set view 75,335\nset view equal xyz\nset xyplane relative 0\nset xlabel '{/:Italic x}'\n"
-            << "set ylabel '{/:Italic z}'\nset zlabel '{/:Italic y}'\nset xtics " << tic << " offset 0,-0.3\nset ytics "
-            << tic << "\nset ztics " << tic << "\nsplot";
-    out << " $initial" << columns << " with lines lw 2.4 lc rgb '#888888' title 'without load'" << plots.str()
-        << "\nunset multiplot\n";
-    return out.str();
+        run(equilibria::fem::NonconservativeStructure(std::move(input.model), options));
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-    std::string name, model_name, elements_text = "32", order = "cubic", links_text = "3", steps_text, window_text,
-                                  json_name, csv_name, vtk_name, svg_name, png_name;
-    std::string ei2, ei3, gj, ea, ga, angle, tension, rise, threads_text = "1";
-    support::CaseData data;
-    CLI::App app{
-        "Follows the equilibria of a structure with large rotations from its unloaded state, locates every critical "
-        "point, and follows the branches that leave the first one. Cases are named by name or number."};
-    app.add_option("--case", name, "a case's name or number; see docs/finite-rotations.md");
-    app.add_option("--model", model_name, "a structure from this JSON file instead");
-    app.add_option("--elements", elements_text, "of the case's structure, 1 to 100000 (default 32)");
-    app.add_option("--order", order, "of the elements: linear, quadratic or cubic (default cubic)");
-    app.add_option("--ei2", ei2, "bending stiffness about axis 2, or in the plane");
-    app.add_option("--ei3", ei3, "bending stiffness about axis 3");
-    app.add_option("--gj", gj, "torsional stiffness");
-    app.add_option("--ea", ea, "axial stiffness");
-    app.add_option("--ga", ga, "shear stiffness");
-    app.add_option("--angle", angle, "opening angle of the arches, degrees");
-    app.add_option("--load-direction", data.load_direction, "of the right-angle frame: +x, -x, +y or -y (default +x)");
-    app.add_option("--load", data.load, "of the ring: hydrostatic, fixed or central; of the dome: ring or apex");
-    app.add_option("--ends", data.ends, "of the column: cantilever, hinged, clamped or clamped-hinged");
-    app.add_option("--tension", tension, "of the twisted rod, T L^2 / EI2");
-    app.add_option("--rise", rise, "of toggle, truss and shallow arch");
-    app.add_option("--links", links_text, "of the chain, 1 to 1000 (default 3)");
-    app.add_option("--parameter", window_text, "the range LOW:HIGH of the parameter (default: the case's own)");
-    app.add_option("--steps", steps_text, "of each branch at most, 1 to 100000 (default: the case's own)");
-    app.add_option("--threads", threads_text,
-                   "of assembly, 1 to 1024, 0 for one each core (default 1); does not change the result");
-    app.add_option("--json", json_name, "write JSON to this file, or to stdout for -");
-    app.add_option("--csv", csv_name, "write the branches as CSV to this file, or to stdout for -");
-    app.add_option("--vtk", vtk_name, "write the deformed shapes to files NAME_branch_number.vtk");
-    app.add_option("--svg", svg_name, "draw branches and shapes to this SVG file (needs gnuplot)");
-    app.add_option("--png", png_name, "draw them to this PNG file (needs gnuplot)");
-    support::parse(app, "buckling", argc, argv);
-
-    const auto given = [&](const char* option) { return app.count(option) > 0; };
-    if (given("--case") == given("--model"))
-        support::fail("--case", given("--case") ? name : "''", "must be given, or --model, and not both");
-    const support::CaseEntry* entry = nullptr;
-    if (given("--case")) {
-        std::string names;
-        for (const auto& c : support::buckling_cases()) {
-            if (name == c.name || name == std::to_string(c.number)) entry = &c;
-            names += (names.empty() ? "" : ", ") + std::string(c.name);
-        }
-        if (!entry) support::fail("--case", name, "must be a case: " + names);
-    }
-    for (const char* option : {"--ei2", "--ei3", "--gj", "--ea", "--ga", "--angle", "--load-direction", "--load",
-                               "--ends", "--tension", "--rise", "--links"})
-        if (given(option) &&
-            (!entry || std::find(entry->options.begin(), entry->options.end(), option) == entry->options.end()))
-            support::fail(
-                option, app.get_option(option)->as<std::string>(),
-                entry ? "does not apply to " + std::string(entry->name) : "does not apply to a model from a file");
-    const auto positive = [&](const char* option, const std::string& text, std::optional<double>& to) {
-        if (given(option))
-            to = support::number(option, text, "must be a positive number", [](double x) { return x > 0; });
-    };
-    positive("--ei2", ei2, data.ei2);
-    positive("--ei3", ei3, data.ei3);
-    positive("--gj", gj, data.gj);
-    positive("--ea", ea, data.ea);
-    positive("--ga", ga, data.ga);
-    positive("--rise", rise, data.rise);
-    if (given("--angle"))
-        data.angle = support::number("--angle", angle, "must be between 0 and 360, both excluded",
-                                     [](double x) { return x > 0 && x < 360; });
-    if (given("--tension"))
-        data.tension = support::number("--tension", tension, "must be a number", [](double) { return true; });
-    const auto one_of = [&](const char* option, const std::string& text, std::initializer_list<const char*> words) {
-        std::string all;
-        for (const char* word : words) all += (all.empty() ? "" : ", ") + std::string(word);
-        if (given(option) && std::find(words.begin(), words.end(), text) == words.end())
-            support::fail(option, text, "must be one of " + all);
-    };
-    one_of("--load-direction", data.load_direction, {"+x", "-x", "+y", "-y"});
-    one_of("--ends", data.ends, {"cantilever", "hinged", "clamped", "clamped-hinged"});
-    one_of("--order", order, {"linear", "quadratic", "cubic"});
-    if (entry && entry->number == 13) one_of("--load", data.load, {"ring", "apex"});
-    if (entry && entry->number == 14) one_of("--load", data.load, {"hydrostatic", "fixed", "central"});
-    data.nodes = order == "linear" ? 2 : order == "quadratic" ? 3 : 4;
-    data.elements = support::integer<int>("--elements", elements_text, 1, 100000);
-    data.links = support::integer<int>("--links", links_text, 1, 1000);
-    data.threads = support::integer<unsigned>("--threads", threads_text, 0, 1024);
-    std::optional<support::OutputFile> json_file, csv_file, svg_file, png_file;
-    if (given("--json")) json_file.emplace("--json", json_name);
-    if (given("--csv")) csv_file.emplace("--csv", csv_name);
-    if (given("--svg")) svg_file.emplace("--svg", svg_name);
-    if (given("--png")) png_file.emplace("--png", png_name);
-    if (given("--vtk")) support::OutputFile("--vtk", vtk_name + "_0_0.vtk");
-
-    const auto change = [&](equilibria::ContinuationOptions& options) {
-        if (given("--steps")) options.most_steps = support::integer<int>("--steps", steps_text, 1, 100000);
-        if (given("--parameter")) {
-            const auto window =
-                support::range("--parameter", window_text, "must be LOW:HIGH, finite, with LOW < HIGH", -1e12, 1e12);
-            options.low = window.low;
-            options.high = window.high;
-        }
-    };
-    const auto follow = [&](const auto& structure, const std::string& title, const std::string& parameter,
-                            const auto& value, int tip, const std::vector<support::CasePoint>& points,
-                            equilibria::ContinuationOptions options, double amplitude, bool both_ways) {
-        using Structure = std::remove_cvref_t<decltype(structure)>;
-        change(options);
-        support::Tracing<Structure> t;
-        t.name = title;
-        t.parameter = parameter;
-        t.measures = {"x", "y", "z"};
-        t.value = value;
-        t.measure = [=](const StructureState& q) {
-            const Vector3d& x = q.frames[static_cast<std::size_t>(tip)].x;
-            return std::vector<double>(x.begin(), x.end());
-        };
-        for (const auto& point : points)
-            t.functions.push_back({point.name, [f = point.value](const equilibria::BranchPoint<Structure>& at) {
-                                       return f(at.q, at.p);
-                                   }});
-        Run run;
-        for (int k = 0; k < structure.model().nodes(); ++k)
-            run.in_space = run.in_space || structure.unknown(k, equilibria::fem::uz) >= 0;
-        run.dofs = structure.size() - structure.multipliers();
-        for (const auto& group : structure.model().groups())
-            if (group->n_nodes() > 1) run.elements += static_cast<int>(group->size());
-        if (given("--vtk") || svg_file || png_file)
-            t.observe = [&](std::size_t branch, const StructureState& q, double p) {
-                // one branch after the other, 4 million nodes at most
-                if (run.shapes.size() * q.frames.size() < 4000000) run.shapes.push_back({branch, value(q, p), q});
-            };
-        const auto begin = std::chrono::steady_clock::now();
-        equilibria::check_derivatives(structure, structure.initial(), 0.0);
-        support::trace(t, structure, structure.initial(), options, amplitude, both_ways);
-        run.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-        if (svg_file)
-            svg_file->write(equilibria::gnuplot("svg size 1200,560 font 'Helvetica,14' background 'white'",
-                                                script(t, structure, run)));
-        if (png_file)
-            png_file->write(equilibria::gnuplot("pngcairo size 2400,1120 fontscale 1.8 linewidth 2 pointscale 2",
-                                                script(t, structure, run)));
-        std::vector<int> number(t.branches.size());
-        if (given("--vtk"))
-            for (const Shape& shape : run.shapes)
-                support::OutputFile("--vtk", vtk_name + "_" + std::to_string(shape.branch) + "_" +
-                                                 std::to_string(number[shape.branch]++) + ".vtk")
-                    .write(vtk(structure.model(), shape.state, shape.parameter, title));
-        if (csv_file) csv_file->write(csv(t));
-        if (json_file) json_file->write(json(t, run));
-        if ((!json_file || !json_file->to_stdout()) && (!csv_file || !csv_file->to_stdout())) {
-            print(t);
-            for (const auto& b : t.branches)
-                for (const auto& point : b.points)
-                    if (!point.name.empty())
-                        std::printf("%s: %s %.10g, tip %.9g %.9g %.9g\n", point.name.c_str(), parameter.c_str(),
-                                    point.parameter, point.measures[0], point.measures[1], point.measures[2]);
-            std::printf("%d elements, %d degrees of freedom, %.2f s\n", run.elements, run.dofs, run.seconds);
-        }
-    };
+    const Command c = read(argc, argv);
     try {
-        if (entry) {
-            const support::BucklingCase c = entry->make(data);
-            follow(c.structure, entry->name, c.parameter, c.value, c.tip, c.points, c.options, c.amplitude,
-                   c.both_ways);
-        } else {
-            auto input = equilibria::fem::read_structure(model_name);
-            equilibria::ContinuationOptions options;
-            options.low = input.low;
-            options.high = input.high;
-            options.path.first_step = input.first_step.value_or(0.01);
-            options.path.largest_step = input.largest_step.value_or(0.1);
-            const auto value = [](const StructureState&, double p) { return p; };
-            const auto run = [&](const auto& structure) {
-                if (const auto loose = equilibria::fem::loose_motion(structure, structure.initial(), 0))
-                    throw std::runtime_error("the structure moves without a force: " + name_of(input, loose->node) +
-                                             ", " + to_string(loose->component));
-                follow(structure, input.name.empty() ? model_name : input.name, input.parameter, value, input.measured,
-                       {}, options, 0.02, false);
-            };
-            const equilibria::fem::StructureOptions structure_options{.executor = equilibria::threads(data.threads)};
-            if (input.conservative)
-                run(equilibria::fem::Structure(std::move(input.model), structure_options));
-            else
-                run(equilibria::fem::NonconservativeStructure(std::move(input.model), structure_options));
-        }
+        if (c.entry)
+            follow_case(c);
+        else
+            follow_model(c);
     } catch (const std::exception& error) {
         std::fprintf(stderr, "buckling: %s\n", error.what());
         return 1;

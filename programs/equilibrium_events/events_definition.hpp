@@ -5,9 +5,13 @@
 
 #include <chrono>
 #include <cmath>
+#include <cstddef>
 #include <equilibria/enumerate/prove.hpp>
+#include <equilibria/io/results/line_events_output.hpp>
+#include <equilibria/io/results/proof_output.hpp>
 #include <equilibria/locus/line/line_events.hpp>
 #include <equilibria/mechanisms/rotating_chain.hpp>
+#include <optional>
 
 #include "instances/enumerate/chain_proofs.hpp"
 #include "instances/locus/chain_events.hpp"
@@ -26,10 +30,25 @@ std::optional<bool> supercritical(const Chain& chain, double omega, double slope
     return fourth > 0;
 }
 
+/// The equilibria in the middle of each interval, proved.
+template <class Model>
+void add_proofs(equilibria::Json& out, const equilibria::LineEvents<Model>& found, equilibria::Parameters<Model> p,
+                const equilibria::RunOptions& how) {
+    const auto begin = std::chrono::steady_clock::now();
+    for (std::size_t k = 0; k < found.intervals.size(); ++k) {
+        const auto& interval = found.intervals[k];
+        p[Model::omega] = interval.at;
+        const auto proof = equilibria::prove(equilibria::enumerate<Model>(p, how), {.executor = how.executor});
+        auto& json = out["intervals"][k]["proof"] = equilibria::json_of(proof);
+        json["proved"] = proof.complete && proof.contradictions == 0 && proof.by_index == interval.by_index;
+    }
+    out["proving_seconds"] = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
+
 }  // namespace
 
 template <int Links>
-ChainEvents chain_events(const Chain& chain, const Options& options) {
+equilibria::Json chain_events(const Chain& chain, const Options& options) {
     using Model = equilibria::mechanisms::RotatingChain<Links>;
     equilibria::Parameters<Model> p;
     for (int k = 0; k < Links; ++k) {
@@ -41,58 +60,14 @@ ChainEvents chain_events(const Chain& chain, const Options& options) {
     equilibria::RunOptions how{.seed = options.seed, .executor = equilibria::threads(options.threads), .progress = options.progress};
     const auto found = equilibria::find_events<Model, Model::omega>(p, options.low, options.high, how);
 
-    ChainEvents result{.events = {},
-                       .intervals = {},
-                       .paths = found.paths,
-                       .attempts = found.attempts,
-                       .complex_solutions = found.complex_solutions,
-                       .regular_solutions = found.regular_solutions,
-                       .pitchfork_paths = found.pitchfork_paths,
-                       .other_singular = found.other_singular,
-                       .unexplained = found.unexplained,
-                       .wrong_tables = found.wrong_tables,
-                       .unclean = found.unclean,
-                       .complete = found.complete(),
-                       .argument = found.argument(),
-                       .solve_seconds = found.solve_seconds,
-                       .seconds = found.seconds,
-                       .proving_seconds = 0};
-    for (const auto& e : found.events) {
-        ChainEvent event{to_string(e.kind),
-                         e.value,
-                         {e.q.begin(), e.q.end()},
-                         {e.v.begin(), e.v.end()},
-                         e.residual,
-                         e.correction,
-                         e.reduced.third + 0.0,  // -0 becomes 0
-                         e.reduced.fourth + 0.0,
-                         e.slope + 0.0,
-                         {},
-                         e.interval};
-        for (auto* list : {&event.angles, &event.null_vector})
-            for (double& x : *list) x += 0.0;
-        if (e.kind == equilibria::CriticalKind::pitchfork)
-            event.supercritical = supercritical(chain, e.value, e.slope, e.reduced.fourth);
-        result.events.push_back(std::move(event));
+    auto out = equilibria::json_of(found, "omega");
+    for (std::size_t k = 0; k < found.events.size(); ++k) {
+        const auto& e = found.events[k];
+        if (e.kind != equilibria::CriticalKind::pitchfork) continue;
+        if (const auto so = supercritical(chain, e.value, e.slope, e.reduced.fourth))
+            out["events"][k]["supercritical"] = *so;
     }
-    for (const auto& i : found.intervals)
-        result.intervals.push_back({i.low, i.high, i.at, i.count, i.by_index, i.clean, {}});
-    if (options.prove) {
-        const auto begin = std::chrono::steady_clock::now();
-        how.progress = nullptr;
-        for (ChainInterval& interval : result.intervals) {
-            p[Model::omega] = interval.at;
-            const auto proof = equilibria::prove(equilibria::enumerate<Model>(p, how), {.executor = equilibria::threads(options.threads)});
-            interval.proof = {proof.distinct,
-                              proof.real,
-                              proof.undecided,
-                              proof.index,
-                              proof.contradictions,
-                              proof.complete,
-                              proof.reason,
-                              proof.complete && proof.contradictions == 0 && proof.by_index == interval.by_index};
-        }
-        result.proving_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-    }
-    return result;
+    how.progress = nullptr;
+    if (options.prove) add_proofs<Model>(out, found, p, how);
+    return out;
 }

@@ -11,16 +11,18 @@ namespace support {
 /// What the error messages begin with; `parse` sets it.
 inline std::string program = "program";
 
-/// Prints "program: --option value: what is allowed" and ends with status 2. Control characters in the value, which
-/// could break the line, come out as '?'.
-[[noreturn]] inline void fail(std::string_view option, std::string_view value, std::string_view allowed) {
-    std::string line = program + ": " + std::string(option);
-    if (!value.empty()) line += " " + std::string(value);
-    line += ": " + std::string(allowed);
+/// Prints "program: text" and ends with status 2. Control characters, which could break the line, come out as '?'.
+[[noreturn]] inline void refuse(std::string_view text) {
+    std::string line = program + ": " + std::string(text);
     for (char& c : line)
         if (static_cast<unsigned char>(c) < ' ' || c == 127) c = '?';
     std::cerr << line << '\n';
     std::exit(2);
+}
+
+/// "program: --option value: what is allowed".
+[[noreturn]] inline void fail(std::string_view option, std::string_view value, std::string_view allowed) {
+    refuse(std::string(option) + (value.empty() ? "" : " ") + std::string(value) + ": " + std::string(allowed));
 }
 
 }  // namespace support

@@ -7,13 +7,13 @@
 #include <utility>
 
 #include <equilibria/io/gnuplot.hpp>
-#include <equilibria/locus/plane/trace_locus.hpp>
+#include <equilibria/locus/plane/locus_result.hpp>
 
 namespace support {
 
 /// The data blocks $folds, $pitchforks and $cusps, each name followed by `suffix`.
 template <equilibria::Model M>
-std::string locus_blocks(const equilibria::Locus<M>& locus, const std::string& suffix = "") {
+void add_locus(equilibria::GnuplotData& data, const equilibria::Locus<M>& locus, const std::string& suffix = "") {
     std::ostringstream folds, pitchforks, cusps;
     for (auto* s : {&folds, &pitchforks, &cusps}) s->precision(12);
     for (const auto& curve : locus.curves) {
@@ -22,11 +22,14 @@ std::string locus_blocks(const equilibria::Locus<M>& locus, const std::string& s
         rows << "\n\n";
     }
     for (const auto& c : locus.of(equilibria::SingularityKind::cusp)) cusps << c.x() << ' ' << c.y() << '\n';
-    std::string out;
-    for (const auto& [name, rows] :
-         {std::pair{"folds", folds.str()}, std::pair{"pitchforks", pitchforks.str()}, std::pair{"cusps", cusps.str()}})
-        out += equilibria::gnuplot_block(name + suffix, rows.empty() ? "nan nan\n" : rows);
-    return out;
+    data.block("folds" + suffix, folds.str())
+        .block("pitchforks" + suffix, pitchforks.str())
+        .block("cusps" + suffix, cusps.str());
+}
+
+/// The window as x_low, x_high, y_low, y_high.
+inline void add_window(equilibria::GnuplotData& data, const equilibria::PlaneWindow& w) {
+    data.value("x_low", w.x_low).value("x_high", w.x_high).value("y_low", w.y_low).value("y_high", w.y_high);
 }
 
 /// Whether a curve passes within these parts of the window of the place of a number.

@@ -1,14 +1,17 @@
-// Files that are written whole or not at all.
+// Files that are written whole or not at all, and the options that name them.
 #pragma once
 
 #include <unistd.h>
 
+#include <CLI/CLI.hpp>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <equilibria/io/results/text_file.hpp>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <optional>
 #include <string>
 #include <system_error>
 
@@ -28,9 +31,8 @@ public:
         if (error) path_ = name;
         const auto status = std::filesystem::status(path_, error);
         if (is_directory(status)) fail(option_, name, "is a folder; must be a file that can be written");
-        special_ = exists(status) && !is_regular_file(status);  // a device or a pipe: nothing to be replaced
         if (exists(status) && access(path_.c_str(), W_OK) != 0) refuse();
-        if (special_) return;
+        if (exists(status) && !is_regular_file(status)) return;  // a device or a pipe: nothing to be replaced
         if (!std::ofstream(temporary())) refuse();
         std::filesystem::remove(temporary(), error);
     }
@@ -43,16 +45,10 @@ public:
             if (!(std::cout << text << std::flush)) refuse();
             return;
         }
-        const auto target = special_ ? path_ : temporary();
-        std::ofstream file(target, std::ios::binary);
-        file << text;
-        file.close();
-        std::error_code error;
-        if (file && !special_) std::filesystem::rename(target, path_, error);
-        if (!file || error) {
-            const int reason = errno;
-            if (!special_) std::filesystem::remove(target, error);
-            errno = reason;
+        try {
+            equilibria::write_text(path_, text);
+        } catch (const std::system_error& error) {
+            errno = error.code().value();
             refuse();
         }
     }
@@ -70,7 +66,16 @@ private:
 
     std::string option_, name_;
     std::filesystem::path path_;
-    bool special_ = false;
 };
+
+/// An option that names such a file. Options that are to be checked before it is looked at stand before this one.
+inline void add_output(CLI::App& app, const std::string& option, std::optional<OutputFile>& file,
+                       const std::string& text) {
+    app.add_option_function<std::string>(
+        option, [&file, option](const std::string& name) { file.emplace(option, name); }, text);
+}
+
+/// Whether text for programs goes to stdout, so that none for people may.
+inline bool to_stdout(const std::optional<OutputFile>& file) { return file && file->to_stdout(); }
 
 }  // namespace support

@@ -6,7 +6,7 @@ find_package(nlohmann_json QUIET)
 # the variable `built` says so.
 function(equilibria_program name source built)
     file(READ ${source} text)
-    if((text MATCHES "\"support/command_line.hpp\"" AND NOT CLI11_FOUND)
+    if((text MATCHES "\"support/options.hpp\"" AND NOT CLI11_FOUND)
        OR (text MATCHES "<nlohmann/" AND NOT nlohmann_json_FOUND))
         message(STATUS "Leaving out ${name}: it needs CLI11 and nlohmann_json")
         set(${built} OFF PARENT_SCOPE)

@@ -254,7 +254,7 @@ TEST_CASE("what is no checkpoint is refused and stays as it is") {
     try {
         CheckpointFile file("", header, any_record);
         FAIL("an empty name was taken");
-    } catch (const InvalidArgument& error) {
+    } catch (const CheckpointError& error) {
         CHECK(std::string(error.what()) == "checkpoint = '': must be the name of a file");
     }
 }

@@ -16,7 +16,6 @@
 #include <chrono>
 #include <complex>
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -35,8 +34,6 @@ namespace equilibria {
 
 struct ProveRegionOptions {
     double min_cell = 1e-3;  ///< a cell is not cut along an edge that is at most that long; in units of the parameters
-    /// Called after each generation of cells with the share of the area decided, 0 to 1.
-    std::function<void(double share)> progress{};
 
     void validate() const {
         require(std::isfinite(min_cell) && min_cell > 0, "min_cell", min_cell, "must be positive and finite");
@@ -115,7 +112,8 @@ public:
                 }
             }
             generation = std::move(next);
-            if (options_.progress) options_.progress(decided / area);
+            if (run_.progress)  // in millionths of the area
+                run_.progress(static_cast<std::uint64_t>(1e6 * std::min(1.0, decided / area)), 1000000);
         }
         for (const auto& cell : proof.cells)
             proof.proved_area_share += cell.window.width() * cell.window.height() / area;

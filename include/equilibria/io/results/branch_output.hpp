@@ -1,0 +1,139 @@
+/// \file
+/// Branches of a continuation problem as JSON and CSV: what is read off each configuration, critical points, graphs.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <equilibria/continuation/branch_graph.hpp>
+#include <equilibria/io/results/csv.hpp>
+#include <equilibria/io/results/json.hpp>
+
+namespace equilibria {
+
+/// What is written of a configuration of problem P.
+template <class P>
+struct BranchMeasures {
+    std::string parameter = "parameter";  ///< its name and unit
+    std::vector<std::string> names;       ///< of the measures
+    std::function<std::vector<double>(const Configuration<P>&)> measure;
+    /// The parameter in its unit.
+    std::function<double(const Configuration<P>&, double)> value = [](const Configuration<P>&, double p) { return p; };
+};
+
+/// A point of a branch as it is written.
+struct BranchSample {
+    double parameter = 0;
+    std::vector<double> measures;
+    bool stable = false;  ///< without negative eigenvalue; of a critical point, by the branch before it
+    std::string at;       ///< of a zero of an event function its name, else empty
+};
+
+/// Calls call(q, p, stable, at) for all points of a branch in their order: the critical point `from` that it leaves,
+/// the steps, and between them the zeros of `functions` and the critical points.
+template <class P, class Call>
+void for_each_point(const Branch<P>& branch, const std::vector<EventFunction<P>>& functions,
+                    const CriticalPoint<P>* from, const Call& call) {
+    if (from) call(from->q, from->p, false, std::string());
+    auto event = branch.events.begin();
+    for (std::size_t k = 0; k < branch.points.size(); ++k) {
+        const auto& point = branch.points[k];
+        call(point.q, point.p, point.stable().value_or(false), std::string());
+        for (const auto& crossing : branch.crossings)
+            if (crossing.step == k)
+                call(crossing.point.q, crossing.point.p, crossing.point.stable().value_or(false),
+                     functions[crossing.function].name);
+        for (; event != branch.events.end() && event->step == k; ++event)
+            call(event->point.q, event->point.p, event->point.negative_before == 0, std::string());
+    }
+}
+
+/// A branch as samples, in the order of for_each_point.
+template <class P>
+std::vector<BranchSample> samples_of(const Branch<P>& branch, const BranchMeasures<P>& how,
+                                     const std::vector<EventFunction<P>>& functions = {},
+                                     const CriticalPoint<P>* from = nullptr) {
+    std::vector<BranchSample> samples;
+    for_each_point(branch, functions, from, [&](const auto& q, double p, bool stable, const std::string& at) {
+        samples.push_back({how.value(q, p), how.measure(q), stable, at});
+    });
+    return samples;
+}
+
+/// "kind", "parameter", "measures", "nullity", "iterations" (of Newton's method), "residual", "inertia_before" and
+/// "inertia_after": negative eigenvalues along the branch, or null.
+template <class P>
+Json json_of(const CriticalPoint<P>& c, const BranchMeasures<P>& how) {
+    return {{"kind", to_string(c.kind)},
+            {"parameter", json_of(how.value(c.q, c.p))},
+            {"measures", json_list(how.measure(c.q))},
+            {"nullity", c.nullity},
+            {"iterations", c.iterations()},
+            {"residual", c.residual},
+            {"inertia_before", json_or_null(c.negative_before)},
+            {"inertia_after", json_or_null(c.negative_after)}};
+}
+
+/// "points", [parameter, measures ..] each, and "stable", as many.
+inline Json json_of(const std::vector<BranchSample>& samples) {
+    Json points = Json::array(), stable = Json::array();
+    for (const auto& s : samples) {
+        points.push_back(json_list(s.measures));
+        points.back().insert(points.back().begin(), json_of(s.parameter));
+        stable.push_back(s.stable);
+    }
+    return {{"points", std::move(points)}, {"stable", std::move(stable)}};
+}
+
+/// "parameter" and "measures" (their names), "nodes": critical points, each with the numbers of its "branches";
+/// "branches": each with "points", "stable", "parent" (a node, or null), "deflated", "nodes", "end";
+/// "unexplained_steps", "seen", "images", "not_followed", "not_switched", "complete".
+template <class P>
+Json json_of(const BranchGraph<P>& graph, const BranchMeasures<P>& how) {
+    Json nodes = Json::array(), branches = Json::array(), unexplained = Json::array();
+    for (const auto& node : graph.nodes) {
+        nodes.push_back(json_of(node.point, how));
+        nodes.back()["branches"] = node.branches;
+    }
+    for (std::size_t k = 0; k < graph.branches.size(); ++k) {
+        const auto& edge = graph.branches[k];
+        const CriticalPoint<P>* from = edge.parent ? &graph.nodes[*edge.parent].point : nullptr;
+        branches.push_back(json_of(samples_of(edge.branch, how, {}, from)));
+        add_keys(branches.back(), {{"parent", json_or_null(edge.parent)},
+                                   {"deflated", edge.deflated},
+                                   {"nodes", edge.nodes},
+                                   {"end", to_string(edge.branch.end)}});
+        for (const auto& step : edge.branch.unexplained)
+            unexplained.push_back("branch " + std::to_string(k) + ": " + step.reason);
+    }
+    return {{"parameter", how.parameter},
+            {"measures", how.names},
+            {"nodes", std::move(nodes)},
+            {"branches", std::move(branches)},
+            {"unexplained_steps", std::move(unexplained)},
+            {"seen", graph.seen},
+            {"images", graph.images},
+            {"not_followed", graph.not_followed},
+            {"not_switched", graph.not_switched},
+            {"complete", graph.complete()}};
+}
+
+/// A line a point: branch (from 0), parameter, the measures by their names, stable, at (the event function that is 0
+/// there, or empty).
+inline CsvTable branches_csv(const std::vector<std::vector<BranchSample>>& branches,
+                             const std::vector<std::string>& measures) {
+    std::vector<std::string> columns{"branch", "parameter"};
+    columns.insert(columns.end(), measures.begin(), measures.end());
+    columns.insert(columns.end(), {"stable", "at"});
+    CsvTable table(columns);
+    for (std::size_t b = 0; b < branches.size(); ++b)
+        for (const auto& s : branches[b])
+            table.add(CsvRow().add(b).add(s.parameter).add_all(s.measures).add(s.stable).add(s.at));
+    return table;
+}
+
+}  // namespace equilibria

@@ -1,0 +1,129 @@
+/// \file
+/// A bifurcation locus in a plane of two parameters as JSON and CSV.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <equilibria/io/results/csv.hpp>
+#include <equilibria/io/results/json.hpp>
+#include <equilibria/io/results/path_counts_output.hpp>
+#include <equilibria/io/results/singular_point_output.hpp>
+#include <equilibria/locus/plane/locus_result.hpp>
+
+namespace equilibria {
+
+constexpr std::string_view end_name(CurveEnd end) {
+    switch (end) {
+        case CurveEnd::border: return "window";
+        case CurveEnd::closed: return "closed";
+        case CurveEnd::symmetric: return "symmetric";
+        case CurveEnd::step: return "step";
+        default: return "length";
+    }
+}
+
+/// "kind", "points" ([x, y] each) and "ends": why the curve has its first and its last point.
+template <Model M>
+Json json_of(const LocusCurve<M>& curve) {
+    Json points = Json::array();
+    for (const auto& p : curve.points) points.push_back({json_of(p.x()), json_of(p.y())});
+    return {{"kind", kind_name(curve.kind)},
+            {"points", std::move(points)},
+            {"ends", {end_name(curve.ends[0]), end_name(curve.ends[1])}}};
+}
+
+/// "count", "by_index", "point" (well inside), "area", "confirmed", "polygons": whose union is the region.
+inline Json json_of(const LocusRegion& r) {
+    Json polygons = Json::array();
+    for (const auto& polygon : r.polygons) {
+        polygons.push_back(Json::array());
+        for (const auto& p : polygon) polygons.back().push_back({json_of(p.x), json_of(p.y)});
+    }
+    return {{"count", r.count},
+            {"by_index", r.by_index},
+            {"point", {json_of(r.point.x), json_of(r.point.y)}},
+            {"area", r.area},
+            {"confirmed", r.confirmed && r.clean},
+            {"polygons", std::move(polygons)}};
+}
+
+/// What speaks for the locus being complete, each by its count.
+template <Model M>
+Json evidence_json(const Locus<M>& locus) {
+    const auto& e = locus.evidence;
+    return {{"lines", e.lines},
+            {"seeds", e.seeds},
+            {"failed_paths", e.all_failed_paths()},
+            {"unsolved_points", e.unsolved_points},
+            {"untraced_seeds", e.untraced_seeds},
+            {"unseeded_crossings", e.unseeded_crossings},
+            {"broken_curves", e.broken_curves},
+            {"checked_points", e.checked_points},
+            {"wrong_counts", e.wrong_counts},
+            {"wrong_borders", e.wrong_borders},
+            {"complete", e.complete()},
+            {"seconds", e.seconds}};
+}
+
+/// The ranges of both parameters by their names, "cusps", "degenerate_pitchforks", "curves", "regions", "borders",
+/// "extremal", "argument", "evidence": see docs/output.md.
+template <Model M>
+Json json_of(const Locus<M>& locus, const AxisNames& names) {
+    const auto& w = locus.window;
+    Json out{{names.x, json_range(w.x_low, w.x_high)}, {names.y, json_range(w.y_low, w.y_high)}};
+    for (const char* key : {"cusps", "degenerate_pitchforks", "curves", "regions", "borders", "extremal"})
+        out[key] = Json::array();
+    for (const auto& cusp : locus.of(SingularityKind::cusp)) out["cusps"].push_back(cusp_json(cusp, names));
+    for (const auto& p : locus.of(SingularityKind::tricritical_pitchfork))
+        out["degenerate_pitchforks"].push_back(point_json(p, names));
+    for (const auto& curve : locus.curves) out["curves"].push_back(json_of(curve));
+    for (const auto& region : locus.regions) out["regions"].push_back(json_of(region));
+    for (const auto& b : locus.borders)
+        out["borders"].push_back(
+            {{"regions", {b.below, b.above}}, {"curve", b.curve}, {"kind", kind_name(locus.curves[b.curve].kind)}});
+    for (const auto& p : locus.of(SingularityKind::extremal_fold, SingularityKind::extremal_pitchfork))
+        out["extremal"].push_back(extremal_json(p, names));
+    out["argument"] = locus.argument();
+    out["evidence"] = evidence_json(locus);
+    return out;
+}
+
+/// A line a point of a curve: curve (from 0), kind, the parameters by their names, q1, .. (angles in radians, then
+/// coordinates).
+template <Model M>
+CsvTable curves_csv(const Locus<M>& locus, const AxisNames& names) {
+    std::vector<std::string> columns{"curve", "kind", names.x, names.y};
+    add_columns(columns, "q", n_unknowns<M>);
+    CsvTable table(columns);
+    for (std::size_t k = 0; k < locus.curves.size(); ++k)
+        for (const auto& p : locus.curves[k].points)
+            table.add(CsvRow().add(k).add(kind_name(locus.curves[k].kind)).add(p.x()).add(p.y()).add_all(p.q));
+    return table;
+}
+
+/// A line a region: region (from 0), the parameters of a point well inside by their names, area, count, confirmed,
+/// index_0, index_1, ..
+template <Model M>
+CsvTable regions_csv(const Locus<M>& locus, const AxisNames& names) {
+    std::vector<std::string> columns{"region", names.x, names.y, "area", "count", "confirmed"};
+    add_index_columns(columns, n_unknowns<M>);
+    CsvTable table(columns);
+    for (std::size_t k = 0; k < locus.regions.size(); ++k) {
+        const auto& r = locus.regions[k];
+        table.add(CsvRow()
+                      .add(k)
+                      .add(r.point.x)
+                      .add(r.point.y)
+                      .add(r.area)
+                      .add(r.count)
+                      .add(r.confirmed && r.clean)
+                      .add_all(r.by_index));
+    }
+    return table;
+}
+
+}  // namespace equilibria

@@ -2,6 +2,7 @@
 #include <numbers>
 
 #include <equilibria/enumerate/classify.hpp>
+#include <equilibria/evaluation/point.hpp>
 
 #include "support/catch.hpp"
 #include "support/models.hpp"
@@ -25,7 +26,7 @@ TEST_CASE("the angle of a point keeps its digits far up and down the imaginary a
     for (const double re : {-3.1, -1.0, 0.0, 0.5, 3.1})
         for (const double im : {-30.0, -3.0, -1e-9, 0.0, 1e-9, 3.0, 30.0}) {
             const std::complex<double> theta(re, im), c = std::cos(theta), s = std::sin(theta);
-            const auto angle = angle_of({c.real(), c.imag()}, {s.real(), s.imag()});
+            const auto angle = equilibria::angle_of({c.real(), c.imag()}, {s.real(), s.imag()});
             CHECK(std::abs(angle - theta) < 1e-14 * (1 + std::abs(im)));
         }
 }

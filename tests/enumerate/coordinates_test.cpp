@@ -3,7 +3,7 @@
 
 #include "enumerate/model_enumerations.hpp"
 
-template INSTANCES_ENUMERATION(models::ElasticPendulum, general);
+template INSTANCES_ENUMERATION(models::ElasticPendulum, TotalDegree);
 
 using namespace equilibria;
 using std::numbers::pi;

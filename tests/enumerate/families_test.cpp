@@ -6,7 +6,7 @@
 
 #include "enumerate/model_enumerations.hpp"
 
-template INSTANCES_ENUMERATION(models::EqualAngles<4>, reflected);
+template INSTANCES_ENUMERATION(models::EqualAngles<4>, Reflected);
 
 using namespace equilibria;
 

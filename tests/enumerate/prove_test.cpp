@@ -81,7 +81,7 @@ TEST_CASE("3 + 1e-14 i is non-real, and not real") {
         CHECK(c.digits > 15);
     }
     // in doubles alone it is not decided
-    const auto doubles = prove(set, {.most_digits = 15});
+    const auto doubles = prove(set, {}, {.most_digits = 15});
     CHECK(doubles.undecided == 2);
     CHECK_FALSE(doubles.complete);
 }
@@ -159,5 +159,5 @@ TEST_CASE("the threads change nothing, and options out of range are refused") {
     for (std::size_t k = 0; k < one.certificates.size(); ++k)
         CHECK(one.certificates[k].radius == two.certificates[k].radius);
     CHECK_THROWS_WITH(threads(2000), "threads = 2000: must be 0 (all) to 1024");
-    CHECK_THROWS_WITH(prove(set, {.most_digits = 20}), "most_digits = 20: must be 15, 34 or 68");
+    CHECK_THROWS_WITH(prove(set, {}, {.most_digits = 20}), "most_digits = 20: must be 15, 34 or 68");
 }

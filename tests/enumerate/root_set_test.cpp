@@ -96,8 +96,8 @@ TEST_CASE("what speaks against a root set is printed") {
 
 TEST_CASE("statuses and reasons have names") {
     for (const auto s : {PathStatus::finite, PathStatus::at_infinity, PathStatus::singular, PathStatus::failed})
-        CHECK_FALSE(name(s).empty());
+        CHECK_FALSE(to_string(s).empty());
     for (const auto r : {FailureReason::none, FailureReason::step_too_small, FailureReason::too_many_steps,
                          FailureReason::endgame_undecided})
-        CHECK_FALSE(name(r).empty());
+        CHECK_FALSE(to_string(r).empty());
 }

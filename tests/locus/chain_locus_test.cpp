@@ -171,12 +171,10 @@ TEST_CASE("Figure 3.2") {
     }
 
     SECTION("Another window and another seed give the same cusp") {
-        LocusOptions options;
-        options.seed = 12345;
-        options.lines = 5;
-        options.checks = 8;
+        const LocusOptions options{.lines = 5, .checks = 8};
         const auto locus =
-            trace_locus<Chain, Chain::alpha, Chain::omega>({0.5, 1.5, 1}, {0.3, 0.36, 1.8, 2.2}, options);
+            trace_locus<Chain, Chain::alpha, Chain::omega>({0.5, 1.5, 1}, {0.3, 0.36, 1.8, 2.2},
+                                                           {.seed = 12345}, options);
         CHECK(locus.evidence.complete());
         const auto cusps = locus.of(SingularityKind::cusp), before = figure().of(SingularityKind::cusp);
         REQUIRE(cusps.size() == 1);
@@ -205,7 +203,7 @@ TEST_CASE("Figure 3.2") {
             curve.points.resize(20);
             for (std::size_t k = 8; k < 12; ++k) curve.points[k].x() += 1e-6;
         }
-        const auto moved = prove_locus<Chain, Chain::alpha, Chain::omega>(locus, 1);
+        const auto moved = prove_locus<Chain, Chain::alpha, Chain::omega>(locus);
         CAPTURE(moved);
         CHECK(moved.regions.proved == 0);
         CHECK(moved.cusps.proved == 1);

@@ -16,7 +16,7 @@ namespace {
 using Chain = mechanisms::TwoLinkChain;
 
 CuspLocus<Chain> find(const CuspBox& box, const CuspLocusOptions& options = {}) {
-    return find_cusp_locus<Chain, Chain::alpha, Chain::omega, Chain::ratio>({0.5, 1.5, 1}, box, options);
+    return find_cusp_locus<Chain, Chain::alpha, Chain::omega, Chain::ratio>({0.5, 1.5, 1}, box, {}, options);
 }
 
 void check_beak_to_beak(const CuspCurve<Chain>& curve) {

@@ -57,7 +57,7 @@ public:
         if (app_->get_option_no_throw("--decay"))
             p[Mechanism::decay] =
                 number("--decay", decay_, "must be a number, 0 or more", [](double x) { return x >= 0; });
-        Mechanism::check(p);
+        Mechanism::validate(p);
         return p;
     }
     const std::string& data() const { return data_; }

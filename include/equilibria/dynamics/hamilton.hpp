@@ -23,7 +23,7 @@ public:
     explicit HamiltonEquations(const Parameters<M>& p) : Base(p) {}
 
     State start(const MotionState<M>& at) const {
-        this->check(at);
+        this->validate(at);
         return Base::joined(at.q, momenta<M>(at.q, at.velocity, this->p_));
     }
 

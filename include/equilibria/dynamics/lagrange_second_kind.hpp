@@ -33,7 +33,7 @@ public:
         : Base(p), form_(form) {}
 
     State start(const MotionState<M>& at) const {
-        this->check(at);
+        this->validate(at);
         return Base::joined(at.q, at.velocity);
     }
 

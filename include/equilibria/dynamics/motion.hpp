@@ -39,7 +39,7 @@ public:
     MotionStepper(const F& formulation, const MotionState<Model>& start, double start_time = 0,
                   const MotionOptions& options = {})
         : formulation_(formulation), options_(options) {
-        options.check();
+        options.validate();
         require(std::isfinite(start_time), "start_time", start_time, "must be finite");
         const auto state = formulation_.start(start);
         State y{};
@@ -67,7 +67,7 @@ public:
     /// One step of the size that the tolerances allow. False where there is none: `status` says why.
     bool step() {
         if (status_ != MotionStatus::finished) return false;
-        if (steps_ >= options_.max_steps) return end(MotionStatus::too_many_steps);
+        if (steps_ >= options_.most_steps) return end(MotionStatus::too_many_steps);
         if (corrected_) {
             stepper_.initialize(projected_, time(), stepper_.current_time_step());
             corrected_ = false;

@@ -19,7 +19,7 @@ enum class MotionStatus {
     singular_constraints,  ///< the constraints' gradients are linearly dependent
     not_finite,            ///< a force or a state is not a finite number
     step_too_small,        ///< no step is small enough for the tolerance
-    too_many_steps,        ///< `max_steps` were not enough
+    too_many_steps,        ///< `most_steps` were not enough
 };
 
 inline const char* to_string(MotionStatus status) {
@@ -74,7 +74,7 @@ protected:
 
     explicit ModelMotion(const Parameters<M>& p) : p_(p) { require_finite(p, "p"); }
 
-    void check(const MotionState<M>& start) const {
+    void validate(const MotionState<M>& start) const {
         require_finite(start.q, "start.q");
         require_finite(start.velocity, "start.velocity");
         require_quadratic_kinetic_energy<M>(start.q, p_);

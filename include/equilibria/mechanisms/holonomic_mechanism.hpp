@@ -50,7 +50,7 @@ struct HolonomicMechanismParameters {
 
     /// Throws InvalidArgument unless masses and length are positive, stiffnesses, damping and decay not negative, and
     /// all is finite.
-    static void check(const Values& p) {
+    static void validate(const Values& p) {
         require_finite(p, "parameters");
         require(p[mass_1] > 0, "mass_1", p[mass_1], "must be positive");
         require(p[mass_2] > 0, "mass_2", p[mass_2], "must be positive");

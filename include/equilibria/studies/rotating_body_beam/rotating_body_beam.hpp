@@ -77,7 +77,7 @@ struct RotatingBodyBeamBase {
 
     /// Throws InvalidArgument unless masses, inertias, length and stiffnesses are positive, the speed is not negative,
     /// and the inertia is that of a body: each moment is at most the sum of the others.
-    static void check(const Values& p) {
+    static void validate(const Values& p) {
         require_finite(p, "parameters");
         const auto positive = [&](Parameter k, const char* name) { require(p[k] > 0, name, p[k], "must be positive"); };
         positive(body_mass, "body_mass");
@@ -349,7 +349,7 @@ Eigen::Matrix<double, 2 + 3 * K, 2 + 3 * K> momentum_hessian(const Unknowns<Rota
 template <int K>
 std::vector<double> whirl_speeds(const Array<double, RotatingBodyBeam<K>::n_parameters>& p, int plane) {
     using M = RotatingBodyBeam<K>;
-    M::check(p);
+    M::validate(p);
     require(plane == 1 || plane == 2, "plane", plane, "must be 1 or 2");
     require(p[M::centre_1] == 0 && p[M::centre_2] == 0, "centre", p[M::centre_1] == 0 ? p[M::centre_2] : p[M::centre_1],
             "must lie on the third axis");

@@ -67,7 +67,7 @@ public:
     using Values = Beam::Values;
 
     /// parameters: as of RotatingBodyBeam, whose speed is not used. Throws InvalidArgument where
-    /// RotatingBodyBeam::check does, and unless points is from 4 to 256.
+    /// RotatingBodyBeam::validate does, and unless points is from 4 to 256.
     RotatingBodyBeamBoundary(const Values& parameters, BeamStrain strain, int points = 24,
                              BeamControl control = BeamControl::speed)
         : p_(parameters),
@@ -75,7 +75,7 @@ public:
           m_(checked(points)),
           control_(control),
           chebyshev_(m_, parameters[Beam::length]) {
-        Beam::check(parameters);
+        Beam::validate(parameters);
         third_ = chebyshev_.integral(chebyshev_.coefficients, 1);
         curvature_ = chebyshev_.integral(third_, 1);
         slope_ = chebyshev_.integral(curvature_, -1);

@@ -52,8 +52,8 @@ public:
     /// p: the model's; its speed does not matter. Throws InvalidArgument where a parameter is none, where the damping
     /// is negative, or where the body's inertia about its own centre of mass is not positive definite.
     RotatingBodyBeamMotion(const Parameters<Model>& p, const BeamDamping& damping) : p_(p) {
-        Base::check(p);
-        damping.check();
+        Base::validate(p);
+        damping.validate();
         const Eigen::Vector3d c(p[Base::centre_1], p[Base::centre_2], p[Base::centre_3]);
         Eigen::Matrix3d own = p[Base::body_mass] * (c * c.transpose());
         for (int d = 0; d < 3; ++d) own(d, d) += p[Base::inertia_1 + d] - p[Base::body_mass] * c.squaredNorm();

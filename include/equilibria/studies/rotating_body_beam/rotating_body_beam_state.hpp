@@ -19,7 +19,7 @@ struct BeamDamping {
     double bending_1 = 0, bending_2 = 0, stretching = 0;  ///< k_1, k_2, k_3
 
     /// Throws InvalidArgument unless all are finite, 0 or more.
-    void check() const {
+    void validate() const {
         const auto good = [](const char* name, double k) {
             require(std::isfinite(k) && k >= 0, name, k, "must be finite, 0 or more");
         };
@@ -33,7 +33,7 @@ enum class BodyBeamStatus {
     finished,        ///< came to the last time asked for
     settled,         ///< came to rest in the body frame
     time_over,       ///< did not settle in the longest time
-    too_many_steps,  ///< max_steps steps were tried
+    too_many_steps,  ///< most_steps steps were tried
     step_too_small,  ///< the tolerances ask for steps below rounding
     not_finite,
 };

@@ -36,7 +36,7 @@ public:
           pair_(
               boost::numeric::odeint::make_controlled(options.absolute_tolerance, options.relative_tolerance, Pair())),
           y_(std::move(start)) {
-        options.check();
+        options.validate();
         space_momentum_ = space_momentum();
         start_energy_ = energy_ = energy();
         const auto r = rates();
@@ -68,7 +68,7 @@ public:
             *at = r.loss;
         };
         for (;;) {
-            if (evidence_.steps >= options_.max_steps) return end(BodyBeamStatus::too_many_steps);
+            if (evidence_.steps >= options_.most_steps) return end(BodyBeamStatus::too_many_steps);
             ++evidence_.steps;
             if (options_.largest_step > 0) step_ = std::min(step_, options_.largest_step);
             const bool last = time_ + step_ >= until;

@@ -8,13 +8,14 @@
 
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
 #include <equilibria/storage/locked_file.hpp>
 #include <exception>
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "support/body_beam_options.hpp"
@@ -26,9 +27,19 @@
 
 namespace {
 
-using equilibria::mechanisms::BeamControl;
+using equilibria::mechanisms::BeamControl, equilibria::mechanisms::BodyBeamEquilibria,
+    equilibria::mechanisms::BodyBeamSolver;
 using Beam = equilibria::mechanisms::RotatingBodyBeam<1>;
+using BodyBeamValues = Beam::Values;
 using Json = nlohmann::ordered_json;
+
+struct BodyBeamRun {
+    std::uint64_t seed = 1;
+    unsigned threads = 1;
+    std::function<void(std::uint64_t done, std::uint64_t all)> progress{};
+    std::string checkpoint{};  // of the paths to the generic member
+    bool prove = false;
+};
 
 /// Of the spin about the undeformed beam; none where there is no such spin or where any tilt is as good.
 using WhirlSpeeds = std::array<std::vector<double>, 2>;
@@ -46,21 +57,23 @@ WhirlSpeeds whirl_speeds(const BodyBeamValues& p) {
 }
 
 struct Answer {
-    RelativeEquilibria found;
+    BodyBeamEquilibria found;
     WhirlSpeeds whirl;
 };
 
 template <int K, BeamControl Control>
-Answer solved(const BodyBeamValues& p, BodyBeamRun run) {
-    return {BodyBeamSolver<K, Control>(p, std::move(run))(p), whirl_speeds<K>(p)};
+Answer solved(const BodyBeamValues& p, const BodyBeamRun& run) {
+    const BodyBeamSolver<K, Control> solver(p, {.seed = run.seed,
+                                                .executor = equilibria::threads(run.threads),
+                                                .progress = run.progress,
+                                                .checkpoint = run.checkpoint});
+    return {run.prove ? solver.prove(p) : solver(p), whirl_speeds<K>(p)};
 }
 
-Answer answer(const BodyBeamValues& p, int modes, BeamControl control, BodyBeamRun run) {
+Answer answer(const BodyBeamValues& p, int modes, BeamControl control, const BodyBeamRun& run) {
     if (control == BeamControl::speed)
-        return modes == 1 ? solved<1, BeamControl::speed>(p, std::move(run))
-                          : solved<2, BeamControl::speed>(p, std::move(run));
-    return modes == 1 ? solved<1, BeamControl::momentum>(p, std::move(run))
-                      : solved<2, BeamControl::momentum>(p, std::move(run));
+        return modes == 1 ? solved<1, BeamControl::speed>(p, run) : solved<2, BeamControl::speed>(p, run);
+    return modes == 1 ? solved<1, BeamControl::momentum>(p, run) : solved<2, BeamControl::momentum>(p, run);
 }
 
 Json counts(const equilibria::PathCounts& paths) {

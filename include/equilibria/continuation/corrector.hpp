@@ -1,12 +1,12 @@
 /// \file
-/// Newton's method for g(q, p) = 0 at a fixed parameter p: where a branch begins, and for a problem that is to be solved
-/// at one parameter alone.
+/// Newton's method for g(q, p) = 0 at a fixed parameter p: where a branch begins, and for a problem that is to be
+/// solved at one parameter alone.
 ///
 /// Each correction is K^-1 g by the bordered system of bordered.hpp, with a round of iterative refinement, so that it
-/// exists next to a fold as well. It ends where a correction is small, or no longer shrinks for rounding. Where it fails:
-/// at a singular point itself (events.hpp and critical_point.hpp find those), and from a start outside of the region in
-/// which the method converges, since no step is damped. Source: Deuflhard, Newton Methods for Nonlinear Problems,
-/// section 2.1; Govaerts, Numerical Methods for Bifurcations of Dynamical Equilibria, chapter 3.
+/// exists next to a fold as well. It ends where a correction is small, or no longer shrinks for rounding. Where it
+/// fails: at a singular point itself (events.hpp and critical_point.hpp find those), and from a start outside of the
+/// region in which the method converges, since no step is damped. Source: Deuflhard, Newton Methods for Nonlinear
+/// Problems, section 2.1; Govaerts, Numerical Methods for Bifurcations of Dynamical Equilibria, chapter 3.
 #pragma once
 
 #include <cmath>

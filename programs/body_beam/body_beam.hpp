@@ -1,5 +1,5 @@
-// The solvers that body_beam has a unit for each number of modes of, so that they compile side by side: solve_1_mode.cpp,
-// solve_2_mode.cpp.
+// The solvers that body_beam has a unit for each number of modes of, so that they compile side by side:
+// solve_1_mode.cpp, solve_2_mode.cpp.
 #pragma once
 
 #include <equilibria/studies/rotating_body_beam/body_beam_solver.hpp>

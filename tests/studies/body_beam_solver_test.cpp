@@ -96,6 +96,13 @@ TEST_CASE("The solver finds all rotations of a body with a beam at each speed, a
             CHECK(e.proved);
             check_equilibrium(e, p);
         }
+        // another speed, from the same generic member
+        const auto slow = body(2, coupling);
+        const auto z = solver(slow);
+        check_complete(z);
+        CHECK(z.paths.total == y.paths.total);
+        for (const auto& e : z.equilibria) check_equilibrium(e, slow);
+        if (coupling != 0) continue;
         // without a proof the same
         const auto same = solver(p);
         REQUIRE(same.equilibria.size() == y.equilibria.size());
@@ -103,12 +110,6 @@ TEST_CASE("The solver finds all rotations of a body with a beam at each speed, a
             CHECK(same.equilibria[k].axis == y.equilibria[k].axis);
             CHECK(!same.equilibria[k].proved);
         }
-        // another speed, from the same generic member
-        const auto slow = body(2, coupling);
-        const auto z = solver(slow);
-        check_complete(z);
-        CHECK(z.paths.total == y.paths.total);
-        for (const auto& e : z.equilibria) check_equilibrium(e, slow);
     }
 }
 

@@ -3,7 +3,10 @@
 #pragma once
 
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
+#include <string>
+#include <vector>
 
 #include <equilibria/core/error.hpp>
 
@@ -25,5 +28,20 @@ struct MotionOptions {
         require(most_steps > 0, "most_steps", most_steps, "must be positive");
     }
 };
+
+namespace detail {
+
+/// Throws InvalidArgument unless all times at which a motion is asked for are finite, none below start_time, none below
+/// the one before it.
+inline void require_rising_times(const std::vector<double>& times, double start_time) {
+    double before = start_time;
+    for (std::size_t k = 0; k < times.size(); ++k) {
+        require(std::isfinite(times[k]) && times[k] >= before, "times[" + std::to_string(k) + "]", times[k],
+                "must be finite, " + to_text(before) + " or more");
+        before = times[k];
+    }
+}
+
+}  // namespace detail
 
 }  // namespace equilibria

@@ -12,7 +12,8 @@
 /// enumerated from a total-degree start, once; any member of the same masses, centre and length is reached from its
 /// roots, with hundreds of paths instead of thousands (the coefficient-parameter theory of Morgan and Sommese, Appl.
 /// Math. Comput. 29, 1989). A second generic member must have as many roots. What is enumerated are the rotations of
-/// section 2, (2.6) and (2.7), of Baillieul, "Parametric dependence in the equilibrium dynamics of rotating structures".
+/// section 2, (2.6) and (2.7), of Baillieul, "Parametric dependence in the equilibrium dynamics of rotating
+/// structures".
 ///
 /// Where it fails: the total degree is 1,458 for one mode and 27 times as much for each further one, and twice as much
 /// at a momentum, so two modes take minutes; beams of more modes are followed (rotating_body_beam_boundary.hpp). An
@@ -89,8 +90,8 @@ namespace detail {
 /// Whether all roots can be followed to other members: each is regular, and nothing says that one is missing.
 template <class Set>
 bool can_be_followed(const Set& set) {
-    return set.paths.failed == 0 && set.paths.singular == 0 && !set.cancelled() &&
-           set.paths.finite == set.distinct() && !set.alarms.raised();
+    return set.paths.failed == 0 && set.paths.singular == 0 && !set.cancelled() && set.paths.finite == set.distinct() &&
+           !set.alarms.raised();
 }
 
 }  // namespace detail

@@ -244,8 +244,8 @@ public:
         require_finite(sized(q), "q");
         require(std::isfinite(p), "p", p, "must be finite");
         const double length = std::sqrt(q.dot(weights(q).cwiseProduct(q)));
-        const auto correction = correct_at(*this, q, p,
-                                           {.most_steps = most_steps, .tolerance = 1e-13 * (1 + length), .rounding = 1e4});
+        const auto correction =
+            correct_at(*this, q, p, {.most_steps = most_steps, .tolerance = 1e-13 * (1 + length), .rounding = 1e4});
         BeamSolution y;
         y.status = correction.status;
         y.steps = correction.steps;

@@ -17,7 +17,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <string>
 #include <vector>
 
 #include <Eigen/Core>
@@ -176,12 +175,7 @@ public:
     /// InvalidArgument where these, the start or an option are none; all else that may happen is a status.
     BodyBeamMotion<K> integrate(const State& start, const std::vector<double>& times,
                                 const MotionOptions& options = fine) const {
-        double before = 0;
-        for (std::size_t k = 0; k < times.size(); ++k) {
-            require(std::isfinite(times[k]) && times[k] >= before, "times[" + std::to_string(k) + "]", times[k],
-                    "must be finite, " + to_text(before) + " or more");
-            before = times[k];
-        }
+        equilibria::detail::require_rising_times(times, 0);
         detail::BeamStepper stepper(motion_, numbers(start), options);
         BodyBeamMotion<K> y;
         for (const double t : times) {

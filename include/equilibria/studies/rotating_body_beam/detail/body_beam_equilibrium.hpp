@@ -1,6 +1,6 @@
 /// \file
-/// A root of BodyBeamFamily as the relative equilibrium that it is: which of several points stands for it, and its index
-/// at fixed momentum. See body_beam_solver.hpp.
+/// A root of BodyBeamFamily as the relative equilibrium that it is: which of several points stands for it, and its
+/// index at fixed momentum. See body_beam_solver.hpp.
 #pragma once
 
 #include <algorithm>
@@ -30,8 +30,8 @@ inline bool represents(const Eigen::Vector3d& axis, bool circle) {
     return axis(largest) > 0;
 }
 
-/// The relative equilibrium q, with the unknowns of RotatingBodyBeam<K, Strain>, at the parameters p. circles: turning p
-/// about the third axis changes nothing.
+/// The relative equilibrium q, with the unknowns of RotatingBodyBeam<K, Strain>, at the parameters p. circles: turning
+/// p about the third axis changes nothing.
 template <int K, BeamStrain Strain>
 BodyBeamEquilibrium body_beam_equilibrium(const Array<double, 4 + 3 * K>& q, double speed,
                                           const RotatingBodyBeam<1>::Values& p, bool circles) {

@@ -1,5 +1,5 @@
 // The motion of a rotating body with a damped elastic beam, and the relative equilibria in which it ends: section 2 of
-// the seed.
+// Baillieul, "Parametric dependence in the equilibrium dynamics of rotating structures".
 //
 //   body_beam_motion --momentum 10 --damping 0.3,0.3,0.3 --runs 200 --threads 0 --json runs.json
 //   body_beam_motion --strain coupled --t-end 50 --samples 500 --csv motion.csv

@@ -1,5 +1,5 @@
 // Every equilibrium of the holonomic mechanism, real and complex, proved, with its stability by three criteria: Tables
-// 1 to 5 of the third seed.
+// 1 to 5 of Vesovic and Radulovic, "Modelling and stability analysis of the nonlinear system" (2022).
 //
 //   mechanism --force 100 --json mechanism.json
 //   mechanism --data appendix --force 0

@@ -1,5 +1,5 @@
-// The figures of the holonomic mechanism's study: Figures 3 to 10 of the third seed, and the basins of two stable
-// equilibria.
+// The figures of the holonomic mechanism's study: Figures 3 to 10 of Vesovic and Radulovic, "Modelling and
+// stability analysis of the nonlinear system" (2022), and the basins of two stable equilibria.
 //
 //   mechanism_figures --out figures
 #include <algorithm>

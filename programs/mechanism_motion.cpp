@@ -1,4 +1,5 @@
-// The motion of the holonomic mechanism in three formulations, with its energy balance: section 1 of the third seed.
+// The motion of the holonomic mechanism in three formulations, with its energy balance: section 1 of
+// Vesovic and Radulovic, "Modelling and stability analysis of the nonlinear system" (2022).
 //
 //   mechanism_motion --formulation lagrange2 --t-end 10 --csv motion.csv
 //   mechanism_motion --formulation lagrange1 --every 1

@@ -1,5 +1,6 @@
 /// \file
-/// Hamilton's equations. Source: the third seed, section 1.6, with p = dL/dv.
+/// Hamilton's equations. Source: Vesovic and Radulovic, "Modelling and stability analysis of the nonlinear system",
+/// Theoretical and Applied Mechanics (2022), section 1.6, with p = dL/dv.
 #pragma once
 
 #include <Eigen/Cholesky>

@@ -1,5 +1,7 @@
 /// \file
-/// Lagrange's equations of the second kind, in covariant or contravariant form. Source: the third seed, section 1.5.
+/// Lagrange's equations of the second kind, in covariant or contravariant form. Source: Vesovic and
+/// Radulovic, "Modelling and stability analysis of the nonlinear system", Theoretical and Applied Mechanics (2022),
+/// section 1.5.
 #pragma once
 
 #include <optional>

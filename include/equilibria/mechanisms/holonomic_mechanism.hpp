@@ -1,7 +1,8 @@
 /// \file
 /// A planar mechanism with two degrees of freedom: three rods, a slider, two springs, a damper, gravity and a
-/// horizontal force. Source: "Modelling and stability analysis of the nonlinear system" (2022), sections 1 and 2 and
-/// appendix; its misprints are listed in docs/mechanism.md.
+/// horizontal force. Source: Vesovic and Radulovic, "Modelling and stability analysis of the nonlinear system",
+/// Theoretical and Applied Mechanics (2022), no. 1, 29-48, sections 1 and 2 and appendix; its misprints are listed in
+/// docs/mechanism.md.
 #pragma once
 
 #include <array>

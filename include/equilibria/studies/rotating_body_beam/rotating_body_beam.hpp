@@ -34,7 +34,7 @@ constexpr auto quadratic_form(const auto& j, const auto& w) {
 
 /// The beam's strain energy.
 enum class BeamStrain {
-    linear,   ///< 1/2 int mu_1 u1''^2 + mu_2 u2''^2 + mu_3 u3'^2, the seed's
+    linear,   ///< 1/2 int mu_1 u1''^2 + mu_2 u2''^2 + mu_3 u3'^2, Baillieul's
     coupled,  ///< mu_3/2 int (u3' + (u1'^2 + u2'^2)/2)^2 for the last part: with centrifugal stiffening
     either,   ///< mu_3/2 int (u3' + kappa (u1'^2 + u2'^2)/2)^2, kappa the parameter `coupling`: 0 or 1 for the others
 };

@@ -1,5 +1,6 @@
 // A whole study on one page: a mechanism's equilibria, proved; their stability by energy, Routh, Hurwitz and poles; its
-// motion in three formulations; and where motions end. The third seed's Tables 1 to 5, with its data.
+// motion in three formulations; and where motions end. Tables 1 to 5 of Vesovic and
+// Radulovic, "Modelling and stability analysis of the nonlinear system" (2022), with their data.
 #include <cstdio>
 #include <equilibria/dynamics/basins.hpp>
 #include <equilibria/dynamics/hamilton.hpp>

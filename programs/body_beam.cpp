@@ -8,10 +8,12 @@
 
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
 #include <equilibria/io/results/path_counts_output.hpp>
 #include <equilibria/storage/locked_file.hpp>
 #include <exception>
+#include <functional>
 #include <optional>
 #include <string>
 #include <utility>
@@ -25,9 +27,19 @@
 
 namespace {
 
-using equilibria::mechanisms::BeamControl;
+using equilibria::mechanisms::BeamControl, equilibria::mechanisms::BodyBeamEquilibria,
+    equilibria::mechanisms::BodyBeamSolver;
 using Beam = equilibria::mechanisms::RotatingBodyBeam<1>;
+using BodyBeamValues = Beam::Values;
 using equilibria::Json;
+
+struct BodyBeamRun {
+    std::uint64_t seed = 1;
+    unsigned threads = 1;
+    std::function<void(std::uint64_t done, std::uint64_t all)> progress{};
+    std::string checkpoint{};  // of the paths to the generic member
+    bool prove = false;
+};
 
 /// Of the spin about the undeformed beam; none where there is no such spin or where any tilt is as good.
 using WhirlSpeeds = std::array<std::vector<double>, 2>;
@@ -45,21 +57,25 @@ WhirlSpeeds whirl_speeds(const BodyBeamValues& p) {
 }
 
 struct Answer {
-    RelativeEquilibria found;
+    BodyBeamEquilibria found;
     WhirlSpeeds whirl;
 };
 
 template <int K, BeamControl Control>
-Answer solved(const BodyBeamValues& p, BodyBeamRun run) {
-    return {BodyBeamSolver<K, Control>(p, std::move(run))(p), whirl_speeds<K>(p)};
+Answer solved(const BodyBeamValues& p, const BodyBeamRun& run) {
+    const BodyBeamSolver<K, Control> solver(p, {.seed = run.seed,
+                                                .executor = equilibria::threads(run.threads),
+                                                .progress = run.progress,
+                                                .checkpoint = run.checkpoint});
+    return {run.prove ? solver.prove(p) : solver(p), whirl_speeds<K>(p)};
 }
 
-Answer answer(const BodyBeamValues& p, int modes, BeamControl control, BodyBeamRun run) {
+Answer answer(const BodyBeamValues& p, int modes, BeamControl control, const BodyBeamRun& run) {
     if (control == BeamControl::speed)
-        return modes == 1 ? solved<1, BeamControl::speed>(p, std::move(run))
-                          : solved<2, BeamControl::speed>(p, std::move(run));
-    return modes == 1 ? solved<1, BeamControl::momentum>(p, std::move(run))
-                      : solved<2, BeamControl::momentum>(p, std::move(run));
+        return modes == 1 ? solved<1, BeamControl::speed>(p, run)
+                          : solved<2, BeamControl::speed>(p, run);
+    return modes == 1 ? solved<1, BeamControl::momentum>(p, run)
+                      : solved<2, BeamControl::momentum>(p, run);
 }
 
 /// What the command line says.
@@ -118,7 +134,7 @@ Json counts(const equilibria::PathCounts& paths) {
     return out;
 }
 
-Json document(const RelativeEquilibrium& e) {
+Json document(const equilibria::mechanisms::BodyBeamEquilibrium& e) {
     return {{"axis", equilibria::json_list(e.axis)},
             {"modes", e.modes},
             {"inertia", equilibria::json_rows(e.inertia)},
@@ -165,7 +181,7 @@ Json document(const Command& c, const Answer& a) {
 
 unsigned long long count(std::uint64_t value) { return value; }
 
-void print_equilibria(const RelativeEquilibria& r) {
+void print_equilibria(const BodyBeamEquilibria& r) {
     std::printf("axis                             moment    speed     momentum  index  modes\n");
     const auto zero = [](double x) { return std::abs(x) < 5e-8 ? 0.0 : x; };
     for (const auto& e : r.equilibria) {
@@ -176,7 +192,7 @@ void print_equilibria(const RelativeEquilibria& r) {
     }
 }
 
-void print_paths(const RelativeEquilibria& r, bool prove) {
+void print_paths(const BodyBeamEquilibria& r, bool prove) {
     const auto line = [&](const char* what, const equilibria::PathCounts& n) {
         std::printf("%s: %llu paths: %llu finite, %llu at infinity, %llu singular, %llu failed\n", what, count(n.total),
                     count(n.finite), count(n.at_infinity), count(n.singular), count(n.failed));

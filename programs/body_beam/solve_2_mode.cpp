@@ -1,4 +1,4 @@
-#include "body_beam/solve_definition.hpp"
+#include <equilibria/studies/rotating_body_beam/body_beam_solver.hpp>
 
-template class BodyBeamSolver<2, equilibria::mechanisms::BeamControl::speed>;
-template class BodyBeamSolver<2, equilibria::mechanisms::BeamControl::momentum>;
+template class equilibria::mechanisms::BodyBeamSolver<2, equilibria::mechanisms::BeamControl::speed>;
+template class equilibria::mechanisms::BodyBeamSolver<2, equilibria::mechanisms::BeamControl::momentum>;

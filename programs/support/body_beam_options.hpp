@@ -99,7 +99,7 @@ equilibria::Parameters<M> body_beam_parameters(const BodyBeamOptions& options, d
     }
     p[M::length] = options.length;
     p[M::speed] = speed;
-    M::check(p);
+    M::validate(p);
     return p;
 }
 

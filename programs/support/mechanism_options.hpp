@@ -55,7 +55,7 @@ public:
         replace(Mechanism::stiffness_2, stiffness_2_);
         replace(Mechanism::damping, damping_);
         if (with_decay_) p[Mechanism::decay] = decay_;
-        Mechanism::check(p);
+        Mechanism::validate(p);
         return p;
     }
     const std::string& data() const { return data_; }

@@ -96,7 +96,7 @@ TEST_CASE("the polynomials have the formulation's degrees, and a circle an angle
           std::vector<std::string>{"c1", "s1", "c2", "s2", "x1"});
 }
 
-TEST_CASE("the chain's polynomials are the equations of the seed") {
+TEST_CASE("the chain's polynomials are Baillieul's equations (3.2)") {
     // (3.2): (sin t1 + alpha r sin t2) cos t1 w^2 - sin t1 = 0, (sin t1 + r sin t2) cos t2 w^2 - sin t2 = 0; the
     // gradient is the first times -1, the second times -alpha r.
     const double alpha = 0.3, r = 1.5, w = 2.0;

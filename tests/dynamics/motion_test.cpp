@@ -237,7 +237,7 @@ TEST_CASE("Starts, times and options that are none are refused in a line") {
     CHECK(refused({1}, {0, 1, 0, 1}) == "relative_tolerance = 0: must be from 1e-15 to 1");
     CHECK(refused({1}, {1e-3, 0, 0, 1}) == "absolute_tolerance = 0: must be positive");
     CHECK(refused({1}, {1e-3, 1, -1, 1}) == "largest_step = -1: must be 0 or more");
-    CHECK(refused({1}, {1e-3, 1, 0, 0}) == "max_steps = 0: must be positive");
+    CHECK(refused({1}, {1e-3, 1, 0, 0}) == "most_steps = 0: must be positive");
     const double nan = std::numeric_limits<double>::quiet_NaN();
     CHECK(message_of([&] { integrate_motion(pendulum, {{nan}, {0}}, {1}); }) == "start.q[0] = nan: must be finite");
     CHECK(message_of([&] {

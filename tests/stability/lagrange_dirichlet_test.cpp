@@ -36,7 +36,7 @@ TEST_CASE("A singular Hessian without a negative direction decides nothing") {
     CHECK(flat.agree());
     const auto saddle = lagrange_dirichlet(Eigen::Matrix3d{{0, 0, 0}, {0, -1, 0}, {0, 0, 1}});
     CHECK(saddle.verdict() == PotentialVerdict::unstable);
-    // the paper's first equilibrium, Table 2
+    // the holonomic mechanism's first equilibrium (Vesovic and Radulovic 2022, Table 2)
     const auto first = lagrange_dirichlet(Eigen::Matrix2d{{111.015, -208.317}, {-208.317, -306.19}});
     CHECK(first.minors[1] == Approx(-77387.7).epsilon(1e-5));
     CHECK(first.verdict() == PotentialVerdict::unstable);

@@ -128,7 +128,7 @@ TEST_CASE("The special cases are named, with their rows") {
     CHECK(row.right_half_plane == 0);
     CHECK(row.imaginary_axis == 2);
     CHECK(row.rows(2, 0) == 2);  // d/ds (s^2 + 4)
-    // nothing special: the paper's second equilibrium, Tables 3 and 4
+    // nothing special: the holonomic mechanism's second equilibrium (Vesovic and Radulovic 2022, Tables 3 and 4)
     const auto plain = routh_table(Eigen::Vector<double, 5>{1, 6.01551, 38.3023, 149.28, 305.992});
     CHECK(plain.special.empty());
     CHECK(plain.right_half_plane == 0);

@@ -414,7 +414,7 @@ TEST_CASE("What goes wrong on the way is a status") {
     CHECK(free.settle(start, 3).status == BodyBeamStatus::time_over);
     CHECK(free.settle(start, 3).last.time == 3);
     MotionOptions few;
-    few.max_steps = 10;
+    few.most_steps = 10;
     const auto y = free.integrate(start, times(20, 1000), few);
     CHECK(y.status == BodyBeamStatus::too_many_steps);
     CHECK(y.time < 20);
@@ -465,6 +465,6 @@ TEST_CASE("Bad input is refused by name") {
     state.orientation.w() = 2;
     CHECK_THROWS_WITH(motion.integrate(state, {1}), Contains("start.orientation = 2"));
     for (const auto& options : {MotionOptions{.relative_tolerance = 0}, MotionOptions{.absolute_tolerance = 0},
-                                MotionOptions{.largest_step = -1}, MotionOptions{.max_steps = 0}})
+                                MotionOptions{.largest_step = -1}, MotionOptions{.most_steps = 0}})
         CHECK_THROWS_AS(motion.integrate(good, {1}, options), InvalidArgument);
 }

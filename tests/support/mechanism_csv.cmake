@@ -1,5 +1,5 @@
 # The CSV of mechanism_motion in three formulations: the same header but for the multipliers, a line for each time, and the
-# third seed's angles at the times 1 and 10.
+# angles of section 1 of Vesovic and Radulovic (2022) at the times 1 and 10.
 cmake_minimum_required(VERSION 3.25)
 
 file(REMOVE_RECURSE ${SCRATCH})

@@ -1,5 +1,5 @@
-# The JSON of mechanism has the keys that its readers count on, and the third seed's equilibria at 100 N, four of six roots,
-# proved complete, with the poles on the right that their index says. PROGRAM writes it into SCRATCH, and nothing else.
+# The JSON of mechanism has the keys that its readers count on, and the equilibria of Vesovic and Radulovic (2022) at 100 N, four of
+# six roots, proved complete, with the poles on the right that their index says. PROGRAM writes it into SCRATCH, and nothing else.
 cmake_minimum_required(VERSION 3.25)
 
 include(${CMAKE_CURRENT_LIST_DIR}/json_checks.cmake)

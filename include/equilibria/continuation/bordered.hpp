@@ -294,6 +294,17 @@ Border border_for(const Matrix& k, const Eigen::VectorXd& weights, int multiplie
     return y;
 }
 
+/// Factors K with the given border, or, where that is singular, with another one, which `border` is then. False where
+/// that is singular too, or K not finite.
+template <class Matrix>
+bool factor_with_border(BorderedSolver<Matrix>& solver, const Matrix& k, const Eigen::VectorXd& weights,
+                        int multipliers, Border& border) {
+    if (solver.factor(k, border)) return true;
+    if (!std::isfinite(largest_entry(k))) return false;
+    border = border_for(k, weights, multipliers, solver.symmetric());
+    return solver.factor(k, border);
+}
+
 }  // namespace detail
 
 /// Factors K with the border at an unknown (and a row) in which the weakest direction is large; `border` is where the

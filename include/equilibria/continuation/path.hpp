@@ -16,6 +16,7 @@
 
 #include <equilibria/continuation/bordered.hpp>
 #include <equilibria/continuation/branch_point.hpp>
+#include <equilibria/continuation/corrector.hpp>
 #include <equilibria/continuation/path_options.hpp>
 #include <equilibria/continuation/problem.hpp>
 
@@ -220,10 +221,7 @@ private:
 
     /// Factors K with the last border, or with another one where that is singular.
     bool factor(const Matrix& k) {
-        if (solver_.factor(k, border_)) return true;
-        if (!std::isfinite(detail::largest_entry(k))) return false;
-        border_ = detail::border_for(k, weights_, multipliers(*problem_), symmetric_tangent<P>);
-        return solver_.factor(k, border_);
+        return detail::factor_with_border(solver_, k, weights_, multipliers(*problem_), border_);
     }
 
     Constraint normal_of(const Point& from, const Direction& predicted, double h) const {
@@ -324,19 +322,9 @@ private:
 
     /// Newton's method at a fixed parameter; how many corrections it took.
     std::optional<int> correct_at(Configuration<P>& q, double p) {
-        double before = std::numeric_limits<double>::infinity();
-        for (int k = 0; k < 4 * options_.most_corrections; ++k) {
-            const Eigen::VectorXd g = problem_->residual(q, p);
-            if (!g.allFinite() || !factor(problem_->tangent(q, p))) return std::nullopt;
-            const BorderedSolution q0 = solver_.solve(-g, 0), r = solver_.solve(Eigen::VectorXd::Zero(g.size()), 1);
-            const Eigen::VectorXd d = q0.x - q0.tau / r.tau * r.x;
-            const double size = std::sqrt(d.dot(weights_.cwiseProduct(d)));
-            if (!std::isfinite(size)) return std::nullopt;
-            q = retract(*problem_, q, d);
-            if (size <= options_.tolerance || (size >= before && size < 1e3 * options_.tolerance)) return k + 1;
-            before = size;
-        }
-        return std::nullopt;
+        const Correction y = Corrector<P>(*problem_, solver_, border_, weights_)(
+            q, p, {.most_steps = 4 * options_.most_corrections, .tolerance = options_.tolerance});
+        return y.converged() ? std::optional<int>(y.steps) : std::nullopt;
     }
 
     const P* problem_;

@@ -51,7 +51,7 @@ std::vector<Settled<M>> find_basins(const Parameters<M>& p, const Equilibria& eq
             "must be positive");
     require(options.settled_share > 0 && options.settled_share < 1, "settled_share", options.settled_share,
             "must be between 0 and 1");
-    options.motion.check();
+    options.motion.validate();
     struct Well {
         std::size_t equilibrium;
         Unknowns<M> q;

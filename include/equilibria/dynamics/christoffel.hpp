@@ -1,5 +1,6 @@
 /// \file
-/// Christoffel symbols of the kinetic energy's metric. Source: the third seed, (1.17) and (*).
+/// Christoffel symbols of the kinetic energy's metric. Source: Vesovic and Radulovic, "Modelling and
+/// stability analysis of the nonlinear system", Theoretical and Applied Mechanics (2022), (1.17) and (*).
 #pragma once
 
 #include <Eigen/Cholesky>

@@ -1,5 +1,6 @@
 /// \file
-/// Hamilton's equations. Source: the third seed, section 1.6, with p = dL/dv.
+/// Hamilton's equations. Source: Vesovic and Radulovic, "Modelling and stability analysis of the nonlinear system",
+/// Theoretical and Applied Mechanics (2022), section 1.6, with p = dL/dv.
 #pragma once
 
 #include <Eigen/Cholesky>
@@ -23,7 +24,7 @@ public:
     explicit HamiltonEquations(const Parameters<M>& p) : Base(p) {}
 
     State start(const MotionState<M>& at) const {
-        this->check(at);
+        this->validate(at);
         return Base::joined(at.q, momenta<M>(at.q, at.velocity, this->p_));
     }
 

@@ -1,6 +1,6 @@
 /// \file
-/// Lagrange's equations of the first kind, with multipliers. Sources: the third seed, (1.7) and (1.8); index reduction
-/// and projection as in Hairer and Wanner, Solving Ordinary Differential Equations II, section VII.2.
+/// Lagrange's equations of the first kind, with multipliers. Sources: Vesovic and Radulovic, "Modelling and stability
+/// analysis of the nonlinear system", Theoretical and Applied Mechanics (2022), (1.7) and (1.8); index reduction and projection as in Hairer and Wanner, Solving Ordinary Differential Equations II, section VII.2.
 #pragma once
 
 #include <algorithm>
@@ -42,7 +42,7 @@ public:
     /// Throws InvalidArgument where q or the velocity breaks the constraints by more than 1e-6 of their size; less is
     /// put right.
     State start(const MotionState<M>& at) const {
-        this->check(at);
+        this->validate(at);
         State given = Base::joined(at.q, at.velocity), y = given;
         require(projected(y) == MotionStatus::finished, "start.q", constraint_error(at.q),
                 "must be near a place where the constraints hold and are independent; this is by how much they fail");

@@ -1,5 +1,7 @@
 /// \file
-/// Lagrange's equations of the second kind, in covariant or contravariant form. Source: the third seed, section 1.5.
+/// Lagrange's equations of the second kind, in covariant or contravariant form. Source: Vesovic and
+/// Radulovic, "Modelling and stability analysis of the nonlinear system", Theoretical and Applied Mechanics (2022),
+/// section 1.5.
 #pragma once
 
 #include <optional>
@@ -33,7 +35,7 @@ public:
         : Base(p), form_(form) {}
 
     State start(const MotionState<M>& at) const {
-        this->check(at);
+        this->validate(at);
         return Base::joined(at.q, at.velocity);
     }
 

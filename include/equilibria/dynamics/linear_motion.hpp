@@ -22,13 +22,13 @@ public:
     /// Throws InvalidArgument where the mass matrix is not positive definite there.
     LinearMotion(const Parameters<M>& p, const Unknowns<M>& equilibrium)
         : Base(p), equilibrium_(equilibrium), system_(linearise<M>(equilibrium, p)) {
-        system_.check();
+        system_.validate();
         mass_.compute(system_.mass);
     }
     const SecondOrderSystem<UnknownMatrix<M>>& system() const { return system_; }
 
     State start(const MotionState<M>& at) const {
-        this->check(at);
+        this->validate(at);
         return Base::joined(at.q, at.velocity);
     }
     MotionRates<Base::n_states> rates(double, const State& y) const {

@@ -14,7 +14,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <string>
 #include <vector>
 
 #include <boost/numeric/odeint/stepper/controlled_runge_kutta.hpp>
@@ -26,6 +25,7 @@
 #include <equilibria/dynamics/motion_formulation.hpp>
 #include <equilibria/dynamics/motion_options.hpp>
 #include <equilibria/dynamics/motion_point.hpp>
+#include <equilibria/dynamics/motion_status.hpp>
 
 namespace equilibria {
 
@@ -39,7 +39,7 @@ public:
     MotionStepper(const F& formulation, const MotionState<Model>& start, double start_time = 0,
                   const MotionOptions& options = {})
         : formulation_(formulation), options_(options) {
-        options.check();
+        options.validate();
         require(std::isfinite(start_time), "start_time", start_time, "must be finite");
         const auto state = formulation_.start(start);
         State y{};
@@ -67,7 +67,7 @@ public:
     /// One step of the size that the tolerances allow. False where there is none: `status` says why.
     bool step() {
         if (status_ != MotionStatus::finished) return false;
-        if (steps_ >= options_.max_steps) return end(MotionStatus::too_many_steps);
+        if (steps_ >= options_.most_steps) return end(MotionStatus::too_many_steps);
         if (corrected_) {
             stepper_.initialize(projected_, time(), stepper_.current_time_step());
             corrected_ = false;
@@ -190,12 +190,7 @@ template <MotionFormulation F>
 Motion<typename F::Model> integrate_motion(const F& formulation, const MotionState<typename F::Model>& start,
                                            const std::vector<double>& times, const MotionOptions& options = {},
                                            double start_time = 0) {
-    double before = start_time;
-    for (std::size_t k = 0; k < times.size(); ++k) {
-        require(std::isfinite(times[k]) && times[k] >= before, "times[" + std::to_string(k) + "]", times[k],
-                "must be finite, " + to_text(before) + " or more");
-        before = times[k];
-    }
+    detail::require_rising_times(times, start_time);
     MotionStepper<F> stepper(formulation, start, start_time, options);
     Motion<typename F::Model> y;
     for (const double t : times) {

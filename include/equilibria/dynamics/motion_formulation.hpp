@@ -9,30 +9,9 @@
 
 #include <equilibria/core/error.hpp>
 #include <equilibria/dynamics/motion_point.hpp>
+#include <equilibria/dynamics/motion_status.hpp>
 
 namespace equilibria {
-
-/// How a motion ended, or why its equations could not be solved.
-enum class MotionStatus {
-    finished,
-    singular_mass_matrix,  ///< M(q) is not positive definite
-    singular_constraints,  ///< the constraints' gradients are linearly dependent
-    not_finite,            ///< a force or a state is not a finite number
-    step_too_small,        ///< no step is small enough for the tolerance
-    too_many_steps,        ///< `max_steps` were not enough
-};
-
-inline const char* to_string(MotionStatus status) {
-    switch (status) {
-        case MotionStatus::finished: return "finished";
-        case MotionStatus::singular_mass_matrix: return "the mass matrix is singular";
-        case MotionStatus::singular_constraints: return "the constraints are linearly dependent";
-        case MotionStatus::not_finite: return "a number is not finite";
-        case MotionStatus::step_too_small: return "no step is small enough";
-        case MotionStatus::too_many_steps: break;
-    }
-    return "too many steps";
-}
 
 /// How fast a formulation's state changes, and what goes in and out of the energy meanwhile.
 template <std::size_t N>
@@ -74,7 +53,7 @@ protected:
 
     explicit ModelMotion(const Parameters<M>& p) : p_(p) { require_finite(p, "p"); }
 
-    void check(const MotionState<M>& start) const {
+    void validate(const MotionState<M>& start) const {
         require_finite(start.q, "start.q");
         require_finite(start.velocity, "start.velocity");
         require_quadratic_kinetic_energy<M>(start.q, p_);

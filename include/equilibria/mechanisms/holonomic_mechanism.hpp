@@ -1,7 +1,8 @@
 /// \file
 /// A planar mechanism with two degrees of freedom: three rods, a slider, two springs, a damper, gravity and a
-/// horizontal force. Source: "Modelling and stability analysis of the nonlinear system" (2022), sections 1 and 2 and
-/// appendix; its misprints are listed in docs/mechanism.md.
+/// horizontal force. Source: Vesovic and Radulovic, "Modelling and stability analysis of the nonlinear system",
+/// Theoretical and Applied Mechanics (2022), no. 1, 29-48, sections 1 and 2 and appendix; its misprints are listed in
+/// docs/mechanism.md.
 #pragma once
 
 #include <array>
@@ -50,7 +51,7 @@ struct HolonomicMechanismParameters {
 
     /// Throws InvalidArgument unless masses and length are positive, stiffnesses, damping and decay not negative, and
     /// all is finite.
-    static void check(const Values& p) {
+    static void validate(const Values& p) {
         require_finite(p, "parameters");
         require(p[mass_1] > 0, "mass_1", p[mass_1], "must be positive");
         require(p[mass_2] > 0, "mass_2", p[mass_2], "must be positive");

@@ -1,6 +1,7 @@
 /// \file
 /// Planar chains of massless links with point masses, hanging in a vertical plane that turns about the vertical axis
-/// through the first joint. Source: Baillieul, section 3, equations (3.1) and (3.2).
+/// through the first joint. Source: Baillieul, "Parametric dependence in the equilibrium dynamics of rotating
+/// structures", section 3, equations (3.1) and (3.2).
 #pragma once
 
 #include <equilibria/model/model.hpp>

@@ -60,10 +60,10 @@ struct PoleCount {
     }
 };
 
-/// Throws InvalidArgument where `system` is not one: see SecondOrderSystem::check.
+/// Throws InvalidArgument where `system` is not one: see SecondOrderSystem::validate.
 template <class Matrix>
 PoleCount<Matrix> count_poles(const SecondOrderSystem<Matrix>& system) {
-    system.check();
+    system.validate();
     PoleCount<Matrix> y;
     y.polynomial = characteristic_polynomial(system);
     y.poles = poles(system);

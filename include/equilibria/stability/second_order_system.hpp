@@ -38,7 +38,7 @@ struct SecondOrderSystem {
     Matrix mass, damping, stiffness;
 
     /// Throws InvalidArgument unless the sizes agree, all entries are finite and M is symmetric and positive definite.
-    void check() const {
+    void validate() const {
         const auto square = [&](const Matrix& a, const char* name) {
             require(a.rows() == mass.rows() && a.cols() == mass.rows(), name,
                     to_text(a.rows()) + " x " + to_text(a.cols()), "must be square, of the size of mass");

@@ -34,7 +34,7 @@ constexpr auto quadratic_form(const auto& j, const auto& w) {
 
 /// The beam's strain energy.
 enum class BeamStrain {
-    linear,   ///< 1/2 int mu_1 u1''^2 + mu_2 u2''^2 + mu_3 u3'^2, the seed's
+    linear,   ///< 1/2 int mu_1 u1''^2 + mu_2 u2''^2 + mu_3 u3'^2, Baillieul's
     coupled,  ///< mu_3/2 int (u3' + (u1'^2 + u2'^2)/2)^2 for the last part: with centrifugal stiffening
     either,   ///< mu_3/2 int (u3' + kappa (u1'^2 + u2'^2)/2)^2, kappa the parameter `coupling`: 0 or 1 for the others
 };
@@ -77,7 +77,7 @@ struct RotatingBodyBeamBase {
 
     /// Throws InvalidArgument unless masses, inertias, length and stiffnesses are positive, the speed is not negative,
     /// and the inertia is that of a body: each moment is at most the sum of the others.
-    static void check(const Values& p) {
+    static void validate(const Values& p) {
         require_finite(p, "parameters");
         const auto positive = [&](Parameter k, const char* name) { require(p[k] > 0, name, p[k], "must be positive"); };
         positive(body_mass, "body_mass");
@@ -349,7 +349,7 @@ Eigen::Matrix<double, 2 + 3 * K, 2 + 3 * K> momentum_hessian(const Unknowns<Rota
 template <int K>
 std::vector<double> whirl_speeds(const Array<double, RotatingBodyBeam<K>::n_parameters>& p, int plane) {
     using M = RotatingBodyBeam<K>;
-    M::check(p);
+    M::validate(p);
     require(plane == 1 || plane == 2, "plane", plane, "must be 1 or 2");
     require(p[M::centre_1] == 0 && p[M::centre_2] == 0, "centre", p[M::centre_1] == 0 ? p[M::centre_2] : p[M::centre_1],
             "must lie on the third axis");

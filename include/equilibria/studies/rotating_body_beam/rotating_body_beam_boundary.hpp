@@ -18,12 +18,11 @@
 #pragma once
 
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include <Eigen/Core>
-#include <Eigen/LU>
 
+#include <equilibria/continuation/corrector.hpp>
 #include <equilibria/core/array.hpp>
 #include <equilibria/core/error.hpp>
 #include <equilibria/studies/rotating_body_beam/chebyshev_integrals.hpp>
@@ -32,15 +31,7 @@
 namespace equilibria::mechanisms {
 
 /// Why Newton's method ended.
-enum class BeamSolveStatus {
-    converged,
-    not_finite,  ///< the tangent is singular, or the iterates ran away
-    steps,       ///< as many as allowed
-};
-constexpr const char* to_string(BeamSolveStatus status) {
-    constexpr const char* names[] = {"converged", "not finite", "steps"};
-    return names[static_cast<int>(status)];
-}
+using BeamSolveStatus = CorrectionStatus;
 
 /// What RotatingBodyBeamBoundary::solve reached.
 struct BeamSolution {
@@ -67,7 +58,7 @@ public:
     using Values = Beam::Values;
 
     /// parameters: as of RotatingBodyBeam, whose speed is not used. Throws InvalidArgument where
-    /// RotatingBodyBeam::check does, and unless points is from 4 to 256.
+    /// RotatingBodyBeam::validate does, and unless points is from 4 to 256.
     RotatingBodyBeamBoundary(const Values& parameters, BeamStrain strain, int points = 24,
                              BeamControl control = BeamControl::speed)
         : p_(parameters),
@@ -75,7 +66,7 @@ public:
           m_(checked(points)),
           control_(control),
           chebyshev_(m_, parameters[Beam::length]) {
-        Beam::check(parameters);
+        Beam::validate(parameters);
         third_ = chebyshev_.integral(chebyshev_.coefficients, 1);
         curvature_ = chebyshev_.integral(third_, 1);
         slope_ = chebyshev_.integral(curvature_, -1);
@@ -252,25 +243,13 @@ public:
     BeamSolution solve(Eigen::VectorXd q, double p, int most_steps = 30) const {
         require_finite(sized(q), "q");
         require(std::isfinite(p), "p", p, "must be finite");
-        require(most_steps >= 1, "most_steps", most_steps, "must be at least 1");
-        const Eigen::VectorXd w = weights(q);
-        const auto length = [&](const Eigen::VectorXd& v) { return std::sqrt(v.dot(w.cwiseProduct(v))); };
+        const double length = std::sqrt(q.dot(weights(q).cwiseProduct(q)));
+        const auto correction =
+            correct_at(*this, q, p, {.most_steps = most_steps, .tolerance = 1e-13 * (1 + length), .rounding = 1e4});
         BeamSolution y;
+        y.status = correction.status;
+        y.steps = correction.steps;
         y.p = p;
-        double before = std::numeric_limits<double>::infinity();
-        while (y.status == BeamSolveStatus::steps && y.steps < most_steps) {
-            const Eigen::VectorXd step = Eigen::MatrixXd(tangent(q, p)).partialPivLu().solve(residual(q, p));
-            const double size = length(step), limit = 1e-13 * (1 + length(q));
-            if (!std::isfinite(size)) {
-                y.status = BeamSolveStatus::not_finite;
-                break;
-            }
-            ++y.steps;
-            q -= step;
-            // small, or no longer shrinking for rounding
-            if (size <= limit || (size >= before && size <= 1e4 * limit)) y.status = BeamSolveStatus::converged;
-            before = size;
-        }
         y.residual = residual(q, p).lpNorm<Eigen::Infinity>();
         y.q = std::move(q);
         return y;

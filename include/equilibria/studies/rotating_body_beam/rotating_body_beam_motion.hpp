@@ -17,7 +17,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <string>
 #include <vector>
 
 #include <Eigen/Core>
@@ -52,8 +51,8 @@ public:
     /// p: the model's; its speed does not matter. Throws InvalidArgument where a parameter is none, where the damping
     /// is negative, or where the body's inertia about its own centre of mass is not positive definite.
     RotatingBodyBeamMotion(const Parameters<Model>& p, const BeamDamping& damping) : p_(p) {
-        Base::check(p);
-        damping.check();
+        Base::validate(p);
+        damping.validate();
         const Eigen::Vector3d c(p[Base::centre_1], p[Base::centre_2], p[Base::centre_3]);
         Eigen::Matrix3d own = p[Base::body_mass] * (c * c.transpose());
         for (int d = 0; d < 3; ++d) own(d, d) += p[Base::inertia_1 + d] - p[Base::body_mass] * c.squaredNorm();
@@ -176,12 +175,7 @@ public:
     /// InvalidArgument where these, the start or an option are none; all else that may happen is a status.
     BodyBeamMotion<K> integrate(const State& start, const std::vector<double>& times,
                                 const MotionOptions& options = fine) const {
-        double before = 0;
-        for (std::size_t k = 0; k < times.size(); ++k) {
-            require(std::isfinite(times[k]) && times[k] >= before, "times[" + std::to_string(k) + "]", times[k],
-                    "must be finite, " + to_text(before) + " or more");
-            before = times[k];
-        }
+        equilibria::detail::require_rising_times(times, 0);
         detail::BeamStepper stepper(motion_, numbers(start), options);
         BodyBeamMotion<K> y;
         for (const double t : times) {

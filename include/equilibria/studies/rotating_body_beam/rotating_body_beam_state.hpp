@@ -11,15 +11,16 @@
 #include <Eigen/Geometry>
 
 #include <equilibria/core/error.hpp>
+#include <equilibria/dynamics/motion_status.hpp>
 
 namespace equilibria::mechanisms {
 
-/// Kelvin-Voigt damping, the seed's (2.1): D = 1/2 int k_1 (u1'')_t^2 + k_2 (u2'')_t^2 + k_3 (u3')_t^2.
+/// Kelvin-Voigt damping, (2.1) of Baillieul: D = 1/2 int k_1 (u1'')_t^2 + k_2 (u2'')_t^2 + k_3 (u3')_t^2.
 struct BeamDamping {
     double bending_1 = 0, bending_2 = 0, stretching = 0;  ///< k_1, k_2, k_3
 
     /// Throws InvalidArgument unless all are finite, 0 or more.
-    void check() const {
+    void validate() const {
         const auto good = [](const char* name, double k) {
             require(std::isfinite(k) && k >= 0, name, k, "must be finite, 0 or more");
         };
@@ -33,7 +34,7 @@ enum class BodyBeamStatus {
     finished,        ///< came to the last time asked for
     settled,         ///< came to rest in the body frame
     time_over,       ///< did not settle in the longest time
-    too_many_steps,  ///< max_steps steps were tried
+    too_many_steps,  ///< most_steps steps were tried
     step_too_small,  ///< the tolerances ask for steps below rounding
     not_finite,
 };
@@ -42,6 +43,16 @@ inline const char* to_string(BodyBeamStatus status) {
     constexpr const char* names[] = {"finished",       "settled",        "time over",
                                      "too many steps", "step too small", "not finite"};
     return names[static_cast<int>(status)];
+}
+
+/// The integration's status as the motion's.
+inline BodyBeamStatus body_beam_status(MotionStatus status) {
+    switch (status) {
+        case MotionStatus::finished: return BodyBeamStatus::finished;
+        case MotionStatus::too_many_steps: return BodyBeamStatus::too_many_steps;
+        case MotionStatus::step_too_small: return BodyBeamStatus::step_too_small;
+        default: return BodyBeamStatus::not_finite;
+    }
 }
 
 /// Body and beam in motion; K modes a direction, in the order of RotatingBodyBeamBase.

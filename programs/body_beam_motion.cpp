@@ -9,6 +9,7 @@
 #include <cstdio>
 #include <equilibria/run/threads.hpp>
 #include <equilibria/core/random.hpp>
+#include <equilibria/studies/rotating_body_beam/momentum_hessian.hpp>
 #include <equilibria/studies/rotating_body_beam/rotating_body_beam.hpp>
 #include <equilibria/studies/rotating_body_beam/rotating_body_beam_motion.hpp>
 #include <equilibria/model/derivatives.hpp>

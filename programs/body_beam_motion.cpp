@@ -13,6 +13,7 @@
 #include <equilibria/model/derivatives.hpp>
 #include <equilibria/run/threads.hpp>
 #include <equilibria/stability/inertia.hpp>
+#include <equilibria/studies/rotating_body_beam/momentum_hessian.hpp>
 #include <equilibria/studies/rotating_body_beam/rotating_body_beam.hpp>
 #include <equilibria/studies/rotating_body_beam/rotating_body_beam_motion.hpp>
 #include <exception>

@@ -9,6 +9,8 @@
 
 #include <equilibria/enumerate/enumerate.hpp>
 #include <equilibria/enumerate/prove.hpp>
+#include <equilibria/studies/rotating_body_beam/body_beam_family.hpp>
+#include <equilibria/studies/rotating_body_beam/momentum_hessian.hpp>
 #include <equilibria/studies/rotating_body_beam/rotating_body_beam.hpp>
 #include <equilibria/stability/inertia.hpp>
 

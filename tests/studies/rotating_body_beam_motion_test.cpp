@@ -12,6 +12,7 @@
 #include <Eigen/LU>
 
 #include <equilibria/core/random.hpp>
+#include <equilibria/studies/rotating_body_beam/momentum_hessian.hpp>
 #include <equilibria/studies/rotating_body_beam/rotating_body_beam.hpp>
 #include <equilibria/studies/rotating_body_beam/rotating_body_beam_motion.hpp>
 #include <equilibria/model/derivatives.hpp>

@@ -9,6 +9,7 @@
 
 #include <equilibria/core/random.hpp>
 #include <equilibria/paths/complex_roots.hpp>
+#include <equilibria/studies/rotating_body_beam/momentum_hessian.hpp>
 #include <equilibria/studies/rotating_body_beam/rotating_body_beam.hpp>
 #include <equilibria/stability/inertia.hpp>
 

@@ -37,6 +37,7 @@
 #include <equilibria/enumerate/prove.hpp>
 #include <equilibria/run/run_options.hpp>
 #include <equilibria/studies/rotating_body_beam/body_beam_equilibria.hpp>
+#include <equilibria/studies/rotating_body_beam/body_beam_family.hpp>
 #include <equilibria/studies/rotating_body_beam/detail/body_beam_equilibrium.hpp>
 #include <equilibria/studies/rotating_body_beam/rotating_body_beam.hpp>
 

@@ -26,6 +26,7 @@
 #include <equilibria/core/error.hpp>
 #include <equilibria/core/random.hpp>
 #include <equilibria/dynamics/motion_options.hpp>
+#include <equilibria/model/derivatives.hpp>
 #include <equilibria/model/model.hpp>
 #include <equilibria/studies/rotating_body_beam/rotating_body_beam.hpp>
 #include <equilibria/studies/rotating_body_beam/rotating_body_beam_equations.hpp>

@@ -11,6 +11,7 @@
 #include <equilibria/core/array.hpp>
 #include <equilibria/stability/inertia.hpp>
 #include <equilibria/studies/rotating_body_beam/body_beam_equilibria.hpp>
+#include <equilibria/studies/rotating_body_beam/momentum_hessian.hpp>
 #include <equilibria/studies/rotating_body_beam/rotating_body_beam.hpp>
 
 namespace equilibria::mechanisms::detail {

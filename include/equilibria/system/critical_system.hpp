@@ -145,7 +145,7 @@ struct CriticalSystem {
     static std::vector<P> combination(const Array<Array<double, n>, n>& basis, int first) {
         std::vector<P> v;
         for (int i = 0; i < n; ++i) {
-            P sum(C(basis[i][0]));
+            P sum = P(C(basis[i][0]));
             for (int k = 1; k < n; ++k)
                 sum += P(P::Basis::single(P::Basis::angles + first + k - 1, 1), C(basis[i][k]));
             v.push_back(sum);

@@ -16,6 +16,9 @@
 #include <string>
 #include <vector>
 
+#include <Eigen/Core>
+#include <Eigen/QR>
+
 #include <equilibria/enumerate/enumerate.hpp>
 #include <equilibria/locus/line/line_event.hpp>
 #include <equilibria/model/active_parameters.hpp>
@@ -195,13 +198,17 @@ private:
         if (value < found_.low - around || value > found_.high + around) return;
         LineEvent<M> event;
         const auto refined = refine_singularity<M, SingularityKind::fold, Active>(q, at(value));
-        if (refined.converged && std::abs(refined.p[Active] - value) < around && same_unknowns<M>(refined.q, q, 1e-3)) {
+        // a singular endpoint is exact to 1e-7 and better: what is further off is another point
+        const double near = singular ? 1e-6 : 1e-3;
+        if (refined.converged && std::abs(refined.p[Active] - value) < around && same_unknowns<M>(refined.q, q, near)) {
             event.value = refined.p[Active];
             event.q = wrapped<M>(refined.q);
             event.v = refined.v;
             event.correction = refined.correction;
             // the fold's system converges at bifurcations too, linearly, and from an endpoint's digits that is enough
             if (singular) event.kind = bifurcation_kind<M, Active>(event, p_);
+        } else if (singular && correct_bifurcation(q, value, event)) {
+            event.kind = bifurcation_kind<M, Active>(event, p_);
         } else {
             const Problem problem(p_);
             const auto point = CriticalPointSolver<Problem>(problem).solve(Problem::vector(q), value);
@@ -217,6 +224,41 @@ private:
             event.correction = std::numeric_limits<double>::quiet_NaN();
         }
         add(event);
+    }
+
+    /// Newton's method for F = 0, J v = 0, |v| = 1 in (q, v, p), with steps of least length along what these equations
+    /// determine: at a bifurcation they are singular, and the direction that they leave open stays as the endpoint has it.
+    /// False where that does not converge next to the endpoint.
+    bool correct_bifurcation(const Unknowns<M>& q, double value, LineEvent<M>& event) const {
+        event.q = wrapped<M>(q);
+        event.value = value;
+        event.v = null_vector<M>(jacobian<M, double>(event.q, at(value)));
+        for (int round = 0; round < 8; ++round) {
+            const Parameters<M> p = at(event.value);
+            const Eigen::Map<const Eigen::Matrix<double, n, 1>> v(&event.v[0]);
+            const Eigen::Matrix<double, n, n> j = jacobian<M, double>(event.q, p);
+            const Unknowns<M> f = equations<M, double>(event.q, p);
+            const auto by = parameter_derivative<M, double>(event.q, p, Active);
+            Eigen::MatrixXd slopes = Eigen::MatrixXd::Zero(2 * n + 1, 2 * n + 1);
+            Eigen::VectorXd values(2 * n + 1);
+            slopes.topLeftCorner(n, n) = j;
+            slopes.block(n, 0, n, n) = jacobian_derivative<M, double>(event.q, event.v, p);
+            slopes.block(n, n, n, n) = j;
+            slopes.block(2 * n, n, 1, n) = v.transpose();
+            slopes.block(n, 2 * n, n, 1) = jacobian_parameter_derivative<M, double>(event.q, p, Active) * v;
+            for (int i = 0; i < n; ++i) slopes(i, 2 * n) = by[i], values(i) = f[i];
+            values.segment(n, n) = j * v;
+            values(2 * n) = 0.5 * (v.squaredNorm() - 1);
+            Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> solver;
+            solver.setThreshold(1e-5);
+            const Eigen::VectorXd d = solver.compute(slopes).solve(values);
+            event.correction = d.template lpNorm<Eigen::Infinity>();
+            if (!(event.correction < 1e-5)) return false;
+            for (int i = 0; i < n; ++i) event.q[i] -= d(i), event.v[i] -= d(n + i);
+            event.value -= d(2 * n);
+            if (event.correction < 1e-14) break;
+        }
+        return event.correction < 1e-12 && same_unknowns<M>(event.q, q, 1e-6);
     }
 
     static bool complex_symmetric(const auto& root) {

@@ -50,6 +50,20 @@ inline bool differ_by_pairs(const std::vector<std::int64_t>& a, const std::vecto
     return a != b && alternating == 0;
 }
 
+/// Whether a region is more than a sliver below the resolution of the curves' points, where two curves touch or lie over each
+/// other: with the window as the unit, an area of 1e-13 and a mean width (twice the area over the outline) of 1e-6, a tenth of
+/// what chords of the largest steps are off the curve. The outline is that of all its polygons, so never too short.
+inline bool is_resolved(const LocusRegion& region, const PlaneWindow& window) {
+    const double area = region.area / (window.width() * window.height());
+    double outline = 0;
+    for (const auto& polygon : region.polygons)
+        for (std::size_t k = 0; k < polygon.size(); ++k) {
+            const PlanePoint &a = polygon[k], &b = polygon[(k + 1) % polygon.size()];
+            outline += std::hypot((b.x - a.x) / window.width(), (b.y - a.y) / window.height());
+        }
+    return area > 1e-13 && !(2 * area < 1e-6 * outline);
+}
+
 /// Decomposes the window, enumerates each region at its point, and compares with enumerations elsewhere in it: in its
 /// other cells, and at checks x checks points of a grid.
 template <Model M, int X, int Y>
@@ -63,9 +77,7 @@ void count_regions(Locus<M>& locus, int checks, const RunOptions& run) {
     const PlaneDecomposition plane(locus.window, lines);
     locus.regions.resize(static_cast<std::size_t>(plane.regions()));
     place_points(locus, plane);
-    // slivers below the resolution of the curves' points are where two curves touch, not regions
-    const double negligible = 1e-13 * locus.window.width() * locus.window.height();
-    const auto is_region = [&](const LocusRegion& region) { return region.area > negligible; };
+    const auto is_region = [&](const LocusRegion& region) { return is_resolved(region, locus.window); };
     for (LocusRegion& region : locus.regions) {
         if (!is_region(region)) continue;
         const auto found = enumerate<M>(parameters_at(region.point.x, region.point.y), run);

@@ -17,6 +17,7 @@
 #include <type_traits>
 
 #include <equilibria/core/linear_solve.hpp>
+#include <equilibria/evaluation/point.hpp>
 #include <equilibria/homotopy/path_status.hpp>
 #include <equilibria/homotopy/tracker_options.hpp>
 

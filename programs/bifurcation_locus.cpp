@@ -173,7 +173,7 @@ std::string place(const equilibria::PlanePoint& c) {
 /// Windows around cusps as arrays.
 void add_windows(equilibria::GnuplotData& data, const std::string& name,
                  const std::vector<equilibria::PlaneWindow>& windows) {
-    const auto add = [&](const char* bound, double equilibria::PlaneWindow::*member) {
+    const auto add = [&](const char* bound, double equilibria::PlaneWindow::* member) {
         std::vector<double> values;
         for (const auto& w : windows) values.push_back(w.*member);
         data.values(name + bound, values);

@@ -72,10 +72,8 @@ Answer solved(const BodyBeamValues& p, const BodyBeamRun& run) {
 
 Answer answer(const BodyBeamValues& p, int modes, BeamControl control, const BodyBeamRun& run) {
     if (control == BeamControl::speed)
-        return modes == 1 ? solved<1, BeamControl::speed>(p, run)
-                          : solved<2, BeamControl::speed>(p, run);
-    return modes == 1 ? solved<1, BeamControl::momentum>(p, run)
-                      : solved<2, BeamControl::momentum>(p, run);
+        return modes == 1 ? solved<1, BeamControl::speed>(p, run) : solved<2, BeamControl::speed>(p, run);
+    return modes == 1 ? solved<1, BeamControl::momentum>(p, run) : solved<2, BeamControl::momentum>(p, run);
 }
 
 /// What the command line says.

@@ -107,14 +107,12 @@ void run(const Command& c, const P& problem, equilibria::BranchMeasures<P> how, 
 void trace_truss(const Command& c) {
     const double rise = c.rise.value_or(2);
     const auto problem = support::von_mises_truss(rise, c.strain_measure());
-    run<support::Truss>(c, problem,
-                        {.parameter = "P / EA",
-                         .names = {"height of the apex", "sway of the apex"},
-                         .measure =
-                             [&](const VectorXd& q) {
-                                 return std::vector{problem.at(q, 1)(1), problem.at(q, 1)(0)};
-                             }},
-                        {problem.unloaded(), c.within(-1, 1), 0.02 * rise});
+    run<support::Truss>(
+        c, problem,
+        {.parameter = "P / EA",
+         .names = {"height of the apex", "sway of the apex"},
+         .measure = [&](const VectorXd& q) { return std::vector{problem.at(q, 1)(1), problem.at(q, 1)(0)}; }},
+        {problem.unloaded(), c.within(-1, 1), 0.02 * rise});
 }
 
 void trace_dome(const Command& c) {
@@ -135,14 +133,10 @@ void trace_arch(const Command& c) {
     const double rise = c.rise.value_or(2.5);
     const support::ShallowArch problem{rise};
     const double fold = rise > 1 ? problem.fold() : rise;
-    run<support::ShallowArch>(c, problem,
-                              {.parameter = "q",
-                               .names = {"A1", "A2"},
-                               .measure =
-                                   [](const VectorXd& q) {
-                                       return std::vector{q(0), q(1)};
-                                   }},
-                              {Eigen::Vector2d(rise, 0), c.within(2 * rise - fold - 3, fold + 3), 0.02 * rise});
+    run<support::ShallowArch>(
+        c, problem,
+        {.parameter = "q", .names = {"A1", "A2"}, .measure = [](const VectorXd& q) { return std::vector{q(0), q(1)}; }},
+        {Eigen::Vector2d(rise, 0), c.within(2 * rise - fold - 3, fold + 3), 0.02 * rise});
 }
 
 /// P: the chain with a sparse or a dense tangent.

@@ -98,18 +98,15 @@ void add_case_data(CLI::App& app, Command& c) {
                                          [](double x) { return x > 0 && x < 360; })));
     only(app.add_option("--load-direction", c.data.load_direction,
                         "of the right-angle frame: +x, -x, +y or -y (default +x)")
-             ->transform(one_of([] {
-                 return std::vector<std::string>{"+x", "-x", "+y", "-y"};
-             })));
+             ->transform(one_of([] { return std::vector<std::string>{"+x", "-x", "+y", "-y"}; })));
     only(app.add_option("--load", c.data.load, "of the ring: hydrostatic, fixed or central; of the dome: ring or apex")
              ->transform(one_of([&c] {
                  return c.entry && c.entry->number == 13 ? std::vector<std::string>{"ring", "apex"}
                                                          : std::vector<std::string>{"hydrostatic", "fixed", "central"};
              })));
     only(app.add_option("--ends", c.data.ends, "of the column: cantilever, hinged, clamped or clamped-hinged")
-             ->transform(one_of([] {
-                 return std::vector<std::string>{"cantilever", "hinged", "clamped", "clamped-hinged"};
-             })));
+             ->transform(
+                 one_of([] { return std::vector<std::string>{"cantilever", "hinged", "clamped", "clamped-hinged"}; })));
     only(app.add_option("--tension", c.data.tension, "of the twisted rod, T L^2 / EI2")
              ->transform(support::finite("must be a number")));
     positive("--rise", c.data.rise, "of toggle, truss and shallow arch");
@@ -131,9 +128,7 @@ Command read(int argc, char** argv) {
     app.add_option("--elements", c.data.elements, "of the case's structure, 1 to 100000 (default 32)")
         ->transform(support::integer(1, 100000));
     app.add_option("--order", c.order, "of the elements: linear, quadratic or cubic (default cubic)")
-        ->transform(one_of([] {
-            return std::vector<std::string>{"linear", "quadratic", "cubic"};
-        }));
+        ->transform(one_of([] { return std::vector<std::string>{"linear", "quadratic", "cubic"}; }));
     add_case_data(app, c);
     app.add_option("--parameter", window, "the range LOW:HIGH of the parameter (default: the case's own)")
         ->transform(support::range("must be LOW:HIGH, finite, with LOW < HIGH", -1e12, 1e12));

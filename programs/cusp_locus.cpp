@@ -73,8 +73,8 @@ void print(const Locus& locus) {
         for (const auto& [why, at] : ends)
             std::printf("  end           ratio %.15g  alpha %.15g  omega %.15g  (%s)\n", at.z(), at.x(), at.y(), why);
         for (const auto& t : curve.transitions)
-            std::printf("  %-12s  ratio %.15g  alpha %.15g  omega %.15g  residual %.1e\n", to_string(t.at.kind), t.at.z(),
-                        t.at.x(), t.at.y(), t.at.residual);
+            std::printf("  %-12s  ratio %.15g  alpha %.15g  omega %.15g  residual %.1e\n", to_string(t.at.kind),
+                        t.at.z(), t.at.x(), t.at.y(), t.at.residual);
     }
     for (const auto& plane : locus.planes) {
         std::printf("plane ratio = %.15g: %zu cusps\n", plane.z, plane.cusps.size());
@@ -222,8 +222,8 @@ int main(int argc, char** argv) {
     const Command c = read(argc, argv);
     try {
         const Locus locus = equilibria::find_cusp_locus<Chain, Chain::alpha, Chain::omega, Chain::ratio>(
-            {0.5, 1.5, 1}, {c.alpha.low, c.alpha.high, c.omega.low, c.omega.high, c.ratio.low, c.ratio.high},
-            c.run, c.options);
+            {0.5, 1.5, 1}, {c.alpha.low, c.alpha.high, c.omega.low, c.omega.high, c.ratio.low, c.ratio.high}, c.run,
+            c.options);
         if (c.pictures.asked()) c.pictures.draw({1150, 620}, plotted(locus), plots::cusp_locus);
         if (c.json)
             c.json->write(

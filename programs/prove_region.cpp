@@ -63,8 +63,7 @@ Command read(int argc, char** argv) {
                    "cells with both edges below this are not cut again (default 1e-2)")
         ->transform(support::number_from(1e-6, 1e6, "must be a number from 1e-6 to 1e6"));
     support::add_seed(app, c.run.seed, "of the random start systems, an integer (default 1)");
-    support::add_threads(app, c.threads,
-                         "1 to 1024, 0 for one each core (default 1); does not change the result");
+    support::add_threads(app, c.threads, "1 to 1024, 0 for one each core (default 1); does not change the result");
     support::add_output(app, "--json", c.json, "write JSON to this file, or to stdout for -");
     c.pictures.add_to(app, "the figure");
     support::parse(app, "prove_region", argc, argv);

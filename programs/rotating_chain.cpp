@@ -156,7 +156,7 @@ static_assert(std::atomic<bool>::is_always_lock_free);
 
 /// The first Ctrl-C ends the enumeration with what is finished, a second one the program.
 void cancel_on_interrupt() {
-    struct sigaction action {};
+    struct sigaction action{};
     action.sa_handler = [](int) { cancelled = true; };
     action.sa_flags = static_cast<int>(SA_RESETHAND);
     sigaction(SIGINT, &action, nullptr);

@@ -1,5 +1,5 @@
-// Branches and fold curves followed with all their events; items are points of the branch. The arguments of the chain of
-// springs are links.
+// Branches and fold curves followed with all their events; items are points of the branch. The arguments of the chain
+// of springs are links.
 #include <benchmark/benchmark.h>
 
 #include <equilibria/continuation/curves/critical_curve_trace.hpp>

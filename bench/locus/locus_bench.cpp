@@ -1,5 +1,5 @@
-// The time of whole loci and of all events on a line, with what was found; `complete` is 1 where nothing is left open. Plane of
-// three links: mass 3 and omega, some 24,000 paths.
+// The time of whole loci and of all events on a line, with what was found; `complete` is 1 where nothing is left open.
+// Plane of three links: mass 3 and omega, some 24,000 paths.
 #include <cstdint>
 #include <iostream>
 

@@ -1,6 +1,6 @@
 /// \file
-/// Everything but motion (dynamics/) and structures (fem/), whose headers take as long again; for programs and experiments. A
-/// library's own headers include what they use.
+/// Everything but motion (dynamics/) and structures (fem/), whose headers take as long again; for programs and
+/// experiments. A library's own headers include what they use.
 #pragma once
 
 #include <equilibria/algebra/bounds.hpp>

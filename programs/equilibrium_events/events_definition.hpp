@@ -57,7 +57,8 @@ equilibria::Json chain_events(const Chain& chain, const Options& options) {
     }
     p[Model::omega] = options.low;
     p[Model::gravity] = chain.gravity;
-    equilibria::RunOptions how{.seed = options.seed, .executor = equilibria::threads(options.threads), .progress = options.progress};
+    equilibria::RunOptions how{
+        .seed = options.seed, .executor = equilibria::threads(options.threads), .progress = options.progress};
     const auto found = equilibria::find_events<Model, Model::omega>(p, options.low, options.high, how);
 
     auto out = equilibria::json_of(found, "omega");

@@ -30,9 +30,7 @@ struct Vertex {
 /// With the window as the unit of length and the half turn as that of angles. The mirror image of `b` where mirror is
 /// -1.
 inline double distance(const Vertex& a, const Vertex& b, const PlaneWindow& window, double mirror = 1) {
-    const auto turn = [&](int i) {
-        return equilibria::wrap(a.theta[i] - mirror * b.theta[i]) / std::numbers::pi;
-    };
+    const auto turn = [&](int i) { return equilibria::wrap(a.theta[i] - mirror * b.theta[i]) / std::numbers::pi; };
     return std::hypot(std::hypot((a.alpha - b.alpha) / window.width(), (a.omega - b.omega) / window.height()),
                       std::hypot(turn(0), turn(1)));
 }
@@ -66,9 +64,7 @@ inline std::vector<Vertex> resampled(const std::vector<Vertex>& points, int coun
         const double part = step > 0 ? std::clamp((target - length[at]) / step, 0., 1.) : 0;
         const Vertex &a = points[at], &b = points[at + 1];
         const auto mix = [&](double u, double v) { return u + part * (v - u); };
-        const auto turned = [&](int i) {
-            return a.theta[i] + part * equilibria::wrap(b.theta[i] - a.theta[i]);
-        };
+        const auto turned = [&](int i) { return a.theta[i] + part * equilibria::wrap(b.theta[i] - a.theta[i]); };
         y.push_back({mix(a.alpha, b.alpha), mix(a.omega, b.omega), {turned(0), turned(1)}});
     }
     return y;

@@ -52,8 +52,8 @@ public:
     const Plane& at(double ratio) {
         const auto known = planes_.find(ratio);
         if (known != planes_.end()) return known->second;
-        Locus locus = equilibria::trace_locus<Chain, Chain::alpha, Chain::omega>({0.5, ratio, 1}, window_, run_,
-                                                                                       options_);
+        Locus locus =
+            equilibria::trace_locus<Chain, Chain::alpha, Chain::omega>({0.5, ratio, 1}, window_, run_, options_);
         auto own = pieces(locus);
         return planes_.emplace(ratio, Plane{ratio, std::move(locus), std::move(own)}).first->second;
     }

@@ -16,8 +16,7 @@ Result for_links(int links, const auto& call) {
     static constexpr auto functions = []<int... K>(std::integer_sequence<int, K...>) {
         return std::array<Function, Most>{
             [](decltype(call) f) -> Result { return f(std::integral_constant<int, K + 1>()); }...};
-    }
-    (std::make_integer_sequence<int, Most>{});
+    }(std::make_integer_sequence<int, Most>{});
     return functions[static_cast<std::size_t>(links - 1)](call);
 }
 

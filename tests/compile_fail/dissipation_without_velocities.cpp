@@ -1,4 +1,5 @@
-// expect: equilibria: dissipation must be callable as dissipation(theta, v, p), with the coordinates x after theta where
+// expect: equilibria: dissipation must be callable as dissipation(theta, v, p), with the coordinates x after theta
+// where
 #include <equilibria/model/kinetics.hpp>
 
 struct Pendulum {

@@ -102,7 +102,8 @@ TEST_CASE("deflated Newton finds the other equilibria from two guesses, and none
     PathStepper<ShallowArch> stepper(arch, {});
     const auto first = stepper.start(Eigen::Vector2d(2.5, 0), 3.0, 1);
     REQUIRE(first);
-    const auto found = deflated_search(arch, 3.0, {VectorXd(Eigen::Vector2d(0.5, 0.1)), VectorXd(Eigen::Vector2d(-1, -0.5))}, {first->q});
+    const auto found = deflated_search(
+        arch, 3.0, {VectorXd(Eigen::Vector2d(0.5, 0.1)), VectorXd(Eigen::Vector2d(-1, -0.5))}, {first->q});
     CHECK(static_cast<int>(found.size()) + 1 == equilibria_on_grid(arch, 3.0));
     for (std::size_t i = 0; i < found.size(); ++i) {
         CHECK(arch.residual(found[i], 3.0).norm() < 1e-9);

@@ -143,7 +143,8 @@ TEST_CASE("200 random problems with planted folds, pitchforks, trans-critical po
 
 namespace {
 
-/// V = y_0^3 / 6 - p y_0 and three modes along it, of which one stays weak: c_1 falls and c_2 rises through 0 within 1 %.
+/// V = y_0^3 / 6 - p y_0 and three modes along it, of which one stays weak: c_1 falls and c_2 rises through 0 within 1
+/// %.
 struct Opposite {
     static constexpr double falls = 1.5, rises = 1.51, weak = 1e-3;
     VectorXd modes(const VectorXd& y) const { return Eigen::Vector3d(falls - y(0), y(0) - rises, weak); }

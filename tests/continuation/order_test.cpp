@@ -78,10 +78,11 @@ struct Scaled {
     VectorXd parameter_derivative(const VectorXd& q, double p) const {
         return scale * problem.parameter_derivative(scale * q, scale * p);
     }
-    MatrixXd tangent_derivative(const VectorXd& q, double p, const VectorXd& v) const requires requires(const P& at) {
-        at.tangent_derivative(q, p, v);
+    MatrixXd tangent_derivative(const VectorXd& q, double p, const VectorXd& v) const
+    requires requires(const P& at) { at.tangent_derivative(q, p, v); }
+    {
+        return scale * scale * problem.tangent_derivative(scale * q, scale * p, v);
     }
-    { return scale * scale * problem.tangent_derivative(scale * q, scale * p, v); }
 };
 
 /// The slope of log error over log step by least squares.
@@ -354,7 +355,8 @@ TEST_CASE("coefficients of the arch and of the truss: closed form, exact derivat
         CHECK(differenced->curvature == Approx(curvature).epsilon(noisy));
     };
     const double l = 2.5, a1 = std::sqrt(l * l - 4);
-    check(EnergyProblem(ArchEnergy{l}), Eigen::Vector2d(1.01 * a1, 0), l + 3 * a1, -8 * a1 / (2 * l * l - 11), -12 / a1);
+    check(EnergyProblem(ArchEnergy{l}), Eigen::Vector2d(1.01 * a1, 0), l + 3 * a1, -8 * a1 / (2 * l * l - 11),
+          -12 / a1);
     const double h = 3;
     const auto green = green_pitchfork(h), engineering = engineering_pitchfork(h);
     CHECK(green.curvature == Approx(-0.02390457).epsilon(1e-6));
@@ -377,7 +379,8 @@ TEST_CASE("coefficients of folds: a and the curvature of p") {
         CHECK(differenced->curvature == Approx(curvature).epsilon(50 * std::pow(eps, 2.0 / 3)));
     };
     const double l = 1.8, a1 = std::sqrt((l * l - 1) / 3);
-    check(EnergyProblem(ArchEnergy{l}), Eigen::Vector2d(a1 + 0.02, 0.01), l + 2 * (l * l - 1) * a1 / 3, 6 * a1, -6 * a1);
+    check(EnergyProblem(ArchEnergy{l}), Eigen::Vector2d(a1 + 0.02, 0.01), l + 2 * (l * l - 1) * a1 / 3, 6 * a1,
+          -6 * a1);
     // Green: p = y (h^2 - y^2) / l^3
     const double h = 1.2, l3 = std::pow(1 + h * h, 1.5), y = h / std::sqrt(3.0);
     check(EnergyProblem(Truss{h}), Eigen::Vector2d(0.001, y + 0.02), 2 * h * h * y / (3 * l3), 6 * y / l3, -6 * y / l3);

@@ -240,20 +240,17 @@ TEST_CASE("Starts, times and options that are none are refused in a line") {
     CHECK(refused({1}, {1e-3, 1, 0, 0}) == "most_steps = 0: must be positive");
     const double nan = std::numeric_limits<double>::quiet_NaN();
     CHECK(message_of([&] { integrate_motion(pendulum, {{nan}, {0}}, {1}); }) == "start.q[0] = nan: must be finite");
-    CHECK(message_of([&] {
-              integrate_motion(pendulum, {{0}, {nan}}, {1});
-          }) == "start.velocity[0] = nan: must be finite");
-    CHECK(message_of([&] {
-              LagrangeSecondKind<DrivenPendulum>({1, nan, 1, 0, 0, 1});
-          }) == "p[1] = nan: must be finite");
+    CHECK(message_of([&] { integrate_motion(pendulum, {{0}, {nan}}, {1}); }) ==
+          "start.velocity[0] = nan: must be finite");
+    CHECK(message_of([&] { LagrangeSecondKind<DrivenPendulum>({1, nan, 1, 0, 0, 1}); }) ==
+          "p[1] = nan: must be finite");
     CHECK(message_of([&] {
               integrate_motion(LagrangeSecondKind<NotQuadratic>({1.0}), {{1}, {0}}, {1});
           }).starts_with("kinetic_energy = "));
     const LagrangeFirstKind<PendulumInPlane> plane({1, 1, 1});
     CHECK(message_of([&] { integrate_motion(plane, {{0, 1.1}, {0, 0}}, {1}); }).starts_with("start.q = 0.105"));
-    CHECK(message_of([&] {
-              integrate_motion(plane, {{0, 1}, {0, 1}}, {1});
-          }) == "start.velocity = 1: must obey the constraints' derivative; this is by how much it fails");
+    CHECK(message_of([&] { integrate_motion(plane, {{0, 1}, {0, 1}}, {1}); }) ==
+          "start.velocity = 1: must obey the constraints' derivative; this is by how much it fails");
     CHECK(message_of([&] {
               integrate_motion(LagrangeFirstKind<ConstrainedTwice>({}), {{0, 1}, {0, 0}}, {1});
           }).find("must be near a place where the constraints hold and are independent") != std::string::npos);

@@ -11,7 +11,8 @@ namespace {
 template <int N>
 void check_benchmark_chain(std::uint64_t real, const std::vector<unsigned>& counts) {
     std::vector<RootSet<Chain<N>>> results;
-    for (const unsigned k : counts) results.push_back(enumerate<Chain<N>>(benchmark_chain<N>(), {.executor = threads(k)}));
+    for (const unsigned k : counts)
+        results.push_back(enumerate<Chain<N>>(benchmark_chain<N>(), {.executor = threads(k)}));
     check_generic_chain<N>(results[0]);
     CHECK(results[0].real() == real);
     for (const auto& r : results) CHECK(identical(r, results[0]));

@@ -5,5 +5,5 @@
 #include "support/models.hpp"
 
 extern template INSTANCES_ENUMERATION(models::CoupledAngles<3>, TotalDegree);  // coupled_angles_3_test.cpp
-extern template INSTANCES_ENUMERATION(models::EqualAngles<4>, Reflected);  // families_test.cpp
+extern template INSTANCES_ENUMERATION(models::EqualAngles<4>, Reflected);      // families_test.cpp
 extern template INSTANCES_ENUMERATION(models::ElasticPendulum, TotalDegree);   // coordinates_test.cpp

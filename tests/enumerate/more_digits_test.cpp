@@ -52,7 +52,8 @@ TEST_CASE("more digits are the same for any number of threads") {
 }
 
 TEST_CASE("bad arguments are refused as by enumerate") {
-    CHECK(tests::refusal([] { enumerate_with_more_digits<M>({1, std::nan("")}); }) == "parameters[1] = nan: must be finite");
+    CHECK(tests::refusal([] { enumerate_with_more_digits<M>({1, std::nan("")}); }) ==
+          "parameters[1] = nan: must be finite");
 }
 
 TEST_CASE("paths from a solved instance, too") {

@@ -135,7 +135,8 @@ TEST_CASE("planted faults of the roots of three coupled angles") {
 
 TEST_CASE("the trace test depends on the seed alone, and says where it does not apply") {
     auto set = enumerate<tests::Chain<3>>(tests::benchmark_chain<3>());
-    const auto one = torque_trace(set, {.seed = 7, .executor = threads(1)}), two = torque_trace(set, {.seed = 7, .executor = threads(2)});
+    const auto one = torque_trace(set, {.seed = 7, .executor = threads(1)}),
+               two = torque_trace(set, {.seed = 7, .executor = threads(2)});
     CHECK(one.value == two.value);
     CHECK(one.applied);
     CHECK(set.alarms.trace.sentence == "the trace test was not done");

@@ -50,7 +50,8 @@ struct Ends {
         const ModelHomotopy<M, TotalDegree<M>> h(target, start);
         const detail::Polisher polisher(h);
         for (std::uint64_t path = 0; path < static_cast<std::uint64_t>(total_degree<M>()); ++path)
-            ends.push_back(detail::Endgame<ModelHomotopy<M, TotalDegree<M>>>(h, polisher, TrackerOptions{}).from_start(start.point(path)));
+            ends.push_back(detail::Endgame<ModelHomotopy<M, TotalDegree<M>>>(h, polisher, TrackerOptions{})
+                               .from_start(start.point(path)));
     }
     void check(PathStatus status, int winding) const {
         for (const auto& end : ends) {

@@ -147,13 +147,19 @@ struct Case {
 TEST_CASE("homotopy of the chain, reflected start") {
     Case<mechanisms::RotatingChain<3>, Reflected<mechanisms::RotatingChain<3>>>().all();
 }
-TEST_CASE("homotopy of the chain, general start") { Case<mechanisms::RotatingChain<3>, TotalDegree<mechanisms::RotatingChain<3>>>().all(); }
+TEST_CASE("homotopy of the chain, general start") {
+    Case<mechanisms::RotatingChain<3>, TotalDegree<mechanisms::RotatingChain<3>>>().all();
+}
 TEST_CASE("homotopy of the chain, from other parameters") {
     Case<mechanisms::RotatingChain<3>, Moving<mechanisms::RotatingChain<3>>>().all();
 }
-TEST_CASE("homotopy of equations without a potential") { Case<models::CoupledAngles<3>, TotalDegree<models::CoupledAngles<3>>>().all(); }
+TEST_CASE("homotopy of equations without a potential") {
+    Case<models::CoupledAngles<3>, TotalDegree<models::CoupledAngles<3>>>().all();
+}
 TEST_CASE("homotopy with a coordinate") { Case<models::ElasticPendulum, TotalDegree<models::ElasticPendulum>>().all(); }
-TEST_CASE("homotopy with multiples, powers and phases") { Case<models::Everything, TotalDegree<models::Everything>>().all(); }
+TEST_CASE("homotopy with multiples, powers and phases") {
+    Case<models::Everything, TotalDegree<models::Everything>>().all();
+}
 TEST_CASE("homotopy with multiples, powers and phases, from other parameters") {
     Case<models::Everything, Moving<models::Everything>>().all();
 }
@@ -164,7 +170,8 @@ TEST_CASE("homotopy of more terms than are unrolled, from other parameters") {
     Case<Dense, Moving<Dense>>().all();
 }
 
-TEST_CASE("a total-degree start is the same homotopy, compiled alone or with the parameter homotopies, unrolled or not") {
+TEST_CASE(
+    "a total-degree start is the same homotopy, compiled alone or with the parameter homotopies, unrolled or not") {
     const auto check = []<class M>(M) {
         constexpr int n = n_unknowns<M>;
         Generator generator(7);

@@ -1,14 +1,14 @@
-// Homotopies of systems that are data: evaluated by loops they are what the unrolled ones of the same model are, and their
-// Jacobians and Taylor coefficients are the derivatives of their values, whatever the start adds.
+// Homotopies of systems that are data: evaluated by loops they are what the unrolled ones of the same model are, and
+// their Jacobians and Taylor coefficients are the derivatives of their values, whatever the start adds.
 #include <complex>
 
 #include <equilibria/evaluation/point_of.hpp>
 #include <equilibria/homotopy/model_homotopy.hpp>
 #include <equilibria/homotopy/sparse_homotopy.hpp>
+#include <equilibria/mechanisms/rotating_chain.hpp>
 #include <equilibria/start/linear_product.hpp>
 #include <equilibria/start/moving.hpp>
 #include <equilibria/start/solved_instance.hpp>
-#include <equilibria/mechanisms/rotating_chain.hpp>
 
 #include "support/catch.hpp"
 #include "support/models.hpp"
@@ -65,8 +65,7 @@ void check_derivatives(const H& h, Generator& generator) {
         evaluation.value(moved<S, double>(q, step), t, up);
         step[c] = {-e, 0};
         evaluation.value(moved<S, double>(q, step), t, down);
-        for (int r = 0; r < n; ++r)
-            CHECK(size((up[r] - down[r]) * (0.5 / e) - j[r][c]) < 1e-6 * (1 + size(j[r][c])));
+        for (int r = 0; r < n; ++r) CHECK(size((up[r] - down[r]) * (0.5 / e) - j[r][c]) < 1e-6 * (1 + size(j[r][c])));
     }
     for (auto& order : d)
         for (Z& z : order) z = {uniform(generator, -1, 1), uniform(generator, -1, 1)};

@@ -19,9 +19,8 @@ using support::ShallowArch;
 namespace {
 
 BranchMeasures<ShallowArch> measures() {
-    return {.parameter = "q", .names = {"A1", "A2"}, .measure = [](const VectorXd& q) {
-                return std::vector{q(0), q(1)};
-            }};
+    return {
+        .parameter = "q", .names = {"A1", "A2"}, .measure = [](const VectorXd& q) { return std::vector{q(0), q(1)}; }};
 }
 
 }  // namespace

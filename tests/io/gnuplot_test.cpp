@@ -35,7 +35,11 @@ TEST_CASE("gnuplot: a script reads what stands before it") {
         return;
     }
     GnuplotData data;
-    data.value("third", 1).integer("n", 2).string("t", "it's").values("places", {0.5, -1e-3}).strings("words", {"a", "b c"});
+    data.value("third", 1)
+        .integer("n", 2)
+        .string("t", "it's")
+        .values("places", {0.5, -1e-3})
+        .strings("words", {"a", "b c"});
     data.block("points", "1 2\n2 4\n").block("none", "");
     // a wrong value makes the script fail
     const std::string script =

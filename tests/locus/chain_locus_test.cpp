@@ -173,9 +173,8 @@ TEST_CASE("Figure 3.2") {
 
     SECTION("Another window and another seed give the same cusp") {
         const LocusOptions options{.lines = 5, .checks = 8};
-        const auto locus =
-            trace_locus<Chain, Chain::alpha, Chain::omega>({0.5, 1.5, 1}, {0.3, 0.36, 1.8, 2.2},
-                                                           {.seed = 12345}, options);
+        const auto locus = trace_locus<Chain, Chain::alpha, Chain::omega>({0.5, 1.5, 1}, {0.3, 0.36, 1.8, 2.2},
+                                                                          {.seed = 12345}, options);
         CHECK(locus.evidence.complete());
         const auto cusps = locus.of(SingularityKind::cusp), before = figure().of(SingularityKind::cusp);
         REQUIRE(cusps.size() == 1);

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include <equilibria/locus/space/cusp_curve.hpp>
-#include <equilibria/singularity/refine_singularity.hpp>
 #include <equilibria/mechanisms/rotating_chain.hpp>
+#include <equilibria/singularity/refine_singularity.hpp>
 
 #include "support/catch.hpp"
 

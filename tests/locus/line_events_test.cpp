@@ -36,7 +36,8 @@ struct TurnedChain {
     }
 };
 
-/// sin theta (p - sin theta): theta = 0 and pi for all p, crossed at p = 0 by the branch sin theta = p, which folds at +-1.
+/// sin theta (p - sin theta): theta = 0 and pi for all p, crossed at p = 0 by the branch sin theta = p, which folds at
+/// +-1.
 struct Crossing {
     static constexpr int n_angles = 1, n_parameters = 1;
     constexpr auto equations(const auto& theta, const auto& p) const {
@@ -263,7 +264,8 @@ TEST_CASE("Pitchforks of other symmetries than theta to -theta have their name")
     }
 }
 
-TEST_CASE("An event at an end of the segment has no interval beyond it, and both signs of a squared parameter are searched") {
+TEST_CASE(
+    "An event at an end of the segment has no interval beyond it, and both signs of a squared parameter are searched") {
     using Chain = mechanisms::TwoLinkChain;
     const Parameters<Chain> p{0.4, 1.5, 0};
     const auto whole = find_events<Chain, Chain::omega>(p, -3, 3);
@@ -272,7 +274,8 @@ TEST_CASE("An event at an end of the segment has no interval beyond it, and both
     for (std::size_t k = 0; k < 12; ++k)
         CHECK(whole.events[k].value == Approx(-whole.events[11 - k].value).epsilon(1e-12));
     const double fold = whole.events.back().value;
-    const auto below = find_events<Chain, Chain::omega>(p, 0, fold), above = find_events<Chain, Chain::omega>(p, fold, 3);
+    const auto below = find_events<Chain, Chain::omega>(p, 0, fold),
+               above = find_events<Chain, Chain::omega>(p, fold, 3);
     CHECK(below.complete());
     CHECK(above.complete());
     CHECK(below.intervals.size() == 5);
@@ -303,7 +306,6 @@ TEST_CASE("A search for events refuses what it cannot do") {
     std::atomic<bool> cancel = false;
     CHECK(on(0, 1, {.checkpoint = "here"}) == "checkpoint = here: must be empty: it keeps a single enumeration");
     CHECK(on(0, 1, {.cancel = &cancel}) == "cancel = given: must be empty: a search for events cannot be cancelled");
-    CHECK(refusal([] {
-              find_events<TorquePendulum, torque>({0, nan}, 0, 1);
-          }) == "parameters[1] = nan: must be finite");
+    CHECK(refusal([] { find_events<TorquePendulum, torque>({0, nan}, 0, 1); }) ==
+          "parameters[1] = nan: must be finite");
 }

@@ -15,7 +15,8 @@ using M = mechanisms::TwoLinkChain;
 namespace {
 
 RegionProof proved(const PlaneWindow& window, double min_cell, unsigned count = 1) {
-    return prove_region<M, M::alpha, M::omega>({{.5, 1.5, 1}}, window, {.executor = threads(count)}, {.min_cell = min_cell});
+    return prove_region<M, M::alpha, M::omega>({{.5, 1.5, 1}}, window, {.executor = threads(count)},
+                                               {.min_cell = min_cell});
 }
 double area(const PlaneWindow& w) { return w.width() * w.height(); }
 

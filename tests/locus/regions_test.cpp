@@ -85,11 +85,12 @@ TEST_CASE("Polygons of the cells have the cells' areas, and borders name regions
     }
     CHECK(total == Approx(1).epsilon(1e-9));
     // outside, the two moons and the lens: each curve parts two pairs of regions
-    const int outside = plane.region_of(0.05, 0.05), lens = plane.region_of(0.55, 0.5), left = plane.region_of(0.3, 0.5),
-              right = plane.region_of(0.8, 0.5);
+    const int outside = plane.region_of(0.05, 0.05), lens = plane.region_of(0.55, 0.5),
+              left = plane.region_of(0.3, 0.5), right = plane.region_of(0.8, 0.5);
     const auto parts = [&](int a, int b, std::size_t curve) {
         for (const auto& border : plane.borders())
-            if (border.curve == curve && ((border.below == a && border.above == b) || (border.below == b && border.above == a)))
+            if (border.curve == curve &&
+                ((border.below == a && border.above == b) || (border.below == b && border.above == a)))
                 return true;
         return false;
     };

@@ -14,9 +14,9 @@ using M = mechanisms::HolonomicMechanism;
 
 namespace {
 
-/// The stiffnesses c2 at which the mechanism without a force has a singular Hessian at q1 = +-pi/2, q2 in {0, pi}: there it
-/// branches symmetrically, and the plane has a cusp. With s, t the signs of sin q1 and cos q2, a = m g and all over l:
-/// V11 = -2 a s + l (c1 s t + c2 s), V12 = l c1 s t, V22 = a t + l c1 s t.
+/// The stiffnesses c2 at which the mechanism without a force has a singular Hessian at q1 = +-pi/2, q2 in {0, pi}:
+/// there it branches symmetrically, and the plane has a cusp. With s, t the signs of sin q1 and cos q2, a = m g and all
+/// over l: V11 = -2 a s + l (c1 s t + c2 s), V12 = l c1 s t, V22 = a t + l c1 s t.
 std::vector<double> symmetric_cusps() {
     const auto p = M::paper_parameters(0);
     const double a = p[M::mass_1] * p[M::gravity], l = p[M::length], c1 = l * p[M::stiffness_1];

@@ -1,5 +1,6 @@
-// The holonomic mechanism against the printed equations (1.10), (1.14), (2.3) and Tables 1 and 2 of Vesovic and Radulovic,
-// "Modelling and stability analysis of the nonlinear system" (2022), to more digits than they have, and against what a force triangle says without a force.
+// The holonomic mechanism against the printed equations (1.10), (1.14), (2.3) and Tables 1 and 2 of Vesovic and
+// Radulovic, "Modelling and stability analysis of the nonlinear system" (2022), to more digits than they have, and
+// against what a force triangle says without a force.
 #include <algorithm>
 #include <cmath>
 #include <numbers>

@@ -1,5 +1,5 @@
-// The motion of section 1 of Vesovic and Radulovic, "Modelling and stability analysis of the nonlinear system" (2022), in
-// three formulations, the tables of section 2 by three criteria, and where the mechanism's damped motions end.
+// The motion of section 1 of Vesovic and Radulovic, "Modelling and stability analysis of the nonlinear system" (2022),
+// in three formulations, the tables of section 2 by three criteria, and where the mechanism's damped motions end.
 #include <array>
 #include <cmath>
 #include <complex>

@@ -1,5 +1,5 @@
-// The chain of section 3 of Baillieul, "Parametric dependence in the equilibrium dynamics of rotating structures", against
-// the printed equations and independently computed counts.
+// The chain of section 3 of Baillieul, "Parametric dependence in the equilibrium dynamics of rotating structures",
+// against the printed equations and independently computed counts.
 #include <map>
 #include <set>
 #include <vector>

@@ -27,8 +27,7 @@ Q point(std::complex<double> theta, std::complex<double> x) {
 using Groups = std::vector<std::vector<std::size_t>>;
 
 Groups groups(const std::vector<Q>& points, double tolerance, bool reflected = false) {
-    return Finder(reflected).groups(
-        points.size(), [&](std::size_t k) { return &points[k]; }, tolerance);
+    return Finder(reflected).groups(points.size(), [&](std::size_t k) { return &points[k]; }, tolerance);
 }
 
 }  // namespace
@@ -58,8 +57,8 @@ TEST_CASE("the tolerance is relative to the size of the points") {
 
 TEST_CASE("points that are left out are in no group") {
     const std::vector<Q> points(4, point(1, 2));
-    const auto found = Finder(false).groups(
-        points.size(), [&](std::size_t k) { return k == 2 ? nullptr : &points[k]; }, 1e-9);
+    const auto found =
+        Finder(false).groups(points.size(), [&](std::size_t k) { return k == 2 ? nullptr : &points[k]; }, 1e-9);
     CHECK(found == Groups{{0, 1, 3}});
 }
 

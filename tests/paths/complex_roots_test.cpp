@@ -1,12 +1,12 @@
-// Linear-product starts: as many solutions as the multihomogeneous number, each one a solution of the start system, and the
-// same roots as from a total-degree start.
+// Linear-product starts: as many solutions as the multihomogeneous number, each one a solution of the start system, and
+// the same roots as from a total-degree start.
 #include <algorithm>
 #include <complex>
 
 #include <equilibria/enumerate/enumerate.hpp>
 #include <equilibria/model/torus.hpp>
-#include <equilibria/start/linear_product.hpp>
 #include <equilibria/paths/complex_roots.hpp>
+#include <equilibria/start/linear_product.hpp>
 
 #include "support/catch.hpp"
 

@@ -25,7 +25,8 @@ Endpoint<S> endpoint(PathStatus status, double theta, int winding = 1) {
     return end;
 }
 
-PathSet<S> records(const std::vector<Endpoint<S>>& ends, PathNumbering numbering, std::vector<Endpoint<S>> resting = {}) {
+PathSet<S> records(const std::vector<Endpoint<S>>& ends, PathNumbering numbering,
+                   std::vector<Endpoint<S>> resting = {}) {
     detail::EndpointStore<S> store(ends.size(), 4);
     for (std::size_t first = 0; first < ends.size(); first += 4)
         store.put(first / 4, std::span(ends).subspan(first, std::min<std::size_t>(4, ends.size() - first)), 0);

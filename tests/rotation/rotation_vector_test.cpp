@@ -18,7 +18,8 @@ constexpr double eps = std::numeric_limits<double>::epsilon();
 
 /// Angles with the corners 0, series' ends, pi and 2 pi.
 std::vector<double> angles() {
-    std::vector<double> y{0, 1e-300, 1e-160, 1e-20, 1e-12, 1e-8, 1e-6, 1e-4, 1e-3, 1e-2, 0.1, 0.5, 0.999999, 1.0, 1.000001};
+    std::vector<double> y{0,    1e-300, 1e-160, 1e-20, 1e-12,    1e-8, 1e-6,    1e-4,
+                          1e-3, 1e-2,   0.1,    0.5,   0.999999, 1.0,  1.000001};
     for (double a = 1.1; a < 6.2; a += 0.13) y.push_back(a);
     for (const double near : {std::sqrt(10.0), std::numbers::pi, std::sqrt(45.0), 2 * std::numbers::pi})
         for (const double off : {-1e-3, -1e-8, -1e-14, 1e-14, 1e-8})

@@ -71,7 +71,8 @@ TEST_CASE("T is what angular velocities are made of, material and spatial (7)") 
             for (int j = 0; j < 3; ++j) value(i, j) = r(i, j).value, rate(i, j) = r(i, j).derivative[0];
         const auto t = equilibria::tangent_map(psi);
         CHECK((value.transpose() * rate - equilibria::skew(V(t.value() * d))).norm() < 1e-14 * d.norm() * 10);
-        CHECK((rate * value.transpose() - equilibria::skew(V(t.transposed().value() * d))).norm() < 1e-14 * d.norm() * 10);
+        CHECK((rate * value.transpose() - equilibria::skew(V(t.transposed().value() * d))).norm() <
+              1e-14 * d.norm() * 10);
         // T Psi = Psi, T^T = R T, det T = 2 (1 - cos psi) / psi^2
         CHECK((t.value() * psi - psi).norm() < 1e-14);
         CHECK((t.transposed().value() - value * t.value()).norm() < 1e-14);

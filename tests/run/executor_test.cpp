@@ -46,8 +46,7 @@ TEST_CASE("an executor of one's own gets every block, and says how many run at t
     struct Backwards final : Executor::Backend {
         unsigned workers() const override { return 3; }
         void for_blocks(std::size_t size, std::size_t block, const Executor::Work& work) const override {
-            for (std::size_t b = (size + block - 1) / block; b-- > 0;)
-                work(b * block, std::min(size, (b + 1) * block));
+            for (std::size_t b = (size + block - 1) / block; b-- > 0;) work(b * block, std::min(size, (b + 1) * block));
         }
     };
     const Executor backwards(std::make_shared<const Backwards>());

@@ -1,9 +1,9 @@
 // Reduced coefficients and line events on models whose bifurcations are known in closed form.
 #include <cmath>
-#include <vector>
-#include <equilibria/singularity/reduced_coefficients.hpp>
 #include <equilibria/locus/line/line_events.hpp>
 #include <equilibria/mechanisms/rotating_chain.hpp>
+#include <equilibria/singularity/reduced_coefficients.hpp>
+#include <vector>
 
 #include "instances/locus/chain_events.hpp"
 #include "support/catch.hpp"

@@ -55,8 +55,7 @@ TEST_CASE("eigenvalues of a graded positive definite matrix, each to full relati
     for (int k = 0; k < 20; ++k) {
         const Eigen::Matrix4d a = with_eigenvalues<4>({1, 1.5, 2, 3}, generator);
         const Eigen::Vector4d d(std::ldexp(1.0, 30), 1, std::ldexp(1.0, -20), std::ldexp(1.0, -40));
-        const Eigen::Vector4d values =
-            symmetric_eigenvalues<Eigen::Matrix4d>(d.asDiagonal() * a * d.asDiagonal());
+        const Eigen::Vector4d values = symmetric_eigenvalues<Eigen::Matrix4d>(d.asDiagonal() * a * d.asDiagonal());
         CHECK(values.minCoeff() > 0);
         CHECK(values.prod() == Approx(9 * std::ldexp(1.0, -60)).epsilon(1e-13));
     }

@@ -1,8 +1,8 @@
 #include <complex>
 #include <cstdint>
 
-#include <equilibria/start/total_degree_system.hpp>
 #include <equilibria/mechanisms/rotating_chain.hpp>
+#include <equilibria/start/total_degree_system.hpp>
 
 #include "support/catch.hpp"
 #include "support/models.hpp"

@@ -74,9 +74,7 @@ static_assert(n_unknowns<models::Everything> == 3 && n_angles<models::Everything
 
 // Angles are no numbers.
 template <class A, class B>
-concept Comparable = requires(A a, B b) {
-    a < b;
-};
+concept Comparable = requires(A a, B b) { a < b; };
 static_assert(!Comparable<CircleAngle<double>, double>);
 static_assert(!std::is_convertible_v<CircleAngle<double>, double>);
 static_assert(!std::is_convertible_v<double, CircleAngle<double>>);

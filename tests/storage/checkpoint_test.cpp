@@ -202,8 +202,9 @@ TEST_CASE("paths to infinity, failed, singular and retracked ones are resumed as
         const auto whole = enumerate<Chain<3>>(p, {.seed = seed}, tracker);
         const ScratchFile scratch("kinds.ckpt");
         int cancellations = 0;
-        const auto resumed = with_interruptions({.seed = seed, .checkpoint = scratch.name()}, 0.1, cancellations,
-                                                [&](const RunOptions& o) { return enumerate<Chain<3>>(p, o, tracker); });
+        const auto resumed =
+            with_interruptions({.seed = seed, .checkpoint = scratch.name()}, 0.1, cancellations,
+                               [&](const RunOptions& o) { return enumerate<Chain<3>>(p, o, tracker); });
         CHECK(tests::identical(resumed, whole));
         CHECK(resumed.failures.size() == whole.failures.size());
         return whole.paths;

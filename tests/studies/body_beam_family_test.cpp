@@ -9,10 +9,10 @@
 
 #include <equilibria/enumerate/enumerate.hpp>
 #include <equilibria/enumerate/prove.hpp>
+#include <equilibria/stability/inertia.hpp>
 #include <equilibria/studies/rotating_body_beam/body_beam_family.hpp>
 #include <equilibria/studies/rotating_body_beam/momentum_hessian.hpp>
 #include <equilibria/studies/rotating_body_beam/rotating_body_beam.hpp>
-#include <equilibria/stability/inertia.hpp>
 
 #include "support/catch.hpp"
 

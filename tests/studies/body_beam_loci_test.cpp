@@ -10,10 +10,10 @@
 #include <equilibria/continuation/branch_graph.hpp>
 #include <equilibria/continuation/curves/critical_curve_trace.hpp>
 #include <equilibria/locus/line/model_problem.hpp>
+#include <equilibria/stability/inertia.hpp>
 #include <equilibria/studies/rotating_body_beam/body_beam_family.hpp>
 #include <equilibria/studies/rotating_body_beam/momentum_hessian.hpp>
 #include <equilibria/studies/rotating_body_beam/rotating_body_beam.hpp>
-#include <equilibria/stability/inertia.hpp>
 
 #include "support/catch.hpp"
 

@@ -12,18 +12,18 @@
 #include <Eigen/LU>
 
 #include <equilibria/core/random.hpp>
+#include <equilibria/model/derivatives.hpp>
+#include <equilibria/stability/inertia.hpp>
 #include <equilibria/studies/rotating_body_beam/momentum_hessian.hpp>
 #include <equilibria/studies/rotating_body_beam/rotating_body_beam.hpp>
 #include <equilibria/studies/rotating_body_beam/rotating_body_beam_motion.hpp>
-#include <equilibria/model/derivatives.hpp>
-#include <equilibria/stability/inertia.hpp>
 
 #include "support/catch.hpp"
 
 using namespace equilibria;
-using mechanisms::BeamDamping, mechanisms::BeamStrain, mechanisms::BodyBeamState,
-    mechanisms::BodyBeamStatus, mechanisms::momentum_hessian, mechanisms::random_body_beam_state,
-    mechanisms::RotatingBodyBeam, mechanisms::RotatingBodyBeamMotion;
+using mechanisms::BeamDamping, mechanisms::BeamStrain, mechanisms::BodyBeamState, mechanisms::BodyBeamStatus,
+    mechanisms::momentum_hessian, mechanisms::random_body_beam_state, mechanisms::RotatingBodyBeam,
+    mechanisms::RotatingBodyBeamMotion;
 
 namespace {
 

@@ -9,9 +9,9 @@
 
 #include <equilibria/core/random.hpp>
 #include <equilibria/paths/complex_roots.hpp>
+#include <equilibria/stability/inertia.hpp>
 #include <equilibria/studies/rotating_body_beam/momentum_hessian.hpp>
 #include <equilibria/studies/rotating_body_beam/rotating_body_beam.hpp>
-#include <equilibria/stability/inertia.hpp>
 
 #include "support/catch.hpp"
 
@@ -223,8 +223,8 @@ TEST_CASE("Where the undeformed spin begins to whirl, the Hessian of its energy 
 }
 
 TEST_CASE("All relative equilibria with one mode a direction: 78 complex ones, three axes, then whirling pairs") {
-    // 438 paths, of which 360 go to infinity; from these 78 roots those at other speeds. (Next to 7.006, 20 and 30 some of them run
-    // away to infinity: there the linear beam breaks down.)
+    // 438 paths, of which 360 go to infinity; from these 78 roots those at other speeds. (Next to 7.006, 20 and 30 some
+    // of them run away to infinity: there the linear beam breaks down.)
     const auto slow = solve_multihomogeneous<One>(body(1));
     CHECK(slow.paths.total == 438);
     CHECK(slow.paths.accounted_for());
@@ -234,7 +234,8 @@ TEST_CASE("All relative equilibria with one mode a direction: 78 complex ones, t
         double speed;
         std::size_t real;
     };
-    for (const auto& [speed, real] : {Expected{1, 6}, Expected{4, 6}, Expected{6, 14}, Expected{8, 18}, Expected{10, 14}}) {
+    for (const auto& [speed, real] :
+         {Expected{1, 6}, Expected{4, 6}, Expected{6, 14}, Expected{8, 18}, Expected{10, 14}}) {
         CAPTURE(speed);
         auto to = body(1);
         to[One::speed] = speed;

@@ -63,7 +63,8 @@ TEST_CASE("the equations of the critical system are F, J v and the last one, ove
         Unknowns<M> theta{uniform(generator, -3, 3), uniform(generator, -3, 3)};
         p[M::alpha] = uniform(generator, 0.1, 0.9);
         p[M::omega] = uniform(generator, 0.5, 4);
-        const Array<double, 2> x{Critical::unknown(0, p[M::alpha], scales[0]), Critical::unknown(1, p[M::omega], scales[1])};
+        const Array<double, 2> x{Critical::unknown(0, p[M::alpha], scales[0]),
+                                 Critical::unknown(1, p[M::omega], scales[1])};
         CHECK(Critical::parameter(1, x[1], scales[1]) == Approx(p[M::omega]));
         q[0] = theta[0], q[1] = theta[1], q[2] = w[0], q[3] = x[0], q[4] = x[1];
         double sines = 0;
@@ -76,7 +77,8 @@ TEST_CASE("the equations of the critical system are F, J v and the last one, ove
         Unknowns<M> along;
         for (int i = 0; i < n; ++i) along[i] = v(i);
         const Eigen::Matrix2d third = jacobian_derivative<M, double>(theta, along, p);
-        double last = numbers.slice[2] + numbers.slice[0] * x[0] + numbers.slice[1] * x[1] + numbers.cusp * v.dot(third * v);
+        double last =
+            numbers.slice[2] + numbers.slice[0] * x[0] + numbers.slice[1] * x[1] + numbers.cusp * v.dot(third * v);
         for (int k = 0; k < 2; ++k) {
             // dp/dx: p = scale x, or scale sqrt(x)
             const double slope = Critical::entry().power[k] == 1 ? scales[k] : scales[k] / (2 * std::sqrt(x[k]));
@@ -105,7 +107,8 @@ TEST_CASE("the symmetric system is J v on the branch, and the last one from diff
     using Symmetric = SymmetricSystem<M, M::alpha, M::omega>;
     using Plane = Symmetric::Plane;
     Generator generator(4);
-    for (const Unknowns<M>& branch : {Unknowns<M>{0, 0}, Unknowns<M>{std::numbers::pi, 0}, Unknowns<M>{0, std::numbers::pi}}) {
+    for (const Unknowns<M>& branch :
+         {Unknowns<M>{0, 0}, Unknowns<M>{std::numbers::pi, 0}, Unknowns<M>{0, std::numbers::pi}}) {
         Parameters<M> p{0, 1.5, 0};
         const Array<double, 2> scales{1.3, 2.1};
         auto numbers = Symmetric::numbers(p, scales, branch, generator);
@@ -113,14 +116,14 @@ TEST_CASE("the symmetric system is J v on the branch, and the last one from diff
         const Array<double, 8> w{uniform(generator, -1, 1)};
         p[M::alpha] = uniform(generator, 0.1, 0.9);
         p[M::omega] = uniform(generator, 0.5, 3);
-        const Array<double, 3> q{w[0], Plane::unknown(0, p[M::alpha], scales[0]), Plane::unknown(1, p[M::omega], scales[1])};
+        const Array<double, 3> q{w[0], Plane::unknown(0, p[M::alpha], scales[0]),
+                                 Plane::unknown(1, p[M::omega], scales[1])};
         const Eigen::VectorXd v = combined(numbers.plane.basis, w);
         const Eigen::VectorXd jv = jacobian<M, double>(branch, p) * v;
         const auto polynomials = Symmetric::equations<double>(numbers);
         for (std::size_t i = 0; i < 2; ++i) {
             double divisor = 1;
-            for (int k = 0; k < 2; ++k)
-                divisor *= std::pow(q[1 + k], Plane::entry().content[static_cast<int>(i)][k]);
+            for (int k = 0; k < 2; ++k) divisor *= std::pow(q[1 + k], Plane::entry().content[static_cast<int>(i)][k]);
             CHECK(value(polynomials[i], q) * divisor == Approx(jv(static_cast<int>(i))).margin(1e-12));
         }
         // V''''[v, v, v, v] by the second difference of v . J v along v

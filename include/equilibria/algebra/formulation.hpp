@@ -84,9 +84,7 @@ constexpr NotPolynomial fault_of_equations() {
 }
 
 template <class M>
-concept ConstantExpression = requires {
-    typename std::integral_constant<NotPolynomial, fault_of_equations<M>()>;
-};
+concept ConstantExpression = requires { typename std::integral_constant<NotPolynomial, fault_of_equations<M>()>; };
 template <ConstantExpression M>
 inline constexpr NotPolynomial fault = fault_of_equations<M>();
 

@@ -49,8 +49,8 @@ public:
 
     constexpr SymbolicScalar() = default;
     template <class A>
-    requires(std::is_arithmetic_v<A> || std::is_same_v<A, C>) constexpr SymbolicScalar(const A& constant)
-        : constant_(static_cast<C>(constant)) {}
+    requires(std::is_arithmetic_v<A> || std::is_same_v<A, C>)
+    constexpr SymbolicScalar(const A& constant) : constant_(static_cast<C>(constant)) {}
     constexpr SymbolicScalar(Pool* pool, Polynomial&& p) : pool_(pool), kept_(pool->keep(std::move(p))) {}
 
     constexpr Polynomial polynomial() const {
@@ -152,20 +152,24 @@ public:
         return multiple * a;
     }
     template <class P>
-    requires(!AngleLike<P>) friend constexpr SymbolicAngle operator+(SymbolicAngle a, const P& by) {
+    requires(!AngleLike<P>)
+    friend constexpr SymbolicAngle operator+(SymbolicAngle a, const P& by) {
         a.phase_ += Scalar(by);
         return a;
     }
     template <class P>
-    requires(!AngleLike<P>) friend constexpr SymbolicAngle operator+(const P& by, const SymbolicAngle& a) {
+    requires(!AngleLike<P>)
+    friend constexpr SymbolicAngle operator+(const P& by, const SymbolicAngle& a) {
         return a + by;
     }
     template <class P>
-    requires(!AngleLike<P>) friend constexpr SymbolicAngle operator-(const SymbolicAngle& a, const P& by) {
+    requires(!AngleLike<P>)
+    friend constexpr SymbolicAngle operator-(const SymbolicAngle& a, const P& by) {
         return a + -Scalar(by);
     }
     template <class P>
-    requires(!AngleLike<P>) friend constexpr SymbolicAngle operator-(const P& by, const SymbolicAngle& a) {
+    requires(!AngleLike<P>)
+    friend constexpr SymbolicAngle operator-(const P& by, const SymbolicAngle& a) {
         return -a + by;
     }
     template <class B>

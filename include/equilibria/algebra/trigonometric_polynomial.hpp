@@ -54,7 +54,8 @@ public:
 
     constexpr TrigonometricPolynomial() = default;
     template <class A>
-    requires(std::is_arithmetic_v<A> || std::is_same_v<A, C>) constexpr TrigonometricPolynomial(const A& constant) {
+    requires(std::is_arithmetic_v<A> || std::is_same_v<A, C>)
+    constexpr TrigonometricPolynomial(const A& constant) {
         if (C value = static_cast<C>(constant); value != C(0)) terms_.push_back({{}, value});
     }
     constexpr TrigonometricPolynomial(const Basis& monomial, const C& coefficient) : terms_{{monomial, coefficient}} {}

@@ -70,12 +70,12 @@ std::array<std::vector<LatticePoint>, static_cast<std::size_t>(n_unknowns<M>)> l
 
 }  // namespace detail
 
-/// The mixed volume, or nothing where an equation vanishes identically, or where the volume is 0 (two angles): then there
-/// may be a curve of equilibria. Where that many isolated roots exist there is none: a common factor with the polygon H
-/// beside A and B would add V(H, H) + V(H, A) + V(H, B), which is 0 only where V(A, B) is 0 too.
+/// The mixed volume, or nothing where an equation vanishes identically, or where the volume is 0 (two angles): then
+/// there may be a curve of equilibria. Where that many isolated roots exist there is none: a common factor with the
+/// polygon H beside A and B would add V(H, H) + V(H, A) + V(H, B), which is 0 only where V(A, B) is 0 too.
 template <Model M>
-requires(n_coordinates<M> == 0 &&
-         n_angles<M> <= 2) std::optional<std::uint64_t> bernstein_bound(const ExactSystem<M>& system) {
+requires(n_coordinates<M> == 0 && n_angles<M> <= 2)
+std::optional<std::uint64_t> bernstein_bound(const ExactSystem<M>& system) {
     const auto exponents = detail::laurent_exponents(system);
     for (const auto& equation : exponents)
         if (equation.empty()) return {};

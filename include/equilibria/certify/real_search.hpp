@@ -258,9 +258,9 @@ private:
 /// Whether a family of systems in angles has no real roots but one in each of the given boxes, for all parameters of
 /// the family. The boxes hold proved roots and are disjoint; at most `most` boxes are examined.
 template <Model M, int N>
-requires(n_coordinates<M> == 0) RealSearchResult
-    search_real_roots(const BallFamily<M, double, N>& family, const std::vector<AngleBox<n_angles<M>>>& roots,
-                      std::size_t most) {
+requires(n_coordinates<M> == 0)
+RealSearchResult search_real_roots(const BallFamily<M, double, N>& family,
+                                   const std::vector<AngleBox<n_angles<M>>>& roots, std::size_t most) {
     return detail::RealSearch<M, N>(family, roots, most).run();
 }
 

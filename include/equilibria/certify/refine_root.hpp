@@ -14,8 +14,8 @@ namespace equilibria {
 /// A root in decimal digits.
 template <Model M>
 struct RefinedRoot {
-    int digits = 0;                           ///< after the decimal point
-    Array<std::string, n_unknowns<M>> real;   ///< angles in radians, then coordinates
+    int digits = 0;                          ///< after the decimal point
+    Array<std::string, n_unknowns<M>> real;  ///< angles in radians, then coordinates
     Array<std::string, n_unknowns<M>> imaginary;
     bool proved = false;       ///< exactly one root lies within 10^-digits of these numbers, in every unknown
     bool proved_real = false;  ///< and it is real; the imaginary parts are 0 then

@@ -4,8 +4,8 @@
 ///     B = [ K      e_j ]      B [ x   ]   [ f  ]
 ///         [ e_i^T  0   ],       [ tau ] = [ xi ]
 ///
-/// is regular where K has at most a simple null vector phi, with phi_i != 0, and a left one psi with psi_j != 0, thus at
-/// folds and simple bifurcations. For a symmetric K j = i. What is factored is K without its row j and column i
+/// is regular where K has at most a simple null vector phi, with phi_i != 0, and a left one psi with psi_j != 0, thus
+/// at folds and simple bifurcations. For a symmetric K j = i. What is factored is K without its row j and column i
 /// ("displacement control of unknown i"), never the nearly singular K. Then
 ///     B [r; sigma] = [0; 1]         sigma = -det K / det K without them: 0 at every singular point, smooth, signed;
 ///                                   r is the null vector there, with r_i = 1
@@ -99,7 +99,8 @@ double largest_force(const Matrix& k, const Eigen::VectorXd& weights, Eigen::Ind
     double y = 0;
     for (Eigen::Index c = 0; c < own; ++c) {
         double column = 0;
-        for (typename Matrix::InnerIterator entry(k, c); entry; ++entry) column = std::max(column, std::abs(entry.value()));
+        for (typename Matrix::InnerIterator entry(k, c); entry; ++entry)
+            column = std::max(column, std::abs(entry.value()));
         y = std::max(y, column / std::sqrt(weights(c)));
     }
     return y;

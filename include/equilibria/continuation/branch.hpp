@@ -150,8 +150,9 @@ Branch<P> follow(PathStepper<P>& stepper, const BranchPoint<P>& start, const Con
 }
 
 /// Follows the equilibria of a problem from the one near q at the parameter p, towards larger parameters (direction 1)
-/// or smaller ones (-1): through folds, with each critical point and each zero of `functions` on the way. Without points
-/// where there is no equilibrium near q. Throws InvalidArgument for options out of range and for a problem that fails check_derivatives.
+/// or smaller ones (-1): through folds, with each critical point and each zero of `functions` on the way. Without
+/// points where there is no equilibrium near q. Throws InvalidArgument for options out of range and for a problem that
+/// fails check_derivatives.
 template <ContinuationProblem P>
 Branch<P> continue_branch(const P& problem, const Configuration<P>& q, double p, int direction,
                           const ContinuationOptions& options = {},

@@ -1,6 +1,6 @@
 /// \file
-/// Bifurcation diagrams: every branch that is joined to a start, followed from bifurcation to bifurcation, and those that
-/// deflation finds beside them, as a graph of branches and critical points.
+/// Bifurcation diagrams: every branch that is joined to a start, followed from bifurcation to bifurcation, and those
+/// that deflation finds beside them, as a graph of branches and critical points.
 #pragma once
 
 #include <deque>
@@ -25,7 +25,8 @@ struct DiagramOptions {
         require(most_branches >= 1, "most_branches", most_branches, "must be at least 1");
         require(slices >= 0, "slices", slices, "must be 0 or positive");
         if (slices > 0) {
-            require(std::isfinite(continuation.low), "low", continuation.low, "must be finite where slices are asked for");
+            require(std::isfinite(continuation.low), "low", continuation.low,
+                    "must be finite where slices are asked for");
             require(std::isfinite(continuation.high), "high", continuation.high,
                     "must be finite where slices are asked for");
         }
@@ -58,7 +59,8 @@ struct BranchGraph {
     bool complete() const {
         if (not_followed > 0 || not_switched > 0 || branches.empty()) return false;
         return std::all_of(branches.begin(), branches.end(), [](const Edge& e) {
-            return e.branch.unexplained.empty() && (e.branch.end == BranchEnd::window || e.branch.end == BranchEnd::closed);
+            return e.branch.unexplained.empty() &&
+                   (e.branch.end == BranchEnd::window || e.branch.end == BranchEnd::closed);
         });
     }
 };

@@ -27,13 +27,13 @@ struct BranchPoint {
     /// Eigenvalues of a dense symmetric K next to 0, below and above; infinite where there is none or it is not known.
     double eigenvalue_below = -std::numeric_limits<double>::infinity();
     double eigenvalue_above = std::numeric_limits<double>::infinity();
-    int determinant_sign = 1;        ///< of K
-    double residual = 0;             ///< |g|, the largest entry
-    int corrections = 0;             ///< of the corrector
-    double step = 0;                 ///< the length that led here, 0 at the start
-    double turning = 0;              ///< the angle between the last tangent and this one, radians
-    double proposed_step = 0;        ///< for the next one
-    double arc_length = 0;           ///< from the start
+    int determinant_sign = 1;  ///< of K
+    double residual = 0;       ///< |g|, the largest entry
+    int corrections = 0;       ///< of the corrector
+    double step = 0;           ///< the length that led here, 0 at the start
+    double turning = 0;        ///< the angle between the last tangent and this one, radians
+    double proposed_step = 0;  ///< for the next one
+    double arc_length = 0;     ///< from the start
 
     /// Stable by energy: no negative eigenvalue; nothing where the inertia is not known.
     std::optional<bool> stable() const {

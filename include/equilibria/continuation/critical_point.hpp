@@ -225,8 +225,7 @@ private:
             return (along(h) - along(-h)) / (2 * h);
         } else {
             // of fourth order in h = eps^(1/6)
-            const double h =
-                detail::difference_step(*problem_, *q_, v) / std::sqrt(detail::third_root_of_rounding);
+            const double h = detail::difference_step(*problem_, *q_, v) / std::sqrt(detail::third_root_of_rounding);
             const auto along = [&](double by) { return left_.x.dot(problem_->tangent(at(by), p_) * v); };
             return (16 * (along(h) + along(-h)) - along(2 * h) - along(-2 * h) - 30 * along(0)) / (12 * h * h);
         }

@@ -29,8 +29,8 @@ struct DeflationOptions {
     }
 };
 
-/// An equilibrium at the parameter p other than `known`; nothing where Newton's method does not converge from the guess,
-/// which happens where there is none as well. Distances are by the problem's weights.
+/// An equilibrium at the parameter p other than `known`; nothing where Newton's method does not converge from the
+/// guess, which happens where there is none as well. Distances are by the problem's weights.
 template <ContinuationProblem P>
 std::optional<Configuration<P>> deflated_newton(const P& problem, double p, Configuration<P> guess,
                                                 const std::vector<Configuration<P>>& known,

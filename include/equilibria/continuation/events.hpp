@@ -9,8 +9,8 @@
 ///     two eigenvalues or more    several points close to each other, or one with several null vectors
 /// Where the points found do not account for the step it is halved, down to a resolution; so it is where an
 /// eigenvalue's slope at one end predicts a zero in the step that is not seen at the other, or where K changes by more
-/// than the distances of its eigenvalues from 0: two may change in opposite directions. Where one only touches 0 that is a
-/// dead point of a mechanism, or branches touch.
+/// than the distances of its eigenvalues from 0: two may change in opposite directions. Where one only touches 0 that
+/// is a dead point of a mechanism, or branches touch.
 #pragma once
 
 #include <vector>
@@ -58,8 +58,8 @@ private:
         };
         return predicted(a, h) || predicted(b, -h) || two_may_cross(a, b);
     }
-    /// One eigenvalue may have risen through 0 and another one fallen: both are within reach at both ends. Eigenvalues of
-    /// a symmetric K move by no more than the norm of K's change (Weyl).
+    /// One eigenvalue may have risen through 0 and another one fallen: both are within reach at both ends. Eigenvalues
+    /// of a symmetric K move by no more than the norm of K's change (Weyl).
     bool two_may_cross(const Point& a, const Point& b) const {
         if (!std::isfinite(a.eigenvalue_below) || !std::isfinite(a.eigenvalue_above)) return false;
         TangentMatrix<P> change = stepper_->problem().tangent(b.q, b.p);

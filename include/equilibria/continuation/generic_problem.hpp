@@ -128,12 +128,16 @@ class GenericProblem {
 public:
     const M& model() const { return model_; }
 
-    Eigen::VectorXd weights(const Eigen::VectorXd& q) const requires requires(const M& m, const Eigen::VectorXd& at) {
-        m.weights(at);
+    Eigen::VectorXd weights(const Eigen::VectorXd& q) const
+    requires requires(const M& m, const Eigen::VectorXd& at) { m.weights(at); }
+    {
+        return model_.weights(q);
     }
-    { return model_.weights(q); }
-    int multipliers() const requires requires(const M& m) { m.multipliers(); }
-    { return model_.multipliers(); }
+    int multipliers() const
+    requires requires(const M& m) { m.multipliers(); }
+    {
+        return model_.multipliers();
+    }
 
 protected:
     explicit GenericProblem(M model) : model_(std::move(model)) {}

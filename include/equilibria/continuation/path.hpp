@@ -30,7 +30,8 @@ public:
 
     /// The problem must outlive the stepper. Throws InvalidArgument for options out of range.
     PathStepper(const P& problem, const PathOptions& options)
-        : problem_(&problem), options_(options), solver_(symmetric_tangent<P>, equilibria::multipliers(problem)), theta_(options.parameter_weight) {
+        : problem_(&problem), options_(options), solver_(symmetric_tangent<P>, equilibria::multipliers(problem)),
+          theta_(options.parameter_weight) {
         options.validate();
         require(options.constraint != StepConstraint::scalar || Controlled<P>, "constraint", "scalar",
                 "must not be asked of a problem without control(q, p)");
@@ -241,8 +242,8 @@ private:
         return y;
     }
 
-    /// The gradient of the constraint, in weighted coordinates, and its value at (q, p), the increment `moved` away from
-    /// the last point; planes have the value 0 at every iterate.
+    /// The gradient of the constraint, in weighted coordinates, and its value at (q, p), the increment `moved` away
+    /// from the last point; planes have the value 0 at every iterate.
     std::pair<Direction, double> constraint_at(const Constraint& c, const Direction& moved, const Configuration<P>& q,
                                                double p) const {
         const auto weighted = [&](const Direction& d) {

@@ -33,7 +33,8 @@ struct PathOptions {
     Eigen::Index controlled = 0;  ///< the unknown of StepConstraint::unknown
     double parameter_weight = 0;  ///< theta; 0: so that the parameter makes half of the first tangent's square
     int most_sign_changes = 1;    ///< of eigenvalues in a step, before it is halved
-    double resolution = 1e-4;     ///< a step is not halved below this, nor below 1e-4 of the way from the start, for the sake of eigenvalues
+    double resolution = 1e-4;  ///< a step is not halved below this, nor below 1e-4 of the way from the start, for the
+                               ///< sake of eigenvalues
 
     void validate() const {
         require(smallest_step > 0, "smallest_step", smallest_step, "must be positive");

@@ -304,14 +304,14 @@ DerivativeErrors check_derivatives(const P& problem, const Configuration<P>& q, 
     if constexpr (requires { problem.parameter_derivative_along(q, p, v); }) {
         const Eigen::VectorXd difference =
             (problem.parameter_derivative(ahead, p) - problem.parameter_derivative(behind, p)) / (2 * h);
-        y.parameter_derivative_along = error(problem.parameter_derivative_along(q, p, v), difference,
-                                             1e-10 * (1 + g_p.norm()) / tolerance);
+        y.parameter_derivative_along =
+            error(problem.parameter_derivative_along(q, p, v), difference, 1e-10 * (1 + g_p.norm()) / tolerance);
     }
     if constexpr (requires { problem.second_parameter_derivative(q, p); }) {
         const Eigen::VectorXd difference =
             (problem.parameter_derivative(q, p + hp) - problem.parameter_derivative(q, p - hp)) / (2 * hp);
-        y.second_parameter_derivative = error(problem.second_parameter_derivative(q, p), difference,
-                                              1e-12 * (1 + g_p.norm()) / hp / tolerance);
+        y.second_parameter_derivative =
+            error(problem.second_parameter_derivative(q, p), difference, 1e-12 * (1 + g_p.norm()) / hp / tolerance);
     }
     const auto check = [&](const char* function, double value, const char* what) {
         require(value <= tolerance, function, to_text(value) + " relative error", what);
@@ -334,7 +334,8 @@ DerivativeErrors check_derivatives(const P& problem, const Configuration<P>& q, 
             constraints.count() <= 2000 ? constraints.redundant().size() : constraints.redundant_count();
         require(redundant == 0, "problem.multipliers", m,
                 "must be the number of independent constraints: redundant ones, or a dead point, at the start, where "
-                "the rank is " + std::to_string(static_cast<std::size_t>(m) - redundant));
+                "the rank is " +
+                    std::to_string(static_cast<std::size_t>(m) - redundant));
     }
     return y;
 }

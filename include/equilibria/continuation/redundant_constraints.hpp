@@ -16,8 +16,8 @@
 
 namespace equilibria {
 
-/// The constraints of a tangent K that others could repeat, from the rows of its last unknowns, their multipliers. Those
-/// of unknowns that carry an energy of their own, an entry on K's diagonal (a force with its flexibility), are
+/// The constraints of a tangent K that others could repeat, from the rows of its last unknowns, their multipliers.
+/// Those of unknowns that carry an energy of their own, an entry on K's diagonal (a force with its flexibility), are
 /// independent of all others and not among them.
 class ConstraintGradients {
 public:
@@ -45,8 +45,8 @@ public:
 
     int count() const { return static_cast<int>(multipliers_.size()); }
 
-    /// Those that depend on constraints before them to 1e-9: multipliers from 0, rising. The time may grow with the cube
-    /// of their number.
+    /// Those that depend on constraints before them to 1e-9: multipliers from 0, rising. The time may grow with the
+    /// cube of their number.
     std::vector<int> redundant() const {
         std::vector<int> y;
         if (count() == 0) return y;

@@ -26,8 +26,8 @@ inline const typename LaneTraits<R>::Scalar rounding_unit =
     std::numeric_limits<typename LaneTraits<R>::Scalar>::epsilon();
 /// More than the absolute error of any operation that underflows.
 template <class R>
-inline const typename LaneTraits<R>::Scalar underflow_unit = 16 *
-                                                             std::numeric_limits<typename LaneTraits<R>::Scalar>::min();
+inline const typename LaneTraits<R>::Scalar underflow_unit =
+    16 * std::numeric_limits<typename LaneTraits<R>::Scalar>::min();
 
 /// An upper bound of a sum or product of non-negative numbers that was computed with at most 12 roundings.
 template <class R>

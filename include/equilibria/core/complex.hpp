@@ -21,8 +21,8 @@ struct Complex {
     /// A real constant, in every lane.
     constexpr Complex(double real) : re(broadcast<R>(real)), im(broadcast<R>(0.0)) {}
     template <class A>
-    requires(std::is_same_v<A, R> && !std::is_same_v<A, double>) constexpr explicit Complex(const A& real)
-        : re(real), im(broadcast<R>(0.0)) {}
+    requires(std::is_same_v<A, R> && !std::is_same_v<A, double>)
+    constexpr explicit Complex(const A& real) : re(real), im(broadcast<R>(0.0)) {}
 
     friend constexpr Complex operator+(const Complex& a, const Complex& b) { return {a.re + b.re, a.im + b.im}; }
     friend constexpr Complex operator-(const Complex& a, const Complex& b) { return {a.re - b.re, a.im - b.im}; }
@@ -76,35 +76,43 @@ struct Complex {
 
 /// double factors for packs of lanes and for multiprecision: 2.0 * z.
 template <class R>
-requires(!std::is_same_v<R, double>) constexpr Complex<R> operator*(double a, const Complex<R>& b) {
+requires(!std::is_same_v<R, double>)
+constexpr Complex<R> operator*(double a, const Complex<R>& b) {
     return {a * b.re, a * b.im};
 }
 template <class R>
-requires(!std::is_same_v<R, double>) constexpr Complex<R> operator*(const Complex<R>& b, double a) {
+requires(!std::is_same_v<R, double>)
+constexpr Complex<R> operator*(const Complex<R>& b, double a) {
     return {a * b.re, a * b.im};
 }
 template <class R>
-requires(!std::is_same_v<R, double>) constexpr Complex<R> operator+(const Complex<R>& a, double b) {
+requires(!std::is_same_v<R, double>)
+constexpr Complex<R> operator+(const Complex<R>& a, double b) {
     return {a.re + b, a.im};
 }
 template <class R>
-requires(!std::is_same_v<R, double>) constexpr Complex<R> operator+(double b, const Complex<R>& a) {
+requires(!std::is_same_v<R, double>)
+constexpr Complex<R> operator+(double b, const Complex<R>& a) {
     return {a.re + b, a.im};
 }
 template <class R>
-requires(!std::is_same_v<R, double>) constexpr Complex<R> operator-(const Complex<R>& a, double b) {
+requires(!std::is_same_v<R, double>)
+constexpr Complex<R> operator-(const Complex<R>& a, double b) {
     return {a.re - b, a.im};
 }
 template <class R>
-requires(!std::is_same_v<R, double>) constexpr Complex<R> operator-(double b, const Complex<R>& a) {
+requires(!std::is_same_v<R, double>)
+constexpr Complex<R> operator-(double b, const Complex<R>& a) {
     return {b - a.re, -a.im};
 }
 template <class R>
-requires(!std::is_same_v<R, double>) constexpr Complex<R> operator/(const Complex<R>& a, double b) {
+requires(!std::is_same_v<R, double>)
+constexpr Complex<R> operator/(const Complex<R>& a, double b) {
     return {a.re / b, a.im / b};
 }
 template <class R>
-requires(!std::is_same_v<R, double>) constexpr Complex<R> operator/(double a, const Complex<R>& b) {
+requires(!std::is_same_v<R, double>)
+constexpr Complex<R> operator/(double a, const Complex<R>& b) {
     return a * inverse(b);
 }
 

@@ -79,32 +79,38 @@ constexpr double pow(double x, double y) {
 
 /// Of other scalars: what their own library has. (Without these, a long double would become a double.)
 template <class S>
-requires(!std::is_integral_v<S>) auto sqrt(const S& x) {
+requires(!std::is_integral_v<S>)
+auto sqrt(const S& x) {
     using std::sqrt;
     return sqrt(x);
 }
 template <class S>
-requires(!std::is_integral_v<S>) auto exp(const S& x) {
+requires(!std::is_integral_v<S>)
+auto exp(const S& x) {
     using std::exp;
     return exp(x);
 }
 template <class S>
-requires(!std::is_integral_v<S>) auto log(const S& x) {
+requires(!std::is_integral_v<S>)
+auto log(const S& x) {
     using std::log;
     return log(x);
 }
 template <class S>
-requires(!std::is_integral_v<S>) auto sin(const S& x) {
+requires(!std::is_integral_v<S>)
+auto sin(const S& x) {
     using std::sin;
     return sin(x);
 }
 template <class S>
-requires(!std::is_integral_v<S>) auto cos(const S& x) {
+requires(!std::is_integral_v<S>)
+auto cos(const S& x) {
     using std::cos;
     return cos(x);
 }
 template <class S>
-requires(!std::is_integral_v<S>) auto pow(const S& x, double y) {
+requires(!std::is_integral_v<S>)
+auto pow(const S& x, double y) {
     using std::pow;
     return pow(x, y);
 }

@@ -1,6 +1,6 @@
 /// \file
-/// Dense linear systems of compile-time size over any scalar: doubles, multiprecision floats, duals and power series, whose
-/// solutions come with their derivatives. For packs of lanes see linear_solve.hpp.
+/// Dense linear systems of compile-time size over any scalar: doubles, multiprecision floats, duals and power series,
+/// whose solutions come with their derivatives. For packs of lanes see linear_solve.hpp.
 #pragma once
 
 #include <cmath>

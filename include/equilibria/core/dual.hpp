@@ -30,8 +30,8 @@ struct Dual {
     constexpr Dual() = default;
     constexpr Dual(const T& v) : value(v) {}
     template <class A>
-    requires(std::is_arithmetic_v<A> && !std::is_same_v<A, T>) constexpr Dual(A v)
-        : value(static_cast<T>(detail::plain(v))) {}
+    requires(std::is_arithmetic_v<A> && !std::is_same_v<A, T>)
+    constexpr Dual(A v) : value(static_cast<T>(detail::plain(v))) {}
 
     /// The independent variable number k.
     static constexpr Dual variable(const T& v, int k) {
@@ -84,7 +84,9 @@ struct Dual {
     }
     template <class A>
     requires std::is_arithmetic_v<A>
-    friend constexpr Dual operator*(const Dual& b, A a) { return a * b; }
+    friend constexpr Dual operator*(const Dual& b, A a) {
+        return a * b;
+    }
     template <class A>
     requires std::is_arithmetic_v<A>
     friend constexpr Dual operator/(const Dual& b, A a) {

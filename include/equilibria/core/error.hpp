@@ -41,7 +41,8 @@ void require_finite(const Range& values, std::string_view argument) {
     int k = 0;
     for (const auto& value : values) {
         using std::isfinite;
-        if (!isfinite(value)) require(false, std::string(argument) + "[" + std::to_string(k) + "]", value, "must be finite");
+        if (!isfinite(value))
+            require(false, std::string(argument) + "[" + std::to_string(k) + "]", value, "must be finite");
         ++k;
     }
 }

@@ -96,7 +96,8 @@ class ExactBall {
 public:
     ExactBall() = default;
     template <class A>
-    requires std::is_arithmetic_v<A> ExactBall(A value) : mid_(value) {}
+    requires std::is_arithmetic_v<A>
+    ExactBall(A value) : mid_(value) {}
     ExactBall(const Dyadic& mid, double rad) : mid_(mid), rad_(rad) {}
     /// All numbers from low to high.
     static ExactBall between(double low, double high) {
@@ -124,7 +125,9 @@ public:
     /// Throws InvalidArgument where the divisor may be 0.
     template <class A, class B>
     requires(std::same_as<A, ExactBall> || std::same_as<B, ExactBall>)
-    friend ExactBall operator/(const A& a, const B& b) { return ExactBall(a) * inverse(ExactBall(b)); }
+    friend ExactBall operator/(const A& a, const B& b) {
+        return ExactBall(a) * inverse(ExactBall(b));
+    }
     template <std::same_as<ExactBall> B>
     friend ExactBall sqrt(const B& a) {
         if (a == 0) return 0;

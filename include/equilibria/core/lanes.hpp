@@ -42,8 +42,8 @@ struct LaneTraits {
     using Mask = bool;
 };
 template <class R>
-    requires(!std::is_arithmetic_v<R> && std::is_arithmetic_v<std::remove_reference_t<decltype(std::declval<R&>()[0])>> &&
-             std::is_trivially_copyable_v<R> && requires(R a) { a < a ? a : a; })
+requires(!std::is_arithmetic_v<R> && std::is_arithmetic_v<std::remove_reference_t<decltype(std::declval<R&>()[0])>> &&
+         std::is_trivially_copyable_v<R> && requires(R a) { a < a ? a : a; })
 struct LaneTraits<R> {
     static constexpr int width = static_cast<int>(sizeof(R) / sizeof(double));
     using Scalar = double;

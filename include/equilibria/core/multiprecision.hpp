@@ -25,8 +25,8 @@ public:
     requires std::is_arithmetic_v<A>
     [[gnu::noinline]] Multiprecision(A value) : value_(value) {}
     template <int Other>
-    requires(Other != Digits) [[gnu::noinline]] explicit Multiprecision(const Multiprecision<Other>& a)
-        : value_(a.value()) {}
+    requires(Other != Digits)
+    [[gnu::noinline]] explicit Multiprecision(const Multiprecision<Other>& a) : value_(a.value()) {}
     explicit Multiprecision(const Value& value) : value_(value) {}
     /// From decimal digits; throws std::runtime_error for text that is no number.
     explicit Multiprecision(const std::string& text) : value_(text) {}
@@ -34,7 +34,9 @@ public:
     const Value& value() const { return value_; }
     template <class A>
     requires std::is_arithmetic_v<A>
-    [[gnu::noinline]] explicit operator A() const { return static_cast<A>(value_); }
+    [[gnu::noinline]] explicit operator A() const {
+        return static_cast<A>(value_);
+    }
     [[gnu::noinline]] explicit operator boost::multiprecision::cpp_int() const {
         return static_cast<boost::multiprecision::cpp_int>(value_);
     }

@@ -26,7 +26,8 @@ struct Taylor {
     constexpr Taylor() = default;
     constexpr Taylor(const T& constant) { coefficient[0] = constant; }
     template <class A>
-    requires(std::is_arithmetic_v<A> && !std::is_same_v<A, T>) constexpr Taylor(A constant) {
+    requires(std::is_arithmetic_v<A> && !std::is_same_v<A, T>)
+    constexpr Taylor(A constant) {
         coefficient[0] = static_cast<T>(detail::plain(constant));
     }
 
@@ -83,7 +84,9 @@ struct Taylor {
     }
     template <class A>
     requires std::is_arithmetic_v<A>
-    friend constexpr Taylor operator*(const Taylor& b, A a) { return a * b; }
+    friend constexpr Taylor operator*(const Taylor& b, A a) {
+        return a * b;
+    }
     template <class A>
     requires std::is_arithmetic_v<A>
     friend constexpr Taylor operator/(const Taylor& b, A a) {

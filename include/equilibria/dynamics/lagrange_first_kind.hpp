@@ -1,6 +1,7 @@
 /// \file
 /// Lagrange's equations of the first kind, with multipliers. Sources: Vesovic and Radulovic, "Modelling and stability
-/// analysis of the nonlinear system", Theoretical and Applied Mechanics (2022), (1.7) and (1.8); index reduction and projection as in Hairer and Wanner, Solving Ordinary Differential Equations II, section VII.2.
+/// analysis of the nonlinear system", Theoretical and Applied Mechanics (2022), (1.7) and (1.8); index reduction and
+/// projection as in Hairer and Wanner, Solving Ordinary Differential Equations II, section VII.2.
 #pragma once
 
 #include <algorithm>

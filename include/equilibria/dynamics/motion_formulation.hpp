@@ -27,13 +27,13 @@ struct MotionRates {
 /// - `point(t, state)`: a MotionPoint, but for work, dissipated and balance;
 /// - `project(state)`: MotionStatus; puts right what the integration made drift, where there is such a thing.
 template <class F>
-concept MotionFormulation = requires(const F& f, double t, std::array<double, F::n_states>& y,
-                                     const MotionState<typename F::Model>& start) {
-    { f.start(start) } -> std::same_as<std::array<double, F::n_states>>;
-    { f.rates(t, y) } -> std::same_as<MotionRates<F::n_states>>;
-    { f.point(t, y) } -> std::same_as<MotionPoint<typename F::Model>>;
-    { f.project(y) } -> std::same_as<MotionStatus>;
-};
+concept MotionFormulation =
+    requires(const F& f, double t, std::array<double, F::n_states>& y, const MotionState<typename F::Model>& start) {
+        { f.start(start) } -> std::same_as<std::array<double, F::n_states>>;
+        { f.rates(t, y) } -> std::same_as<MotionRates<F::n_states>>;
+        { f.point(t, y) } -> std::same_as<MotionPoint<typename F::Model>>;
+        { f.project(y) } -> std::same_as<MotionStatus>;
+    };
 
 namespace detail {
 

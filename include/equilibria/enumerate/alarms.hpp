@@ -141,8 +141,8 @@ inline Alarm poincare_hopf(const std::vector<std::int64_t>& by_index, bool only_
 template <Model M>
 Alarms check_alarms(const RootSet<M>& set, const Executor& executor = {}) {
     Alarms y;
-    y.poincare_hopf = detail::poincare_hopf(set.by_index(), n_coordinates<M> == 0,
-                                            set.degenerate() == 0 && set.paths.singular == 0);
+    y.poincare_hopf =
+        detail::poincare_hopf(set.by_index(), n_coordinates<M> == 0, set.degenerate() == 0 && set.paths.singular == 0);
     const detail::RootPartners<M> partners(set.roots, executor);
     y.conjugates = {true, static_cast<double>(partners.without_conjugate), 0, {}};
     y.conjugates.sentence = detail::counted(y.conjugates) + " roots lack their complex conjugate";
@@ -153,7 +153,8 @@ Alarms check_alarms(const RootSet<M>& set, const Executor& executor = {}) {
         y.mirror.sentence = "the model has no symmetry theta -> -theta";
     }
     y.duplicates = {true, static_cast<double>(partners.doubled), 0, {}};
-    y.duplicates.sentence = detail::counted(y.duplicates) + " roots are closer to another one than regular roots can be";
+    y.duplicates.sentence =
+        detail::counted(y.duplicates) + " roots are closer to another one than regular roots can be";
     y.trace.sentence = "the trace test was not done";
     return y;
 }

@@ -75,7 +75,8 @@ Equilibrium<M> classified(const Root<M>& root, const Unknowns<M>& q, const Param
         e.margin = inertia_of_hessian.margin;
     } else {
         e.energy = std::numeric_limits<double>::quiet_NaN();
-        const Eigen::EigenSolver<Eigen::MatrixXd> solver(Eigen::MatrixXd(j), false);  // one instantiation for all models
+        const Eigen::MatrixXd any_size = j;  // one instantiation for all models
+        const Eigen::EigenSolver<Eigen::MatrixXd> solver(any_size, false);
         const auto& values = solver.eigenvalues();
         const double largest = values.cwiseAbs().maxCoeff(), smallest = values.cwiseAbs().minCoeff();
         for (int k = 0; k < values.size(); ++k) {

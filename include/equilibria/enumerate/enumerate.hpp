@@ -24,10 +24,12 @@ namespace equilibria {
 
 namespace detail {
 
-/// The way from a start to a root set, the same for every start: paths, their account, roots, families, equilibria, alarms.
+/// The way from a start to a root set, the same for every start: paths, their account, roots, families, equilibria,
+/// alarms.
 template <Model M, class StartSystem>
 RootSet<M> enumerate_from(const ModelSystem<M>& target, const StartSystem& start, const RunOptions& run,
-                          const TrackerOptions& options, MoreDigits<ModelHomotopy<M, StartSystem>> more_digits = nullptr) {
+                          const TrackerOptions& options,
+                          MoreDigits<ModelHomotopy<M, StartSystem>> more_digits = nullptr) {
     const auto begin = std::chrono::steady_clock::now();
     const ModelHomotopy<M, StartSystem> homotopy(target, start);
     PathSet<M> paths = track(homotopy, start, run, options, more_digits);
@@ -83,10 +85,9 @@ RootSet<M> enumerate_by_parameters(const RootSet<M>& solved, const Parameters<M>
 /// Every isolated equilibrium of the model at the parameters p, from a total-degree start.
 ///
 /// Reaches every isolated solution of the polynomial system with probability one over the seed; paths at infinity,
-/// singular and failed ones are counted, not hidden. StartSystem: TotalDegree<M> or Reflected<M>, if not the natural one
-/// (Moving<M>: the general one, compiled together with the parameter homotopies).
-/// Throws InvalidArgument for parameters that are not finite and for options out of range, CheckpointError for a checkpoint
-/// that cannot be used.
+/// singular and failed ones are counted, not hidden. StartSystem: TotalDegree<M> or Reflected<M>, if not the natural
+/// one (Moving<M>: the general one, compiled together with the parameter homotopies). Throws InvalidArgument for
+/// parameters that are not finite and for options out of range, CheckpointError for a checkpoint that cannot be used.
 template <Model M, class StartSystem = NaturalStart<M>>
 RootSet<M> enumerate(const Parameters<M>& p, const RunOptions& run = {}, const TrackerOptions& options = {}) {
     return detail::enumerate_all<M, StartSystem>(p, run, options);

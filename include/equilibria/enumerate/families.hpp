@@ -1,5 +1,6 @@
 /// \file
-/// Which roots of an enumeration lie on families of solutions: probed one by one, then connected by walks on the families, and led to real points where there are any.
+/// Which roots of an enumeration lie on families of solutions: probed one by one, then connected by walks on the
+/// families, and led to real points where there are any.
 #pragma once
 
 #include <algorithm>
@@ -248,8 +249,7 @@ template <Model M, class P>
     for (std::size_t k = 0; k < roots.size(); ++k)
         if (!on_family[k]) y.isolated.push_back(roots[k]);
     const auto order = [](const Family<M>& f) { return std::pair(-f.dimension, f.points.front().path); };
-    std::sort(y.families.begin(), y.families.end(),
-              [&](const auto& a, const auto& b) { return order(a) < order(b); });
+    std::sort(y.families.begin(), y.families.end(), [&](const auto& a, const auto& b) { return order(a) < order(b); });
     return y;
 }
 

@@ -281,8 +281,8 @@ private:
 
 }  // namespace detail
 
-/// Proves what can be proved of the roots of an enumeration. Throws InvalidArgument for options out of range, and for a run with
-/// a checkpoint or a cancel.
+/// Proves what can be proved of the roots of an enumeration. Throws InvalidArgument for options out of range, and for a
+/// run with a checkpoint or a cancel.
 template <Model M>
 Proof<M> prove(const RootSet<M>& set, const RunOptions& run = {}, const ProveOptions& options = {}) {
     options.validate();

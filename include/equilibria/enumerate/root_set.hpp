@@ -23,13 +23,13 @@ namespace equilibria {
 /// A real root, classified.
 template <Model M>
 struct Equilibrium {
-    Unknowns<M> q;          ///< angles in (-pi, pi], radians; then the plain coordinates
-    double energy = 0;      ///< the potential there; NaN for models without one
-    int index = 0;          ///< negative eigenvalues of the Hessian (of dF/dq: eigenvalues with negative real part)
-    int nullity = 0;        ///< eigenvalues that count as zero: above 0 the equilibrium is degenerate
-    double margin = 0;      ///< the smallest |eigenvalue| over the largest
-    double residual = 0;    ///< as of the root
-    double condition = 0;   ///< as of the root
+    Unknowns<M> q;         ///< angles in (-pi, pi], radians; then the plain coordinates
+    double energy = 0;     ///< the potential there; NaN for models without one
+    int index = 0;         ///< negative eigenvalues of the Hessian (of dF/dq: eigenvalues with negative real part)
+    int nullity = 0;       ///< eigenvalues that count as zero: above 0 the equilibrium is degenerate
+    double margin = 0;     ///< the smallest |eigenvalue| over the largest
+    double residual = 0;   ///< as of the root
+    double condition = 0;  ///< as of the root
     std::uint64_t path = 0;
     std::int32_t multiplicity = 1;
 
@@ -43,11 +43,11 @@ struct RootSet {
     Parameters<M> parameters;
     std::uint64_t seed = 0;
     PathCounts paths;
-    std::vector<Root<M>> roots;               ///< distinct and isolated, by path number
-    std::vector<Equilibrium<M>> equilibria;   ///< the real ones, by index, then nullity, then path
-    std::vector<Family<M>> families;          ///< curves and surfaces of solutions: none of `roots` lies on one
+    std::vector<Root<M>> roots;              ///< distinct and isolated, by path number
+    std::vector<Equilibrium<M>> equilibria;  ///< the real ones, by index, then nullity, then path
+    std::vector<Family<M>> families;         ///< curves and surfaces of solutions: none of `roots` lies on one
     std::vector<FailedPath<M>> failures;
-    Alarms alarms;                            ///< tests that betray lost or doubled roots where no bound is sharp
+    Alarms alarms;  ///< tests that betray lost or doubled roots where no bound is sharp
     /// The imaginary parts that separated real from not: the largest among the real roots, the smallest among the
     /// others (infinity where there are none).
     double largest_real_imaginary = 0, smallest_nonreal_imaginary = 0;
@@ -59,8 +59,8 @@ struct RootSet {
         return static_cast<std::uint64_t>(
             std::count_if(equilibria.begin(), equilibria.end(), [](const auto& e) { return e.degenerate(); }));
     }
-    /// Whether the run was cancelled before all paths were finished. What is here is what was found until then; paths that
-    /// ran into each other are not told apart.
+    /// Whether the run was cancelled before all paths were finished. What is here is what was found until then; paths
+    /// that ran into each other are not told apart.
     bool cancelled() const { return paths.cancelled > 0; }
     CountVerdict verdict() const {
         return {&paths, &alarms, distinct(), degenerate(), by_index(), n_coordinates<M> == 0 && PotentialModel<M>};
@@ -84,10 +84,10 @@ struct RootSet {
             << r.paths.singular << " singular, " << r.paths.failed << " failed; " << r.distinct() << " distinct roots, "
             << r.real() << " real";
         const auto counts = r.by_index();
-        for (std::size_t k = 0; k < counts.size(); ++k)
-            out << (k == 0 ? ": index " : ", ") << k << ": " << counts[k];
+        for (std::size_t k = 0; k < counts.size(); ++k) out << (k == 0 ? ": index " : ", ") << k << ": " << counts[k];
         if (r.degenerate() > 0) out << ", degenerate: " << r.degenerate();
-        if (r.morse_applies()) out << (r.morse() ? "; Morse relations hold" : "; MORSE RELATIONS VIOLATED: roots are missing");
+        if (r.morse_applies())
+            out << (r.morse() ? "; Morse relations hold" : "; MORSE RELATIONS VIOLATED: roots are missing");
         std::uint64_t on_families = 0;
         for (const auto& family : r.families) on_families += family.paths();
         if (!r.families.empty()) out << "; NOT ISOLATED: " << summary(r.families);

@@ -49,12 +49,12 @@ struct StreamedRoots {
 template <class T, class M>
 concept RootTaker = std::invocable<T&, const Root<M>&, const Equilibrium<M>*>;
 
-/// `enumerate`, with the roots handed to take(root, equilibrium) one after the other. A mirror image comes after its original,
-/// otherwise they come by path number; roots that are their own mirror images are last. Sorted by path they are those of
-/// `enumerate`, bit by bit.
+/// `enumerate`, with the roots handed to take(root, equilibrium) one after the other. A mirror image comes after its
+/// original, otherwise they come by path number; roots that are their own mirror images are last. Sorted by path they
+/// are those of `enumerate`, bit by bit.
 ///
-/// run.checkpoint must name a file, of about 32 n + 40 bytes a tracked path for n angles. Of a cancelled run no root is handed
-/// on. Throws InvalidArgument as `enumerate` does, and what `take` throws.
+/// run.checkpoint must name a file, of about 32 n + 40 bytes a tracked path for n angles. Of a cancelled run no root is
+/// handed on. Throws InvalidArgument as `enumerate` does, and what `take` throws.
 template <Model M, class StartSystem = NaturalStart<M>, RootTaker<M> Take>
 StreamedRoots<M> enumerate(const Parameters<M>& p, const RunOptions& run, Take&& take,
                            const TrackerOptions& options = {}) {

@@ -77,8 +77,8 @@ public:
         std::vector<Point<M, double>> points;
         for (const auto& root : set.roots) points.push_back(point_of<M>(root.q));
         std::vector<double> weight(points.size(), 1);
-        for (const auto& group : CoincidenceFinder<M>(false).groups(
-                 points.size(), [&](std::size_t k) { return &points[k]; }, 1e-8))
+        for (const auto& group :
+             CoincidenceFinder<M>(false).groups(points.size(), [&](std::size_t k) { return &points[k]; }, 1e-8))
             for (const std::size_t k : group) weight[k] = k == group.front() ? static_cast<double>(group.size()) : 0;
         for (std::size_t k = 0; k < points.size(); ++k)
             if (weight[k] > 0) starts_.push_back(set.roots[k].q), weights_.push_back(weight[k]);
@@ -115,8 +115,8 @@ public:
     }
 
 private:
-    /// Adds the sums at the torques s tau; `lost` is increased by the paths that reached no regular root. False where the run
-    /// was cancelled.
+    /// Adds the sums at the torques s tau; `lost` is increased by the paths that reached no regular root. False where
+    /// the run was cancelled.
     bool add_traced(double s, Array<double, n> torque, TorqueTrace<n>& difference, std::uint64_t& lost) {
         for (double& value : torque) value *= s;
         const auto to = with_torques(system_, torque);
@@ -141,9 +141,9 @@ private:
 
 }  // namespace detail
 
-/// The trace test on the roots of `set`, to be stored in set.alarms.trace. It applies to angles-only models whose paths have
-/// all ended at regular roots or at infinity. The run's seed is that of the torques. Throws InvalidArgument for options out
-/// of range.
+/// The trace test on the roots of `set`, to be stored in set.alarms.trace. It applies to angles-only models whose paths
+/// have all ended at regular roots or at infinity. The run's seed is that of the torques. Throws InvalidArgument for
+/// options out of range.
 template <Model M>
 Alarm torque_trace(const RootSet<M>& set, const RunOptions& run = {}, const TrackerOptions& options = {}) {
     options.validate();

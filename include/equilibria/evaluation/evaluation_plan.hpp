@@ -23,9 +23,7 @@ struct EvaluationPlan {
     static constexpr int n = n_unknowns<M>;
 
     /// The highest multiple or power of unknown u that is needed.
-    static constexpr int highest(int u) {
-        return std::max({F::degree_in(u), F::degrees[u], 1});
-    }
+    static constexpr int highest(int u) { return std::max({F::degree_in(u), F::degrees[u], 1}); }
     static constexpr Array<int, n + 1> factor_offset = [] {
         Array<int, n + 1> y;
         for (int u = 0; u < n; ++u) y[u + 1] = y[u] + (u < n_angles<M> ? 2 : 1) * highest(u);

@@ -108,7 +108,9 @@ public:
     }
 
 private:
-    Z& at(int k, int operand) { return value_[static_cast<std::size_t>(k) * size_ + static_cast<std::size_t>(operand)]; }
+    Z& at(int k, int operand) {
+        return value_[static_cast<std::size_t>(k) * size_ + static_cast<std::size_t>(operand)];
+    }
 
     void raise_powers(int u, int k) {
         const int first = tables_->offset[u];

@@ -22,7 +22,8 @@ public:
         for (int g = 0; g < H::Plan::n_groups; ++g)
             if (H::Plan::groups[g].in_start && h.start(g) != std::complex<double>())
                 terms_.push_back({H::Plan::groups[g].equation,
-                                  h.tables().factor(H::Plan::groups[g].equation, H::Plan::groups[g].own_code), h.start(g)});
+                                  h.tables().factor(H::Plan::groups[g].equation, H::Plan::groups[g].own_code),
+                                  h.start(g)});
     }
     void series(int k, const FactorSeries<S, R>& factors, Z (&g)[n]) const {
         for (Z& entry : g) entry = {broadcast<R>(0.0), broadcast<R>(0.0)};

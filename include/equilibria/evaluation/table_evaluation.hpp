@@ -1,9 +1,11 @@
 /// \file
-/// The evaluation of a homotopy by loops over the tables of its terms: for systems that are data, and for those with too
-/// many terms to be unrolled (unrolled_evaluation.hpp). H(q, t), its Jacobian in q, its Taylor coefficients along a path.
+/// The evaluation of a homotopy by loops over the tables of its terms: for systems that are data, and for those with
+/// too many terms to be unrolled (unrolled_evaluation.hpp). H(q, t), its Jacobian in q, its Taylor coefficients along a
+/// path.
 ///
-/// What the target's terms and their law of time give is summed here; what the start adds in a form of its own, here (1-t) G,
-/// is asked of `Form`: `series(k, factors, g)`, the Taylor coefficients of G, and `slopes(factors, j)`, its Jacobian.
+/// What the target's terms and their law of time give is summed here; what the start adds in a form of its own, here
+/// (1-t) G, is asked of `Form`: `series(k, factors, g)`, the Taylor coefficients of G, and `slopes(factors, j)`, its
+/// Jacobian.
 #pragma once
 
 #include <array>
@@ -18,8 +20,8 @@
 
 namespace equilibria::detail {
 
-/// H: `tables()`, `target(term)` at t = 1, and where the coefficients move `law<l>(term, t)`, the Taylor coefficient l in t of
-/// the term's coefficient, l up to H::law_order.
+/// H: `tables()`, `target(term)` at t = 1, and where the coefficients move `law<l>(term, t)`, the Taylor coefficient l
+/// in t of the term's coefficient, l up to H::law_order.
 template <class H, class R, class Time>
 class TableEvaluation {
 public:

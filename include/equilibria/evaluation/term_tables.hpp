@@ -1,9 +1,9 @@
 /// \file
-/// How the terms of a system are evaluated by loops, worked out at run time: what evaluation_plan.hpp is for code that is
-/// unrolled.
+/// How the terms of a system are evaluated by loops, worked out at run time: what evaluation_plan.hpp is for code that
+/// is unrolled.
 ///
-/// The values cos k theta_u, sin k theta_u, x_u^k that the terms need are the factors; products of two or more of them are
-/// nodes, each computed once. The terms of equation i are grouped by their factor in unknown i, its own one.
+/// The values cos k theta_u, sin k theta_u, x_u^k that the terms need are the factors; products of two or more of them
+/// are nodes, each computed once. The terms of equation i are grouped by their factor in unknown i, its own one.
 #pragma once
 
 #include <algorithm>
@@ -34,8 +34,8 @@ public:
         std::vector<int> unknowns;  ///< that the other factors depend on
     };
 
-    /// terms: as SupportTerm, sorted by equation, then by the code of the equation's own unknown. degrees: of each equation
-    /// in its own unknown, at least, for what a start adds.
+    /// terms: as SupportTerm, sorted by equation, then by the code of the equation's own unknown. degrees: of each
+    /// equation in its own unknown, at least, for what a start adds.
     template <class Terms>
     TermTables(const Terms& terms, const Array<int, n>& degrees) {
         for (int u = 0; u < n; ++u) highest[u] = std::max(1, degrees[u]);
@@ -98,7 +98,8 @@ private:
             const auto& t = terms[at(first)];
             last = first;
             std::vector<bool> used(at(n));
-            for (; last < size && terms[at(last)].equation == t.equation && terms[at(last)].own_code() == t.own_code(); ++last)
+            for (; last < size && terms[at(last)].equation == t.equation && terms[at(last)].own_code() == t.own_code();
+                 ++last)
                 if (operand[at(last)] >= 0)
                     for (const int u : unknowns[at(operand[at(last)])]) used[at(u)] = true;
             Group group{t.equation, factor(t.equation, t.own_code()), first, last, {}};

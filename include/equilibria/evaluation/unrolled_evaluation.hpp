@@ -214,8 +214,7 @@ private:
             constexpr int term = group.first + m, operand = Plan::operand[term];
             if constexpr (operand >= 0) {
                 p += weighted<term>(value_of<operand>(k));
-                if constexpr (moving)
-                    d += number(h_->difference(term)) * value_of<operand>(k);
+                if constexpr (moving) d += number(h_->difference(term)) * value_of<operand>(k);
             } else if (k == 0) {
                 if constexpr (moving) {
                     p += current_[term];

@@ -1,7 +1,7 @@
 /// \file
 /// Assembly of sparse matrices and vectors from elements: the pattern is found once, then each entry of an element's
-/// tangent knows its place. Elements are evaluated side by side and added in their order, so that the sums do not depend
-/// on the number of threads.
+/// tangent knows its place. Elements are evaluated side by side and added in their order, so that the sums do not
+/// depend on the number of threads.
 #pragma once
 
 #include <algorithm>

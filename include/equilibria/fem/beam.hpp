@@ -11,10 +11,10 @@
 ///     integral of n^T strain - n^T F n / 2 + (strain - F n)^T rho (strain - F n) / 2,     F = C^(-1)
 ///
 /// (Hellinger and Reissner; the term with rho keeps the nodes' block of K regular and is 0 at every solution). Its
-/// equilibria are those of Beam, but stiffnesses may be infinite (fem::rigid), and where some are far above others Newton's
-/// method takes steps many times as long: a turned element's linear prediction has strains of second order, which throw
-/// forces off that follow from them, and leave forces that are unknowns where they are. (Magisano, Leonetti and Garcea
-/// 2017, mixed integration points.)
+/// equilibria are those of Beam, but stiffnesses may be infinite (fem::rigid), and where some are far above others
+/// Newton's method takes steps many times as long: a turned element's linear prediction has strains of second order,
+/// which throw forces off that follow from them, and leave forces that are unknowns where they are. (Magisano, Leonetti
+/// and Garcea 2017, mixed integration points.)
 #pragma once
 
 #include <algorithm>
@@ -105,7 +105,8 @@ public:
         const Strains stiffness = section.stiffness();
         flexibility_ = stiffness.cwiseInverse();
         // as stiff as the softest bending over the element, and half of the stiffness at most: then n keeps its part
-        const double length = geometry_.line().length(), softest = stiffness.template tail<n - S::n_forces>().minCoeff();
+        const double length = geometry_.line().length(),
+                     softest = stiffness.template tail<n - S::n_forces>().minCoeff();
         for (int c = 0; c < n; ++c)
             penalty_(c) = std::min(c < S::n_forces ? softest / (length * length) : softest, 0.5 * stiffness(c));
     }

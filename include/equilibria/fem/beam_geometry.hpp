@@ -1,12 +1,12 @@
 /// \file
-/// Strains of geometrically exact (Simo-Reissner) beams in space, and their first and second derivatives. At each point a
-/// section frame A and the axis x, by arc length s:
+/// Strains of geometrically exact (Simo-Reissner) beams in space, and their first and second derivatives. At each point
+/// a section frame A and the axis x, by arc length s:
 ///
 ///     Gamma = A^T x' - its initial value,   kappa~ = A^T A' - its initial value
 ///
 /// The nodes' quaternions are interpolated and divided by their length: Q = sum N_i p_i, A = A(Q / |Q|). A rotation of
-/// the whole multiplies every p_i from the left, and Q with them: strains are objective whatever the rotation, without a
-/// logarithm, and every derivative is rational:
+/// the whole multiplies every p_i from the left, and Q with them: strains are objective whatever the rotation, without
+/// a logarithm, and every derivative is rational:
 ///
 ///     A^T x' = Im(Q^* x' Q) / |Q|^2,     kappa = 2 Im(Q^* Q') / |Q|^2
 ///
@@ -36,7 +36,8 @@ struct SectionFrame {
 
 /// The frame at x with axis 1 along `axis` and axis 2 as near to `second` as that allows. Throws InvalidArgument where
 /// they are parallel or not finite.
-inline SectionFrame section_frame(const Eigen::Vector3d& x, const Eigen::Vector3d& axis, const Eigen::Vector3d& second) {
+inline SectionFrame section_frame(const Eigen::Vector3d& x, const Eigen::Vector3d& axis,
+                                  const Eigen::Vector3d& second) {
     require(x.allFinite(), "x", to_text(x.transpose()), "must be finite");
     require(axis.allFinite() && axis.norm() > 0, "axis", to_text(axis.transpose()), "must be finite and not 0");
     const Eigen::Vector3d e1 = axis.normalized(), across = second - second.dot(e1) * e1;
@@ -151,12 +152,14 @@ public:
         const double w = y.weight / s;
         for (std::size_t i = 0; i < count; ++i)
             for (std::size_t j = 0; j < count; ++j) {
-                auto k = tangent.template block<6, 6>(static_cast<Eigen::Index>(6 * i), static_cast<Eigen::Index>(6 * j));
+                auto k =
+                    tangent.template block<6, 6>(static_cast<Eigen::Index>(6 * i), static_cast<Eigen::Index>(6 * j));
                 k.template bottomLeftCorner<3, 3>() += w * y.n[i] * y.d[j] * y.turn[i].transpose() * f_qdx;
                 k.template topRightCorner<3, 3>() += w * y.d[i] * y.n[j] * f_qdx.transpose() * y.turn[j];
                 k.template bottomRightCorner<3, 3>() +=
                     w * y.turn[i].transpose() *
-                    (y.n[i] * y.n[j] * f_qq + y.n[i] * y.d[j] * f_qdq + y.d[i] * y.n[j] * f_qdq.transpose()) * y.turn[j];
+                    (y.n[i] * y.n[j] * f_qq + y.n[i] * y.d[j] * f_qdq + y.d[i] * y.n[j] * f_qdq.transpose()) *
+                    y.turn[j];
                 if (i == j)
                     k.template bottomRightCorner<3, 3>().diagonal().array() -=
                         0.25 * y.weight * (y.n[i] * f_q + y.d[i] * f_dq).dot(y.p[i]);

@@ -84,24 +84,21 @@ concept WithResidual = NamesItsNodes<E> && requires(const E& e, const Frames<E, 
     { e.residual(at, p) } -> std::convertible_to<Eigen::VectorXd>;
 };
 template <class E>
-concept WithValues = NamesItsNodes<E> &&
-                     requires(const E& e, const Frames<E, double>& at, double p, ElementValues& out) {
-    e.evaluate(at, p, Need::residual, out);
-};
+concept WithValues = NamesItsNodes<E> && requires(const E& e, const Frames<E, double>& at, double p,
+                                                  ElementValues& out) { e.evaluate(at, p, Need::residual, out); };
 template <class E>
-concept WithMultipliers = NamesItsNodes<E> && requires(const E& e, const Frames<E, double>& at, double p,
-                                                       ElementValues& out) {
-    { E::n_multipliers } -> std::convertible_to<int>;
-    e.evaluate(at, &p, p, ConstraintScale{}, Need::residual, out);
-};
+concept WithMultipliers =
+    NamesItsNodes<E> && requires(const E& e, const Frames<E, double>& at, double p, ElementValues& out) {
+        { E::n_multipliers } -> std::convertible_to<int>;
+        e.evaluate(at, &p, p, ConstraintScale{}, Need::residual, out);
+    };
 
 }  // namespace detail
 
 /// An element; see the file.
 template <class E>
-concept Element =
-    detail::WithEnergy<E> || detail::WithConstraints<E> || detail::WithResidual<E> || detail::WithValues<E> ||
-    detail::WithMultipliers<E>;
+concept Element = detail::WithEnergy<E> || detail::WithConstraints<E> || detail::WithResidual<E> ||
+                  detail::WithValues<E> || detail::WithMultipliers<E>;
 
 /// How many multipliers an element brings.
 template <Element E>
@@ -147,8 +144,7 @@ Frames<E, T> moved(const Frames<E, double>& at, const Eigen::VectorX<T>& u) {
         y[k].x = x;
         const auto& q = at[k].q;
         y[k].q = Eigen::Quaternion<T>(T(q.w()), T(q.x()), T(q.y()), T(q.z()));
-        if (turned)
-            y[k].q = y[k].q * Eigen::Quaternion<T>(T(1.0) - 0.5 * half.dot(half), half(0), half(1), half(2));
+        if (turned) y[k].q = y[k].q * Eigen::Quaternion<T>(T(1.0) - 0.5 * half.dot(half), half(0), half(1), half(2));
     }
     return y;
 }
@@ -201,8 +197,7 @@ void evaluate_constraints(const E& element, const Frames<E, double>& at, const d
                 second += total * by_ij + scale.penalty * by_i * by_j;
                 if (need == Need::residual) out.residual(own + k) = scale.multiplier * value;
                 if (need == Need::parameter_derivative) out.parameter_derivative(own + k) = scale.multiplier * by_j;
-                if (need == Need::tangent)
-                    out.tangent(own + k, i) = out.tangent(i, own + k) = scale.multiplier * by_i;
+                if (need == Need::tangent) out.tangent(own + k, i) = out.tangent(i, own + k) = scale.multiplier * by_i;
             }
             if (need == Need::residual) out.residual(i) = force;
             if (need == Need::parameter_derivative) out.parameter_derivative(i) = second;
@@ -210,8 +205,8 @@ void evaluate_constraints(const E& element, const Frames<E, double>& at, const d
         }
 }
 
-/// The moments m of a residual are by the spin of their nodes, the unknowns increments Psi: their derivative has the part
-/// D(T^T m) d = d x m / 2 at Psi = 0.
+/// The moments m of a residual are by the spin of their nodes, the unknowns increments Psi: their derivative has the
+/// part D(T^T m) d = d x m / 2 at Psi = 0.
 template <class E>
 void add_chart_term(const auto& residual, Eigen::MatrixXd& tangent) {
     constexpr int each = static_cast<int>(E::components.size());

@@ -107,7 +107,8 @@ private:
     Eigen::Vector3d offset_;
 };
 
-/// The node moves along a fixed direction: direction . (x - origin) = rate p + offset. Its multiplier is minus the force.
+/// The node moves along a fixed direction: direction . (x - origin) = rate p + offset. Its multiplier is minus the
+/// force.
 struct PrescribedDisplacement {
     static constexpr int n_nodes = 1, n_constraints = 1;
     static constexpr auto components = positions;
@@ -121,8 +122,8 @@ struct PrescribedDisplacement {
     }
 };
 
-/// The node turns about a fixed axis by the angle rate p, radians, through any number of turns; its multipliers are minus
-/// the moment, in the axes of the node.
+/// The node turns about a fixed axis by the angle rate p, radians, through any number of turns; its multipliers are
+/// minus the moment, in the axes of the node.
 class PrescribedRotation {
 public:
     static constexpr int n_nodes = 1, n_constraints = 3;

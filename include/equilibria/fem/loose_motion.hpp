@@ -22,7 +22,8 @@ struct LooseMotion {
 /// A motion along which K is 0 to rounding, one of several if there are; nothing where all meet a stiffness. No branch
 /// can be followed from there. A slender beam of thousands of nodes looks alike: its bending is lost in rounding.
 template <bool Conservative>
-std::optional<LooseMotion> loose_motion(const BasicStructure<Conservative>& structure, const StructureState& q, double p) {
+std::optional<LooseMotion> loose_motion(const BasicStructure<Conservative>& structure, const StructureState& q,
+                                        double p) {
     using Matrix = Eigen::SparseMatrix<double>;
     const Matrix k = structure.tangent(q, p);
     const Eigen::VectorXd weights = structure.weights(q);

@@ -96,7 +96,8 @@ public:
         const Eigen::Vector2d n = stress.template head<2>(), mixed = y.axes * Eigen::Vector2d(-n(1), n(0));
         for (std::size_t i = 0; i < count; ++i)
             for (std::size_t j = 0; j < count; ++j) {
-                auto k = tangent.template block<3, 3>(static_cast<Eigen::Index>(3 * i), static_cast<Eigen::Index>(3 * j));
+                auto k =
+                    tangent.template block<3, 3>(static_cast<Eigen::Index>(3 * i), static_cast<Eigen::Index>(3 * j));
                 k.template topRightCorner<2, 1>() += y.weight * y.d[i] * y.n[j] * mixed;
                 k.template bottomLeftCorner<1, 2>() += y.weight * y.n[i] * y.d[j] * mixed.transpose();
                 k(2, 2) -= y.weight * y.n[i] * y.n[j] * n.dot(y.total.template head<2>());

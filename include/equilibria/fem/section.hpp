@@ -1,6 +1,6 @@
 /// \file
-/// Cross-sections of beams. Stiffnesses may be infinite, one of bending or torsion apart: the beam is inextensible, or its
-/// cross-sections stay normal to the axis (Kirchhoff).
+/// Cross-sections of beams. Stiffnesses may be infinite, one of bending or torsion apart: the beam is inextensible, or
+/// its cross-sections stay normal to the axis (Kirchhoff).
 #pragma once
 
 #include <cmath>

@@ -1,12 +1,14 @@
 /// \file
-/// A model as a continuation problem: g(q, p) = 0 with q the frames of its nodes and the multipliers of its constraints,
+/// A model as a continuation problem: g(q, p) = 0 with q the frames of its nodes and the multipliers of its
+/// constraints,
 ///
 ///     g = [ V_q + B^T (k lambda + rho Phi) - p f ]       K = [ A    k B^T ]      A = V_qq + rho B^T B
-///         [ k Phi                                ]           [ k B  0     ]          + sum (k lambda_i + rho Phi_i) Phi_i,qq
+///         [ k Phi                                ]           [ k B  0     ]          + sum (k lambda_i + rho Phi_i)
+///         Phi_i,qq
 ///
-/// (Cardona and Huespe 1999, (12)-(15)). Unknowns are increments of the present configuration, x + dx and R exp(dPsi): the
-/// reference moves with every iterate (16), tangents and null vectors move along by T (Section 5). So rotations are not
-/// limited, and K is symmetric and exact.
+/// (Cardona and Huespe 1999, (12)-(15)). Unknowns are increments of the present configuration, x + dx and R exp(dPsi):
+/// the reference moves with every iterate (16), tangents and null vectors move along by T (Section 5). So rotations are
+/// not limited, and K is symmetric and exact.
 ///
 /// Lengths of increments are root mean squares over the nodes: of displacements over `length`, and of rotations in
 /// radians; multipliers hardly count.
@@ -47,9 +49,9 @@ public:
     using Configuration = StructureState;
     static constexpr bool symmetric = Conservative;
 
-    /// Throws InvalidArgument where nothing can move, where a node may turn about two axes alone, where a load acts on a
-    /// component that no element uses, and, for a conservative structure, where an element has no energy or a moment acts
-    /// on a node that turns about several axes.
+    /// Throws InvalidArgument where nothing can move, where a node may turn about two axes alone, where a load acts on
+    /// a component that no element uses, and, for a conservative structure, where an element has no energy or a moment
+    /// acts on a node that turns about several axes.
     explicit BasicStructure(Model model, const StructureOptions& options = {})
         : model_(std::make_shared<const Model>(std::move(model))), options_(options) {
         number();
@@ -91,9 +93,11 @@ public:
     }
     Eigen::SparseMatrix<double> tangent(const Configuration& q, double p) const {
         Eigen::SparseMatrix<double> k = pattern_;
-        assemble(q, p, Need::tangent,
-                 [&](const GroupAssembly& group, std::size_t e, const ElementValues& out) { group.add(e, out.tangent, k); });
-        // -(R exp(d))^T m = -M - M x d with M = R^T m, and the chart's d x (-M) / 2: none where a node turns about one axis
+        assemble(q, p, Need::tangent, [&](const GroupAssembly& group, std::size_t e, const ElementValues& out) {
+            group.add(e, out.tangent, k);
+        });
+        // -(R exp(d))^T m = -M - M x d with M = R^T m, and the chart's d x (-M) / 2: none where a node turns about one
+        // axis
         for (const NodalLoad& m : moments_) {
             const Eigen::Vector3d moment = factor(m, p) * (q.frames[node_of(m)].q.conjugate() * m.moment);
             const Eigen::Matrix3d s = skew(moment);
@@ -235,8 +239,9 @@ private:
                         where, to_text(load.moment.transpose()), "must act on rotations that an element uses");
                 axes += unknown(load.node, Component(rx + c)) >= 0;
             }
-            require(!Conservative || axes <= 1 || load.moment.isZero(0), where, to_text(load.moment.transpose()),
-                    "a moment on a node that turns about several axes has no energy: NonconservativeStructure takes it");
+            require(
+                !Conservative || axes <= 1 || load.moment.isZero(0), where, to_text(load.moment.transpose()),
+                "a moment on a node that turns about several axes has no energy: NonconservativeStructure takes it");
             Eigen::VectorXd& to = load.kind == LoadKind::constant ? constant_load_ : proportional_load_;
             for (int c = 0; c < 3; ++c)
                 if (const int i = unknown(load.node, Component(ux + c)); i >= 0) to(i) += load.force(c);

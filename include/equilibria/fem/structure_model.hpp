@@ -96,12 +96,13 @@ public:
     /// The node whose rotation this one has: itself, if it has its own.
     int rotates_with(int node) const {
         int root = rotates_with_[checked(node, "node")];
-        while (rotates_with_[static_cast<std::size_t>(root)] != root) root = rotates_with_[static_cast<std::size_t>(root)];
+        while (rotates_with_[static_cast<std::size_t>(root)] != root)
+            root = rotates_with_[static_cast<std::size_t>(root)];
         return root;
     }
 
-    /// A dead force and moment, both in fixed axes. A dead moment has an energy only where its node turns about one axis
-    /// alone, see Structure.
+    /// A dead force and moment, both in fixed axes. A dead moment has an energy only where its node turns about one
+    /// axis alone, see Structure.
     void load(int node, const Eigen::Vector3d& force, const Eigen::Vector3d& moment = Eigen::Vector3d::Zero(),
               LoadKind kind = LoadKind::proportional) {
         checked(node, "node");
@@ -119,8 +120,7 @@ public:
         for (const auto& group : groups_)
             for (std::size_t e = 0; e < group->size(); ++e)
                 for (int k = 0; k < group->n_nodes(); ++k)
-                    for (int c = 0; c < group->n_components(); ++c)
-                        mark(y, group->nodes(e)[k], group->components()[c]);
+                    for (int c = 0; c < group->n_components(); ++c) mark(y, group->nodes(e)[k], group->components()[c]);
         return y;
     }
     /// Which components are fixed, counted likewise: a rotation is where it is fixed at one of the nodes that share it.

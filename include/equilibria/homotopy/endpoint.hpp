@@ -20,8 +20,8 @@ enum class Arrival : std::uint8_t {
 template <class M>
 struct Endpoint {
     Point<M, double> q;
-    double t = 0;               ///< where the lane tracker left it
-    std::int32_t steps = 0;     ///< predictor-corrector steps, refused ones included
+    double t = 0;            ///< where the lane tracker left it
+    std::int32_t steps = 0;  ///< predictor-corrector steps, refused ones included
     Arrival arrival = Arrival::stuck;
     PathStatus status = PathStatus::failed;
     FailureReason reason = FailureReason::none;

@@ -14,9 +14,8 @@ namespace equilibria {
 /// Tracks from t = 0 the paths that start at `start(path)`, a Point<M, double>, for each of `paths`; where
 /// paths[k] was left goes to ends[k] (q, t, steps, arrival, reason). R: the pack of lanes, or a scalar type.
 template <class R, bool Pivoted, class H, class StartPoint>
-void track_lanes(const H& homotopy, const TrackerOptions& options,
-                 std::span<const std::uint64_t> paths, StartPoint&& start,
-                 std::span<Endpoint<typename H::System>> ends) {
+void track_lanes(const H& homotopy, const TrackerOptions& options, std::span<const std::uint64_t> paths,
+                 StartPoint&& start, std::span<Endpoint<typename H::System>> ends) {
     using M = typename H::System;
     constexpr int width = LaneTraits<R>::width;
     detail::Stepper<H, R, R, Pivoted> stepper(homotopy, options);
@@ -75,8 +74,8 @@ void track_lanes(const H& homotopy, const TrackerOptions& options,
                 finish(k, Arrival::end, FailureReason::none);
             } else if (static_cast<double>(lane(far, k)) > far_away2) {
                 finish(k, Arrival::endgame, FailureReason::none);
-            } else if (left < options.endgame_start &&
-                       (static_cast<double>(lane(h, k)) < 0.9 * left ||  // the next step falls short of t = 1, or this one did
+            } else if (left < options.endgame_start &&  // the next step falls short of t = 1, or this one did
+                       (static_cast<double>(lane(h, k)) < 0.9 * left ||
                         static_cast<double>(lane(reached, k)) < -0.1 * static_cast<double>(1 - lane(before, k)))) {
                 finish(k, Arrival::endgame, FailureReason::none);
             } else if (!(static_cast<double>(lane(outcome.next_step, k)) > options.smallest_step)) {

@@ -57,7 +57,8 @@ public:
     template <int Order, class R, class Time>
     auto law(int term, const Time& t) const {
         if constexpr (Order == 0)
-            return Complex<R>(broadcast_complex<R>(target_[term]) - broadcast_complex<R>(difference_[term]) * (1.0 - t));
+            return Complex<R>(broadcast_complex<R>(target_[term]) -
+                              broadcast_complex<R>(difference_[term]) * (1.0 - t));
         else
             return difference_[term];
     }
@@ -76,7 +77,8 @@ public:
     const Array<double, n>& scale() const { return system_.scale; }
 
     /// The model's own function at q, not its polynomial form: what is polished is a solution of the equations that the
-    /// user wrote. `polynomials` has their values as polynomials, and is left as it is by systems that have no other form.
+    /// user wrote. `polynomials` has their values as polynomials, and is left as it is by systems that have no other
+    /// form.
     template <class R>
     void residual(const Point<M, R>& q, Complex<R> (&polynomials)[n]) const {
         detail::AnglesOf<M, Complex<R>> theta;

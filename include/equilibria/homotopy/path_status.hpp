@@ -16,7 +16,7 @@ enum class PathStatus : std::uint8_t {
 
 enum class FailureReason : std::uint8_t {
     none,
-    step_too_small,    ///< the step control refused every step
+    step_too_small,  ///< the step control refused every step
     too_many_steps,
     endgame_undecided  ///< near t = 1, neither finite, nor at infinity, nor singular could be shown
 };

@@ -15,9 +15,9 @@
 
 namespace equilibria {
 
-/// H(q, t), with H(q, 1) = F(q). Start: see start.hpp; beside that it says how it is evaluated: `Form<H, R>`, and where it is
-/// `moving`, how the coefficients of F move: `law_order`, and law<l>(equation, monomial, coefficient of F, t) with the Taylor
-/// coefficients in t at the time t.
+/// H(q, t), with H(q, 1) = F(q). Start: see start.hpp; beside that it says how it is evaluated: `Form<H, R>`, and where
+/// it is `moving`, how the coefficients of F move: `law_order`, and law<l>(equation, monomial, coefficient of F, t)
+/// with the Taylor coefficients in t at the time t.
 template <int Angles, int Coordinates, class StartSystem>
 class SparseHomotopy {
 public:
@@ -33,7 +33,8 @@ public:
     using Form = typename StartSystem::template Form<SparseHomotopy, R>;
 
     /// The start has to outlive the homotopy.
-    SparseHomotopy(const Target& target, const StartSystem& start) : SparseHomotopy(target, start, start.terms(target)) {}
+    SparseHomotopy(const Target& target, const StartSystem& start)
+        : SparseHomotopy(target, start, start.terms(target)) {}
 
     const detail::TermTables<System>& tables() const { return *tables_; }
     /// The coefficient of a term at t = 1.

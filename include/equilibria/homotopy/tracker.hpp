@@ -27,7 +27,8 @@ namespace detail {
 
 /// One predictor-corrector step for all lanes. The driver owns t, the refilling of lanes and the end of paths.
 ///
-/// H: a homotopy. Time: R, and the path runs along the reals; or Complex<R>, and it runs along the segment t = origin + tau direction.
+/// H: a homotopy. Time: R, and the path runs along the reals; or Complex<R>, and it runs along the segment t = origin +
+/// tau direction.
 template <class H, class R, class Time = R, bool Pivoted = !H::symmetric>
 class Stepper {
 public:
@@ -50,10 +51,10 @@ public:
     void set_noise(const R& size) { noise2_ = size * size; }
 
     struct Outcome {
-        Point<M, R> q;   ///< the corrected point at tau + h
+        Point<M, R> q;  ///< the corrected point at tau + h
         Mask accepted;
-        R next_step;     ///< what the step control proposes, from this point if accepted, else again from the old one
-        R step;          ///< the step that was tried: at most the one asked for
+        R next_step;  ///< what the step control proposes, from this point if accepted, else again from the old one
+        R step;       ///< the step that was tried: at most the one asked for
     };
 
     /// Taylor coefficients at (q, tau), which is first corrected by one Newton step for free.
@@ -116,7 +117,8 @@ public:
         const R largest_first = R{} + 1e-2;
         y.accepted = both(both(short_enough, theta2 < most), first < largest_first);
         // h (target / Theta)^(1/4), between a quarter and four times h
-        const R growth = square_root(square_root(square_root((options_.contraction * options_.contraction) / (theta2 + 1e-30))));
+        const R growth =
+            square_root(square_root(square_root((options_.contraction * options_.contraction) / (theta2 + 1e-30))));
         R proposed = h * lane_min(lane_max(growth, R{} + 0.25), R{} + 4.0);
         const R turn_limit = h * (0.8 * options_.largest_turn) / square_root(turn + 1e-30);
         proposed = lane_min(proposed, lane_max(turn_limit, 0.25 * h));

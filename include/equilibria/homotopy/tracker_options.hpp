@@ -9,13 +9,13 @@
 namespace equilibria {
 
 struct TrackerOptions {
-    double contraction = 1e-3;       ///< target of Theta, in (0, 0.05]; smaller: shorter, safer steps
+    double contraction = 1e-3;          ///< target of Theta, in (0, 0.05]; smaller: shorter, safer steps
     double largest_contraction = 0.02;  ///< a step with a larger Theta is refused
-    double largest_turn = 0.4;       ///< largest predicted change of an angle in a step, radians
-    double pole_fraction = 0.4;      ///< largest step over the distance to the nearest pole of the path, in (0, 1)
-    double smallest_step = 1e-12;    ///< a path that needs a smaller one fails
-    double endgame_start = 1e-5;     ///< a path that can't reach t = 1 in one step from 1 - this goes to the endgame
-    int most_steps = 3000;           ///< steps of one path, refused ones included
+    double largest_turn = 0.4;          ///< largest predicted change of an angle in a step, radians
+    double pole_fraction = 0.4;         ///< largest step over the distance to the nearest pole of the path, in (0, 1)
+    double smallest_step = 1e-12;       ///< a path that needs a smaller one fails
+    double endgame_start = 1e-5;        ///< a path that can't reach t = 1 in one step from 1 - this goes to the endgame
+    int most_steps = 3000;              ///< steps of one path, refused ones included
 
     void validate() const {
         require(contraction > 0 && contraction <= 0.05, "contraction", contraction, "must be in (0, 0.05]");

@@ -44,8 +44,8 @@ inline std::string gnuplot_block(const std::string& name, const std::string& row
     return "$" + name + " << EOD\n" + rows + "EOD\n";
 }
 
-/// Data blocks and variables for a script file, in the order in which they are given. Numbers have every digit. No array
-/// may be called x or y, which gnuplot plots over.
+/// Data blocks and variables for a script file, in the order in which they are given. Numbers have every digit. No
+/// array may be called x or y, which gnuplot plots over.
 class GnuplotData {
 public:
     /// $name: rows of numbers with spaces between. No rows become one that draws nothing, since gnuplot refuses a plot
@@ -62,12 +62,10 @@ public:
     GnuplotData& string(const std::string& name, std::string_view value) { return assign(name, quoted(value)); }
     /// Arrays count from 1. gnuplot has no empty ones: of nothing there is one entry, 0 or ''.
     GnuplotData& values(const std::string& name, const std::vector<double>& list) {
-        return array(
-            name, list, [](double x) { return number(x); }, "0");
+        return array(name, list, [](double x) { return number(x); }, "0");
     }
     GnuplotData& strings(const std::string& name, const std::vector<std::string>& list) {
-        return array(
-            name, list, [](const std::string& text) { return quoted(text); }, "''");
+        return array(name, list, [](const std::string& text) { return quoted(text); }, "''");
     }
     const std::string& text() const { return text_; }
 

@@ -23,7 +23,7 @@ namespace detail {
 /// Fails to compile unless all are parameters of the model, and different ones.
 template <class M, int... Active>
 constexpr void check_active() {
-    static_assert(((Active >= 0 && Active < n_parameters<M>)&&...), "equilibria: no such parameter");
+    static_assert(((Active >= 0 && Active < n_parameters<M>) && ...), "equilibria: no such parameter");
     constexpr int active[] = {Active...};
     constexpr bool different = [&] {
         for (std::size_t i = 0; i < sizeof...(Active); ++i)

@@ -35,12 +35,14 @@ concept AngleLike = std::is_base_of_v<AngleBase, std::remove_cvref_t<A>>;
         "a constant torque give equations instead of a potential)")
 // clang-format on
 template <AngleLike A, class B>
-requires(!detail::Integer<std::remove_cvref_t<B>>) constexpr auto operator*(const A& a, const B&) {
+requires(!detail::Integer<std::remove_cvref_t<B>>)
+constexpr auto operator*(const A& a, const B&) {
     EQUILIBRIA_REFUSE_ANGLE;
     return a;
 }
 template <class B, AngleLike A>
-requires(!AngleLike<B> && !detail::Integer<std::remove_cvref_t<B>>) constexpr auto operator*(const B&, const A& a) {
+requires(!AngleLike<B> && !detail::Integer<std::remove_cvref_t<B>>)
+constexpr auto operator*(const B&, const A& a) {
     EQUILIBRIA_REFUSE_ANGLE;
     return a;
 }
@@ -109,21 +111,25 @@ struct CircleAngle : AngleBase {
     }
     /// A constant phase in radians.
     template <class P>
-    requires(!AngleLike<P>) friend constexpr CircleAngle operator+(const CircleAngle& a, const P& phase) {
+    requires(!AngleLike<P>)
+    friend constexpr CircleAngle operator+(const CircleAngle& a, const P& phase) {
         using std::cos, std::sin;
         const auto pc = cos(phase), ps = sin(phase);
         return {a.c * pc - a.s * ps, a.s * pc + a.c * ps};
     }
     template <class P>
-    requires(!AngleLike<P>) friend constexpr CircleAngle operator+(const P& phase, const CircleAngle& a) {
+    requires(!AngleLike<P>)
+    friend constexpr CircleAngle operator+(const P& phase, const CircleAngle& a) {
         return a + phase;
     }
     template <class P>
-    requires(!AngleLike<P>) friend constexpr CircleAngle operator-(const CircleAngle& a, const P& phase) {
+    requires(!AngleLike<P>)
+    friend constexpr CircleAngle operator-(const CircleAngle& a, const P& phase) {
         return a + (-phase);
     }
     template <class P>
-    requires(!AngleLike<P>) friend constexpr CircleAngle operator-(const P& phase, const CircleAngle& a) {
+    requires(!AngleLike<P>)
+    friend constexpr CircleAngle operator-(const P& phase, const CircleAngle& a) {
         return (-a) + phase;
     }
 };

@@ -84,17 +84,13 @@ using scalar_of = std::remove_cvref_t<decltype(cos(std::declval<const std::remov
 namespace detail {
 template <class M, class Theta, class X, class P>
 concept PotentialOf = requires(const M& m, const Theta& theta, const X& x, const P& p) {
-    requires n_coordinates<M>
-    == 0 || requires { m.potential(theta, x, p); };
-    requires n_coordinates<M>
-    != 0 || requires { m.potential(theta, p); };
+    requires n_coordinates<M> == 0 || requires { m.potential(theta, x, p); };
+    requires n_coordinates<M> != 0 || requires { m.potential(theta, p); };
 };
 template <class M, class Theta, class X, class P>
 concept EquationsOf = requires(const M& m, const Theta& theta, const X& x, const P& p) {
-    requires n_coordinates<M>
-    == 0 || requires { m.equations(theta, x, p); };
-    requires n_coordinates<M>
-    != 0 || requires { m.equations(theta, p); };
+    requires n_coordinates<M> == 0 || requires { m.equations(theta, x, p); };
+    requires n_coordinates<M> != 0 || requires { m.equations(theta, p); };
 };
 
 template <class M, class Theta, class X, class P>
@@ -149,7 +145,8 @@ using Parameters = Array<S, n_parameters<M>>;
 
 /// A model that gives a potential, checked with real scalars.
 template <class M>
-concept PotentialModel = ModelSizes<M> &&
+concept PotentialModel =
+    ModelSizes<M> &&
     detail::PotentialOf<M, detail::AnglesOf<M, double>, detail::CoordinatesOf<M, double>, Parameters<M>>;
 
 /// A model that gives its equations.

@@ -27,8 +27,8 @@ public:
     }
 
     /// Groups of two or more numbers k < size whose points are within `tolerance` of each other, relative to their
-    /// size; point(k) gives a point, valid until the next call but one, or nullptr to leave k out. Each group is sorted,
-    /// and so are the groups.
+    /// size; point(k) gives a point, valid until the next call but one, or nullptr to leave k out. Each group is
+    /// sorted, and so are the groups.
     template <class PointOf>
     std::vector<std::vector<std::size_t>> groups(std::size_t size, PointOf&& point, double tolerance) const {
         struct Entry {

@@ -1,8 +1,8 @@
 /// \file
 /// Every isolated solution of a system that is data, every path accounted for.
 ///
-/// What comes back are complex roots. They are not classified as equilibria are: the systems are systems of equations, and
-/// their users know what a real root means.
+/// What comes back are complex roots. They are not classified as equilibria are: the systems are systems of equations,
+/// and their users know what a real root means.
 #pragma once
 
 #include <complex>
@@ -39,15 +39,16 @@ using MoreDigitsOf = MoreDigits<MultihomogeneousHomotopy<System::n_angles, Syste
 /// Tracks all paths of a homotopy and merges what they end at: the driver of every search for complex roots.
 template <class H, class StartSystem>
 ComplexRoots<typename H::System> complex_roots(const H& homotopy, const StartSystem& start, const RunOptions& run = {},
-                                               const TrackerOptions& options = {}, MoreDigits<H> more_digits = nullptr) {
+                                               const TrackerOptions& options = {},
+                                               MoreDigits<H> more_digits = nullptr) {
     PathSet<typename H::System> paths = track(homotopy, start, run, options, more_digits);
     auto [counts, failures] = account_for(paths);
     return {counts, merge(paths), std::move(failures)};
 }
 
-/// Every isolated solution of the system, by paths from a linear-product start for the groups of unknowns: as many paths as
-/// the multihomogeneous number of Bezout of the terms that the system has. With `more_digits` paths that fail in double are
-/// tracked again before they count as failed; paths.more_digits says how many were.
+/// Every isolated solution of the system, by paths from a linear-product start for the groups of unknowns: as many
+/// paths as the multihomogeneous number of Bezout of the terms that the system has. With `more_digits` paths that fail
+/// in double are tracked again before they count as failed; paths.more_digits says how many were.
 ///
 /// grouping: the group of each unknown, numbers from 0, none left out. Throws InvalidArgument where the run names a
 /// checkpoint or options are out of range.
@@ -59,10 +60,12 @@ ComplexRoots<UnknownsOf<Angles, Coordinates>> solve_multihomogeneous(
     options.validate();
     Generator generator(run.seed), forms(run.seed);
     const LinearProduct<Angles, Coordinates> start(system, grouping, unit_complex(generator), forms);
-    return complex_roots(MultihomogeneousHomotopy<Angles, Coordinates>(system, start), start, run, options, more_digits);
+    return complex_roots(MultihomogeneousHomotopy<Angles, Coordinates>(system, start), start, run, options,
+                         more_digits);
 }
 
-/// The same for a model's equations at the parameters p; the model names the groups, `static constexpr Grouping<M> grouping`.
+/// The same for a model's equations at the parameters p; the model names the groups, `static constexpr Grouping<M>
+/// grouping`.
 template <Model M>
 auto solve_multihomogeneous(const Parameters<M>& p, const RunOptions& run = {}, const TrackerOptions& options = {},
                             MoreDigitsOf<M> more_digits = nullptr) {
@@ -70,13 +73,12 @@ auto solve_multihomogeneous(const Parameters<M>& p, const RunOptions& run = {}, 
     return solve_multihomogeneous(sparse_system<M>(p), M::grouping, run, options, more_digits);
 }
 
-/// The solutions of the system `to` from regular solutions of `from`, along a line in the space of coefficients: complete
-/// if `roots` are as many as a generic system on that line has.
+/// The solutions of the system `to` from regular solutions of `from`, along a line in the space of coefficients:
+/// complete if `roots` are as many as a generic system on that line has.
 template <int Angles, int Coordinates>
-ComplexRoots<UnknownsOf<Angles, Coordinates>> solve_from(const std::vector<Root<UnknownsOf<Angles, Coordinates>>>& roots,
-                                                         const SparseSystem<Angles, Coordinates>& from,
-                                                         const SparseSystem<Angles, Coordinates>& to,
-                                                         const RunOptions& run = {}, const TrackerOptions& options = {}) {
+ComplexRoots<UnknownsOf<Angles, Coordinates>> solve_from(
+    const std::vector<Root<UnknownsOf<Angles, Coordinates>>>& roots, const SparseSystem<Angles, Coordinates>& from,
+    const SparseSystem<Angles, Coordinates>& to, const RunOptions& run = {}, const TrackerOptions& options = {}) {
     using Instance = SolvedInstance<Angles, Coordinates>;
     options.validate();
     typename Instance::Points points;
@@ -87,7 +89,8 @@ ComplexRoots<UnknownsOf<Angles, Coordinates>> solve_from(const std::vector<Root<
     return complex_roots(SparseHomotopy<Angles, Coordinates, Instance>(to, start), start, run, options);
 }
 
-/// Start systems are a choice: where one leaves paths undecided, another may not. The first attempt has the seed itself.
+/// Start systems are a choice: where one leaves paths undecided, another may not. The first attempt has the seed
+/// itself.
 inline std::uint64_t seed_of_attempt(std::uint64_t seed, std::uint64_t attempt) {
     return seed + 0x9e3779b97f4a7c15 * attempt;
 }

@@ -26,8 +26,8 @@ public:
         merge(PathStatus::singular, 1e-5);
     }
 
-    /// Calls take(root) for each root, in the order of the tracked paths, a mirror image after its original; those that rest
-    /// come last.
+    /// Calls take(root) for each root, in the order of the tracked paths, a mirror image after its original; those that
+    /// rest come last.
     template <class Take>
     void for_each(Take&& take) {
         PathSet<M>& paths = *paths_;
@@ -70,8 +70,8 @@ private:
 
 }  // namespace detail
 
-/// The distinct roots, one after the other: take(root) is called in the order of the tracked paths, a mirror image after its
-/// original; roots that are their own mirror images come last.
+/// The distinct roots, one after the other: take(root) is called in the order of the tracked paths, a mirror image
+/// after its original; roots that are their own mirror images come last.
 template <class M, std::invocable<const Root<M>&> Take>
 void merge(PathSet<M>& paths, Take&& take) {
     detail::MergedPaths<M>(paths).for_each(take);

@@ -8,7 +8,7 @@ namespace equilibria {
 
 /// The paths of an enumeration. finite + at_infinity + singular + failed + cancelled == total, always.
 struct PathCounts {
-    std::uint64_t total = 0;        ///< the bound: all paths, those known by symmetry included
+    std::uint64_t total = 0;  ///< the bound: all paths, those known by symmetry included
     std::uint64_t finite = 0, at_infinity = 0, singular = 0, failed = 0;
     std::uint64_t cancelled = 0;    ///< not finished, since the run was cancelled: 0 for every run that was not
     std::uint64_t tracked = 0;      ///< paths that were computed; the others are their mirror images, or rest

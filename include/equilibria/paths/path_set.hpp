@@ -1,6 +1,6 @@
 /// \file
-/// All paths of a run, one record each, and the account of them. Nothing here is changed once it is written: counts, failures
-/// and roots (merge.hpp) are read off the records.
+/// All paths of a run, one record each, and the account of them. Nothing here is changed once it is written: counts,
+/// failures and roots (merge.hpp) are read off the records.
 #pragma once
 
 #include <algorithm>

@@ -10,10 +10,10 @@ namespace equilibria {
 
 /// The evidence of one search for all complex solutions.
 struct SolutionCounts {
-    PathCounts paths;            ///< of the last attempt; of several searches their sum
+    PathCounts paths;  ///< of the last attempt; of several searches their sum
     std::uint64_t searches = 0;
-    std::uint64_t attempts = 0;  ///< start systems tried until no path failed
-    std::uint64_t solutions = 0; ///< regular complex ones
+    std::uint64_t attempts = 0;   ///< start systems tried until no path failed
+    std::uint64_t solutions = 0;  ///< regular complex ones
 
     void add(const SolutionCounts& other) {
         add(other.paths);

@@ -25,8 +25,8 @@
 
 namespace equilibria {
 
-/// Tracks a path again that failed in double, with more digits (see enumerate/more_digits.hpp). A pointer, so that only those
-/// who want it compile it.
+/// Tracks a path again that failed in double, with more digits (see enumerate/more_digits.hpp). A pointer, so that only
+/// those who want it compile it.
 template <class H>
 using MoreDigits = void (*)(const H&, const detail::Polisher<H>&, const TrackerOptions&,
                             const Point<typename H::System, double>& start, Endpoint<typename H::System>& end);
@@ -125,14 +125,13 @@ private:
         });
         // the trackers' share, polishing and endgames left out
         paths.effort.tracking_seconds = seconds_since(begin);
-        if (working > 0)
-            paths.effort.tracking_seconds *= static_cast<double>(tracking) / static_cast<double>(working);
+        if (working > 0) paths.effort.tracking_seconds *= static_cast<double>(tracking) / static_cast<double>(working);
         paths.effort.retracked += ends.retracked();
     }
 
     std::size_t block(std::size_t size) const {
-        // lanes idle at the end of a block: few blocks, but enough to keep all workers busy, and to lose little of the work
-        // where the run is cancelled or killed
+        // lanes idle at the end of a block: few blocks, but enough to keep all workers busy, and to lose little of the
+        // work where the run is cancelled or killed
         if (run_->cancel || !run_->checkpoint.empty()) return std::clamp<std::size_t>(size / 64, 8 * native_lanes, 512);
         if (run_->executor.workers() == 1) return 4096;
         return std::clamp<std::size_t>(size / (8 * run_->executor.workers()), 8 * native_lanes, 4096);
@@ -234,8 +233,7 @@ private:
                     const Point<M, double> before = end.q;
                     track_again(end, k, careful);
                     ++paths.effort.retracked;
-                    paths.effort.crossed +=
-                        end.status != PathStatus::finite || !finder.same(before, end.q, 1e-9);
+                    paths.effort.crossed += end.status != PathStatus::finite || !finder.same(before, end.q, 1e-9);
                     ends.replace(k, end);
                 }
             if (!ends.complete()) return;
@@ -255,8 +253,9 @@ private:
 
 }  // namespace detail
 
-/// Tracks all paths from `start` and ends them. streamed: a checkpoint alone keeps the endpoints. Of a cancelled run the paths
-/// that are not finished count as cancelled. Throws CheckpointError where the checkpoint that `run` names cannot be used.
+/// Tracks all paths from `start` and ends them. streamed: a checkpoint alone keeps the endpoints. Of a cancelled run
+/// the paths that are not finished count as cancelled. Throws CheckpointError where the checkpoint that `run` names
+/// cannot be used.
 template <class H, class StartSystem>
 PathSet<typename H::System> track(const H& homotopy, const StartSystem& start, const RunOptions& run = {},
                                   const TrackerOptions& options = {}, MoreDigits<H> more_digits = nullptr,

@@ -5,9 +5,9 @@
 ///     right (material) increment: R exp(dPsi), components in the rotated axes           (16)
 ///     left (spatial) increment:   exp(dpsi) R, components in the fixed axes
 ///
-/// Unit quaternions hold a rotation without singularities; q and -q hold the same one. What is computed from half angles
-/// and Stumpff functions is good to a few units in the last place from psi = 0 to 2 pi, for T a floating-point number, a
-/// multiprecision one, or a Dual of these.
+/// Unit quaternions hold a rotation without singularities; q and -q hold the same one. What is computed from half
+/// angles and Stumpff functions is good to a few units in the last place from psi = 0 to 2 pi, for T a floating-point
+/// number, a multiprecision one, or a Dual of these.
 #pragma once
 
 #include <cmath>
@@ -62,8 +62,7 @@ Vector3<T> rotation_vector(const Eigen::Quaternion<T>& q) {
         const T t2 = v2 / (q.w() * q.w());
         const double least = 0.01 * static_cast<double>(std::numeric_limits<Plain>::epsilon());
         int terms = 3;
-        for (double power = 1; power > least; power *= v2_plain * 1.01, ++terms)
-            ;
+        for (double power = 1; power > least; power *= v2_plain * 1.01, ++terms);
         T y(0.0);
         for (int k = terms; k >= 0; --k) y = T(1.0) / T(2.0 * k + 1) - t2 * y;
         return T(2.0) * y / q.w() * v;
@@ -76,7 +75,8 @@ Vector3<T> rotation_vector(const Eigen::Quaternion<T>& q) {
 /// The shortest rotation vector of a unit quaternion, psi from 0 to pi: the same for q and -q.
 template <class T>
 Vector3<T> shortest_rotation_vector(const Eigen::Quaternion<T>& q) {
-    if (detail::without_derivatives(q.w()) < 0) return rotation_vector(Eigen::Quaternion<T>(-q.w(), -q.x(), -q.y(), -q.z()));
+    if (detail::without_derivatives(q.w()) < 0)
+        return rotation_vector(Eigen::Quaternion<T>(-q.w(), -q.x(), -q.y(), -q.z()));
     return rotation_vector(q);
 }
 

@@ -1,6 +1,7 @@
 /// \file
 /// The Stumpff functions c_k(x) = sum_j (-x)^j / (2 j + k)!, in which everything about a rotation vector of length psi,
-/// x = psi^2, is smooth: c_0 = cos psi, c_1 = sin psi / psi, c_2 = (1 - cos psi) / psi^2, c_3 = (psi - sin psi) / psi^3.
+/// x = psi^2, is smooth: c_0 = cos psi, c_1 = sin psi / psi, c_2 = (1 - cos psi) / psi^2, c_3 = (psi - sin psi) /
+/// psi^3.
 ///
 ///     c_k = 1/k! - x c_(k+2)              2 dc_k/dx = k c_(k+2) - c_(k+1)
 ///

@@ -6,8 +6,8 @@
 ///     T^T    = I + c_2 Psi~ + c_3 Psi~^2                      spatial (left):   dR R^T = (T^T dPsi)~
 ///     T^(-1) = I + Psi~ / 2 + (c_3 - 2 c_4) / (2 c_2) Psi~^2  singular at psi = 2 pi, as det T = 2 c_2 says
 ///
-/// with the Stumpff functions c_k of psi^2. All of them, and exp, have the form I + f Psi~ + g Psi~^2 with f and g smooth
-/// in psi^2, which is differentiated once for all.
+/// with the Stumpff functions c_k of psi^2. All of them, and exp, have the form I + f Psi~ + g Psi~^2 with f and g
+/// smooth in psi^2, which is differentiated once for all.
 #pragma once
 
 #include <equilibria/rotation/rotation_vector.hpp>
@@ -55,9 +55,8 @@ struct AxialMap {
 template <class T>
 AxialMap<T> exponential_map(const Vector3<T>& psi) {
     const auto c = stumpff<6>(psi.dot(psi));
-    return {psi,
-            {{c[1], c[3] - c[2], 3 * c[5] - 3 * c[4] + c[3]}},
-            {{c[2], 2 * c[4] - c[3], 8 * c[6] - 5 * c[5] + c[4]}}};
+    return {
+        psi, {{c[1], c[3] - c[2], 3 * c[5] - 3 * c[4] + c[3]}}, {{c[2], 2 * c[4] - c[3], 8 * c[6] - 5 * c[5] + c[4]}}};
 }
 
 /// T (8) with its derivatives; its transpose is the left (spatial) form.

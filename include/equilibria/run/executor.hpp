@@ -1,6 +1,7 @@
 /// \file
-/// Where the blocks of a parallel loop run. What a loop computes goes to places that depend on the block's number alone, so
-/// that no result depends on the executor: serially, over threads (threads.hpp), or over what a user derives from Backend.
+/// Where the blocks of a parallel loop run. What a loop computes goes to places that depend on the block's number
+/// alone, so that no result depends on the executor: serially, over threads (threads.hpp), or over what a user derives
+/// from Backend.
 #pragma once
 
 #include <algorithm>

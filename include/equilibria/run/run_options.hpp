@@ -16,14 +16,14 @@ namespace equilibria {
 struct RunOptions {
     std::uint64_t seed = 1;  ///< of all random numbers; the same seed gives the same result
     Executor executor{};     ///< serial, or threads(n); does not change the result
-    /// Called now and then with how much is done and how much there is (paths, roots, cells), from any thread, one call at a
-    /// time.
+    /// Called now and then with how much is done and how much there is (paths, roots, cells), from any thread, one call
+    /// at a time.
     std::function<void(std::uint64_t done, std::uint64_t all)> progress{};
     /// A file that keeps what is finished; if it exists already, the run goes on from there. Empty: none. An existing
     /// file of another run is refused (CheckpointError). It does not change the result.
     std::string checkpoint{};
-    /// The run ends soon after this has become true, with what is finished until then; the result says so. It may be set
-    /// from a signal handler.
+    /// The run ends soon after this has become true, with what is finished until then; the result says so. It may be
+    /// set from a signal handler.
     const std::atomic<bool>* cancel = nullptr;
 
     bool cancelled() const { return cancel && cancel->load(std::memory_order_relaxed); }

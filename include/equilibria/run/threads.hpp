@@ -51,7 +51,8 @@ private:
 
 }  // namespace detail
 
-/// An executor over so many threads, the caller's among them; 0: all of the machine's. Throws InvalidArgument above 1024.
+/// An executor over so many threads, the caller's among them; 0: all of the machine's. Throws InvalidArgument above
+/// 1024.
 inline Executor threads(unsigned count) {
     require(count <= 1024, "threads", count, "must be 0 (all) to 1024");
     if (count == 0) count = std::max(1u, std::thread::hardware_concurrency());

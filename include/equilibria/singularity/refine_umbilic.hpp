@@ -131,7 +131,8 @@ void name_umbilic(Singularity<M, S>& at) {
 /// discriminant of its cubic. Throws InvalidArgument for arguments that are not finite. Source:
 /// Arnold, Gusein-Zade and Varchenko, Singularities of Differentiable Maps I (D_4).
 template <PotentialModel M, int X, int Y, int Z, class S = double>
-requires(n_unknowns<M> >= 2) Singularity<M, S> refine_umbilic(const Unknowns<M>& q, const Parameters<M, S>& p) {
+requires(n_unknowns<M> >= 2)
+Singularity<M, S> refine_umbilic(const Unknowns<M>& q, const Parameters<M, S>& p) {
     require_finite(q, "q");
     require_finite(p, "p");
     auto at = singularity_at<M, X, Y, Z>(SingularityKind::undecided, detail::in_digits_of<S>(q), p);

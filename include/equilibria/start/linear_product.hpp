@@ -7,8 +7,8 @@
 /// forms of angles are linear in the cosines alone, so that the choice is a linear system, with two sines for each
 /// cosine. The products are evaluated as they are: multiplied out, they would have ten times the terms of the target.
 /// Source: Morgan, Sommese, A homotopy for solving general polynomial systems that respects m-homogeneous structures,
-/// Appl. Math. Comput. 24 (1987); Verschelde, Cools, Symbolic homotopy construction, Appl. Algebra Engrg. Comm. Comput. 4
-/// (1993) (linear products).
+/// Appl. Math. Comput. 24 (1987); Verschelde, Cools, Symbolic homotopy construction, Appl. Algebra Engrg. Comm. Comput.
+/// 4 (1993) (linear products).
 #pragma once
 
 #include <algorithm>
@@ -57,8 +57,8 @@ public:
         std::vector<Number> factors;
     };
 
-    /// grouping: the group of each unknown, numbers from 0, none left out. Degrees are those of the terms that the target
-    /// has: each equation is scaled to its largest coefficient.
+    /// grouping: the group of each unknown, numbers from 0, none left out. Degrees are those of the terms that the
+    /// target has: each equation is scaled to its largest coefficient.
     LinearProduct(const System& target, const Array<int, n>& grouping, Number gamma, Generator& generator) {
         for (int u = 0; u < n; ++u) {
             members_.resize(std::max(members_.size(), static_cast<std::size_t>(grouping[u]) + 1));
@@ -223,8 +223,8 @@ public:
             Z behind = broadcast_complex<R>(1.0);  // of the forms behind number m
             for (int m = first_[i + 1] - 1; m >= first_[i]; --m) {
                 const auto at = static_cast<std::size_t>(m);
-                const Z others =
-                    m == first_[i] ? Z(broadcast_complex<R>(start_->weight(i)) * behind) : Z(product_[at - 1][0] * behind);
+                const Z others = m == first_[i] ? Z(broadcast_complex<R>(start_->weight(i)) * behind)
+                                                : Z(product_[at - 1][0] * behind);
                 for (const Part& part : forms_[at].parts)
                     j[i][part.unknown] += others * (broadcast_complex<R>(part.by) * factors.slope(part.factor));
                 behind = behind * series_[at][0];

@@ -1,6 +1,7 @@
 /// \file
-/// The start of a model's parameter homotopies: a line in the space of coefficients, from a solved instance to the target;
-/// and a total-degree start of the same type, so that a program that needs both compiles one tracker, for some loss of speed.
+/// The start of a model's parameter homotopies: a line in the space of coefficients, from a solved instance to the
+/// target; and a total-degree start of the same type, so that a program that needs both compiles one tracker, for some
+/// loss of speed.
 #pragma once
 
 #include <complex>
@@ -27,8 +28,8 @@ public:
         : numbering_(PathNumbering::all(static_cast<std::uint64_t>(total_degree<M>()))) {
         degree_.emplace_back(target, generator);
     }
-    /// From regular solutions `points` (complex angles in radians, then coordinates) of the system with the coefficients
-    /// `from`, times gamma.
+    /// From regular solutions `points` (complex angles in radians, then coordinates) of the system with the
+    /// coefficients `from`, times gamma.
     Moving(const Array<double, Formulation<M>::terms>& from, std::complex<double> gamma, Points points)
         : points_(std::move(points)), numbering_(PathNumbering::all(points_.size())) {
         for (int k = 0; k < Formulation<M>::terms; ++k) from_[k] = gamma * from[k];

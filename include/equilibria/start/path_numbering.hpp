@@ -1,6 +1,6 @@
 /// \file
-/// Which path is which: the number of a path in its start system, and the path that the symmetry theta -> -theta makes of
-/// it, which need not be tracked.
+/// Which path is which: the number of a path in its start system, and the path that the symmetry theta -> -theta makes
+/// of it, which need not be tracked.
 #pragma once
 
 #include <cstdint>
@@ -9,8 +9,8 @@
 
 namespace equilibria {
 
-/// The paths of a run. All are tracked; or, with a reflected start, one of each mirror pair is, and those that are their own
-/// mirror images rest where they are. Every number is found by arithmetic: nothing is stored a path.
+/// The paths of a run. All are tracked; or, with a reflected start, one of each mirror pair is, and those that are
+/// their own mirror images rest where they are. Every number is found by arithmetic: nothing is stored a path.
 class PathNumbering {
 public:
     /// Paths 0 .. count-1, each tracked.
@@ -19,8 +19,8 @@ public:
         y.total_ = count;
         return y;
     }
-    /// Of a reflected total-degree start: path numbers in mixed radix, radices even and at least 2; digits 0 and 1 of an
-    /// unknown rest, 2k and 2k+1 are each other's mirror images.
+    /// Of a reflected total-degree start: path numbers in mixed radix, radices even and at least 2; digits 0 and 1 of
+    /// an unknown rest, 2k and 2k+1 are each other's mirror images.
     static PathNumbering mirrored(std::vector<std::uint64_t> radices) {
         PathNumbering y;
         y.total_ = 1;
@@ -37,8 +37,8 @@ public:
     std::uint64_t tracked() const { return symmetric() ? (total_ - resting()) / 2 : total_; }
     std::uint64_t weight() const { return symmetric() ? 2 : 1; }
 
-    /// The number of the k-th tracked path: with a symmetry the k-th of those that are less than their mirror image, whose
-    /// highest digit that is not 0 or 1 is even.
+    /// The number of the k-th tracked path: with a symmetry the k-th of those that are less than their mirror image,
+    /// whose highest digit that is not 0 or 1 is even.
     std::uint64_t tracked_path(std::uint64_t k) const {
         if (!symmetric()) return k;
         std::uint64_t weight = total_, rest = resting(), path = 0;

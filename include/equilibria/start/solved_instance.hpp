@@ -1,6 +1,6 @@
 /// \file
-/// The start of a parameter homotopy between systems that are data: H = F with the coefficients (1-t) gamma b + t a, from the
-/// solutions of the system with the coefficients b.
+/// The start of a parameter homotopy between systems that are data: H = F with the coefficients (1-t) gamma b + t a,
+/// from the solutions of the system with the coefficients b.
 #pragma once
 
 #include <algorithm>

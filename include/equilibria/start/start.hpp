@@ -1,8 +1,8 @@
 /// \file
 /// What a start is: where paths begin, and what it adds to the target's terms on the way.
 ///
-/// A homotopy is made of a target F and a start. The start says how the coefficients of F depend on the time t, and which
-/// terms of its own it adds:
+/// A homotopy is made of a target F and a start. The start says how the coefficients of F depend on the time t, and
+/// which terms of its own it adds:
 ///     H(q, t) = t F(q) + (1 - t) G(q)           where it is not `moving`: total degree, reflected, linear product;
 ///     H(q, t) = sum_k a_k(t) m_k(q) + (1-t) G   where it is: each term of F has a law of its own, a_k(1) being F's
 ///                                               coefficient: a solved instance, (1-t) gamma b_k + t a_k.

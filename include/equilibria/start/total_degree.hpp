@@ -74,8 +74,8 @@ public:
     Point<M, double> point(std::uint64_t k) const { return this->point_of(k); }
 };
 
-/// From a start system that is odd under theta -> -theta, as the target has to be: one path of a mirror pair is tracked, and
-/// the 2^n that are their own mirror images rest.
+/// From a start system that is odd under theta -> -theta, as the target has to be: one path of a mirror pair is
+/// tracked, and the 2^n that are their own mirror images rest.
 template <Model M>
 class Reflected : public detail::TotalDegreeStart<M, TotalDegreeKind::reflected> {
     static_assert(Formulation<M>::reflection_symmetric,

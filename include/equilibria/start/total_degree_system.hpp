@@ -38,7 +38,8 @@ public:
     using F = Formulation<M>;
 
     /// `scale[i]` multiplies G_i, so that it weighs in the homotopy as equation i does.
-    TotalDegreeSystem(TotalDegreeKind kind, const Array<double, n_unknowns<M>>& scale, Generator& generator) : kind_(kind) {
+    TotalDegreeSystem(TotalDegreeKind kind, const Array<double, n_unknowns<M>>& scale, Generator& generator)
+        : kind_(kind) {
         const std::complex<double> gamma = draw_gamma(kind, generator);
         for (int i = 0; i < n_unknowns<M>; ++i) {
             if (i >= n_angles<M>)

@@ -48,7 +48,9 @@ public:
     void operator()(double value) { put(std::bit_cast<std::uint64_t>(value), 8); }
     template <class T>
     requires std::is_integral_v<T>
-    void operator()(T value) { put(static_cast<std::make_unsigned_t<T>>(value), sizeof(T)); }
+    void operator()(T value) {
+        put(static_cast<std::make_unsigned_t<T>>(value), sizeof(T));
+    }
     template <class E>
     void operator()(E value, E) {
         put(static_cast<std::uint64_t>(value), 1);
@@ -69,7 +71,9 @@ public:
     void operator()(double& value) { value = std::bit_cast<double>(get(8)); }
     template <class T>
     requires std::is_integral_v<T>
-    void operator()(T& value) { value = static_cast<T>(static_cast<std::make_unsigned_t<T>>(get(sizeof(T)))); }
+    void operator()(T& value) {
+        value = static_cast<T>(static_cast<std::make_unsigned_t<T>>(get(sizeof(T))));
+    }
     template <class E>
     void operator()(E& value, E largest) {
         const std::uint64_t number = get(1);
@@ -146,10 +150,9 @@ inline std::string build_name() {
 
 /// The header of a run: `numbers` stands for the coefficients of the homotopy and all start points.
 template <Model M>
-std::vector<CheckpointFile::Field> checkpoint_header(const Parameters<M>& p, std::uint64_t seed,
-                                                     std::string_view start, const Fingerprint& numbers,
-                                                     const TrackerOptions& tracker, std::uint64_t paths,
-                                                     std::uint64_t block) {
+std::vector<CheckpointFile::Field> checkpoint_header(const Parameters<M>& p, std::uint64_t seed, std::string_view start,
+                                                     const Fingerprint& numbers, const TrackerOptions& tracker,
+                                                     std::uint64_t paths, std::uint64_t block) {
     using F = Formulation<M>;
     Fingerprint support;
     for (const auto& term : F::support) {
@@ -191,9 +194,7 @@ public:
     template <class Take>
     Checkpoint(std::string path, const std::vector<CheckpointFile::Field>& header, std::uint64_t paths,
                std::uint64_t block, Take&& take)
-        : paths_(paths),
-          block_(block),
-          offset_((paths + block - 1) / block),
+        : paths_(paths), block_(block), offset_((paths + block - 1) / block),
           file_(std::move(path), header,
                 [&, ends = std::vector<Endpoint<M>>()](std::uint64_t offset,
                                                        std::span<const std::uint8_t> bytes) mutable -> std::string {

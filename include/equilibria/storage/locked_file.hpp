@@ -19,7 +19,8 @@
 
 namespace equilibria {
 
-/// A checkpoint that cannot be used: no wrong argument, but a file that is not what it should be, or a disk that fails. `what()` reads "checkpoint = <path>: <what is wrong>".
+/// A checkpoint that cannot be used: no wrong argument, but a file that is not what it should be, or a disk that fails.
+/// `what()` reads "checkpoint = <path>: <what is wrong>".
 class CheckpointError : public std::runtime_error {
 public:
     CheckpointError(std::string_view path, std::string_view wrong)
@@ -52,7 +53,7 @@ public:
         while (file_ < 0 && errno == EINTR);
         if (file_ < 0 && errno == ENOENT) return false;
         if (file_ < 0) refuse("cannot be opened", errno);
-        struct stat status {};
+        struct stat status{};
         if (::fstat(file_, &status) != 0 || !S_ISREG(status.st_mode)) refuse("is not a regular file");
         lock();
         return true;
@@ -85,7 +86,7 @@ public:
     }
 
     std::uint64_t size() const {
-        struct stat status {};
+        struct stat status{};
         if (::fstat(file_, &status) != 0) refuse("cannot be read", errno);
         return static_cast<std::uint64_t>(status.st_size);
     }

@@ -1,21 +1,21 @@
 /// \file
-/// Degenerate equilibria of a model as the solutions of polynomial systems: what `enumerate` does for equilibria is done for
-/// folds, cusps and the extremal points of a locus, all of them, every path accounted for.
+/// Degenerate equilibria of a model as the solutions of polynomial systems: what `enumerate` does for equilibria is
+/// done for folds, cusps and the extremal points of a locus, all of them, every path accounted for.
 ///
 /// Unknowns: the model's q, then w (n - 1 numbers), then the active parameters x. Equations:
 ///     F(q, p) = 0,    J(q, p) v = 0,    v = B (1, w),                        and with two active parameters
 ///     slice + sum_k extremal_k v . dF/dx_k + cusp V'''[v, v, v] = 0,         slice = s_0 + s_1 x_1 + s_2 x_2,
-/// with a random basis B, so that no null vector is at infinity in w. The weights in the last equation choose what is solved
-/// for: the folds of a line of the plane (slice); the points at which the locus has a tangent normal to x_1 (extremal_2 = 1:
-/// there v . dF/dx_2 = 0), folds of the fold curve over the axis of x_1; or its cusps. A parameter that enters by even powers
-/// alone is replaced by its square, which halves degrees and solutions, and equations are divided by powers of active
-/// parameters that all their terms have: solutions at 0 of such a parameter, where that equation would vanish identically,
-/// are left out.
+/// with a random basis B, so that no null vector is at infinity in w. The weights in the last equation choose what is
+/// solved for: the folds of a line of the plane (slice); the points at which the locus has a tangent normal to x_1
+/// (extremal_2 = 1: there v . dF/dx_2 = 0), folds of the fold curve over the axis of x_1; or its cusps. A parameter
+/// that enters by even powers alone is replaced by its square, which halves degrees and solutions, and equations are
+/// divided by powers of active parameters that all their terms have: solutions at 0 of such a parameter, where that
+/// equation would vanish identically, are left out.
 ///
-/// The systems are data, made at run time by symbolic differentiation of the model's own equations, over doubles to be solved
-/// and over exact numbers to be proved. Pitchforks on symmetric branches are singular solutions; they are found on those
-/// branches (symmetric_branches.hpp, symmetric_system.hpp).
-/// Source: Govaerts, Numerical Methods for Bifurcations of Dynamical Equilibria, SIAM, 2000, chapter 4.
+/// The systems are data, made at run time by symbolic differentiation of the model's own equations, over doubles to be
+/// solved and over exact numbers to be proved. Pitchforks on symmetric branches are singular solutions; they are found
+/// on those branches (symmetric_branches.hpp, symmetric_system.hpp). Source: Govaerts, Numerical Methods for
+/// Bifurcations of Dynamical Equilibria, SIAM, 2000, chapter 4.
 #pragma once
 
 #include <algorithm>
@@ -37,7 +37,7 @@ template <Model M, int... Active>
 struct CriticalSystem {
     static constexpr int n = n_unknowns<M>, actives = sizeof...(Active);
     static_assert(actives == 1 || actives == 2, "equilibria: a critical system has one or two active parameters");
-    static_assert(((Active >= 0 && Active < equilibria::n_parameters<M>)&&...), "equilibria: no such parameter");
+    static_assert(((Active >= 0 && Active < equilibria::n_parameters<M>) && ...), "equilibria: no such parameter");
     static constexpr Array<int, actives> active{Active...};
     static constexpr int n_angles = equilibria::n_angles<M>;
     static constexpr int first_null = equilibria::n_coordinates<M>;  ///< the coordinate w_1
@@ -146,8 +146,7 @@ struct CriticalSystem {
         std::vector<P> v;
         for (int i = 0; i < n; ++i) {
             P sum = P(C(basis[i][0]));
-            for (int k = 1; k < n; ++k)
-                sum += P(P::Basis::single(P::Basis::angles + first + k - 1, 1), C(basis[i][k]));
+            for (int k = 1; k < n; ++k) sum += P(P::Basis::single(P::Basis::angles + first + k - 1, 1), C(basis[i][k]));
             v.push_back(sum);
         }
         return v;

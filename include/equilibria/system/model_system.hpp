@@ -13,7 +13,8 @@
 
 namespace equilibria {
 
-/// The largest coefficient of each equation; 1 of an equation that vanishes identically, whose every solution is singular.
+/// The largest coefficient of each equation; 1 of an equation that vanishes identically, whose every solution is
+/// singular.
 template <Model M, class C>
 Array<double, n_unknowns<M>> equation_scales(const Array<C, Formulation<M>::terms>& coefficients) {
     Array<double, n_unknowns<M>> scale;
@@ -33,7 +34,8 @@ struct ModelSystem {
 
     /// Throws InvalidArgument as `coefficients` does.
     explicit ModelSystem(const Parameters<M>& p)
-        : parameters(p), coefficients(equilibria::coefficients<M, double>(p)), scale(equation_scales<M>(coefficients)) {}
+        : parameters(p), coefficients(equilibria::coefficients<M, double>(p)), scale(equation_scales<M>(coefficients)) {
+    }
 };
 
 }  // namespace equilibria

@@ -1,6 +1,7 @@
 /// \file
-/// A square system of trigonometric polynomials as data: made at run time from a model, from other systems, or from terms.
-/// Its type says how many angles and coordinates it has, and no more, so that all systems of a size share one tracker.
+/// A square system of trigonometric polynomials as data: made at run time from a model, from other systems, or from
+/// terms. Its type says how many angles and coordinates it has, and no more, so that all systems of a size share one
+/// tracker.
 #pragma once
 
 #include <algorithm>
@@ -17,8 +18,8 @@
 
 namespace equilibria {
 
-/// The unknowns of a system: angles first, plain coordinates after them. It stands for the system's type where points and
-/// roots are concerned.
+/// The unknowns of a system: angles first, plain coordinates after them. It stands for the system's type where points
+/// and roots are concerned.
 template <int Angles, int Coordinates>
 struct UnknownsOf {
     static constexpr int n_angles = Angles, n_coordinates = Coordinates;
@@ -43,8 +44,8 @@ public:
     using Polynomial = TrigonometricPolynomial<Angles, Coordinates>;
     static constexpr int n_angles = Angles, n_coordinates = Coordinates, n = Angles + Coordinates;
 
-    /// From n polynomials. Throws InvalidArgument where there are not n of them, where one is 0, or a coefficient is not
-    /// finite.
+    /// From n polynomials. Throws InvalidArgument where there are not n of them, where one is 0, or a coefficient is
+    /// not finite.
     explicit SparseSystem(const std::vector<Polynomial>& equations) {
         require(static_cast<int>(equations.size()) == n, "equations", equations.size(),
                 "must be as many as there are unknowns");
@@ -69,8 +70,8 @@ public:
         for (const Term& t : terms_) y[static_cast<std::size_t>(t.equation)] += Polynomial(t.monomial, t.coefficient);
         return y;
     }
-    const Array<double, n>& scale() const { return scale_; }      ///< the largest coefficient of each equation
-    const Array<int, n>& degrees() const { return degrees_; }     ///< total degree of each in (cos, sin) and coordinates
+    const Array<double, n>& scale() const { return scale_; }   ///< the largest coefficient of each equation
+    const Array<int, n>& degrees() const { return degrees_; }  ///< total degree of each in (cos, sin) and coordinates
 
     /// The order of terms.
     static bool before(const Term& a, const Term& b) {
@@ -85,8 +86,8 @@ private:
     Array<int, n> degrees_{};
 };
 
-/// A model's equations at the parameters p. Terms that the model lacks there, though it has them at other parameters, are
-/// left out. Throws InvalidArgument as `coefficients` does.
+/// A model's equations at the parameters p. Terms that the model lacks there, though it has them at other parameters,
+/// are left out. Throws InvalidArgument as `coefficients` does.
 template <Model M>
 auto sparse_system(const Parameters<M>& p) {
     using System = SparseSystem<n_angles<M>, n_coordinates<M>>;
@@ -94,7 +95,8 @@ auto sparse_system(const Parameters<M>& p) {
     std::vector<typename System::Polynomial> equations(static_cast<std::size_t>(n_unknowns<M>));
     for (int k = 0; k < Formulation<M>::terms; ++k) {
         const auto& term = Formulation<M>::support[k];
-        if (own[k] != 0) equations[static_cast<std::size_t>(term.equation)] += typename System::Polynomial(term.monomial, own[k]);
+        if (own[k] != 0)
+            equations[static_cast<std::size_t>(term.equation)] += typename System::Polynomial(term.monomial, own[k]);
     }
     return System(equations);
 }

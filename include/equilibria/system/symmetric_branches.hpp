@@ -1,8 +1,8 @@
 /// \file
-/// The symmetric branches of a model, theta in {0, pi}^n where it has the symmetry theta -> -theta, and the pitchforks on
-/// them: det J restricted to a branch is a polynomial of known degree in a parameter; interpolated at Chebyshev points, its
-/// roots are eigenvalues of the colleague matrix.
-/// Source: Good, The colleague matrix, 1961; Trefethen, Approximation Theory and Approximation Practice, chapter 18.
+/// The symmetric branches of a model, theta in {0, pi}^n where it has the symmetry theta -> -theta, and the pitchforks
+/// on them: det J restricted to a branch is a polynomial of known degree in a parameter; interpolated at Chebyshev
+/// points, its roots are eigenvalues of the colleague matrix. Source: Good, The colleague matrix, 1961; Trefethen,
+/// Approximation Theory and Approximation Practice, chapter 18.
 #pragma once
 
 #include <algorithm>

@@ -1,13 +1,13 @@
 /// \file
-/// Special pitchforks of the symmetric branches in a plane of two parameters, as solutions of a polynomial system: where a
-/// curve of pitchforks has an extremal parameter, and where its pitchforks turn from super- to subcritical (degenerate
-/// pitchforks, in which fold curves end).
+/// Special pitchforks of the symmetric branches in a plane of two parameters, as solutions of a polynomial system:
+/// where a curve of pitchforks has an extremal parameter, and where its pitchforks turn from super- to subcritical
+/// (degenerate pitchforks, in which fold curves end).
 ///
-/// On a branch theta in {0, pi}^n the equations are fulfilled. Unknowns: w (n - 1 numbers), then the active parameters x, as
-/// in critical_system.hpp. Equations:
+/// On a branch theta in {0, pi}^n the equations are fulfilled. Unknowns: w (n - 1 numbers), then the active parameters
+/// x, as in critical_system.hpp. Equations:
 ///     J v = 0,    v = B (1, w),    slice + sum_k extremal_k v . dJ/dx_k v + fourth V''''[v, v, v, v] = 0,
-/// slice = s_0 + s_1 x_1 + s_2 x_2. The third derivatives of V vanish there, so that V'''' is the reduced fourth derivative.
-/// At extremal_2 = 1 x_1 is extremal on the curve; the slice alone gives the pitchforks of a line.
+/// slice = s_0 + s_1 x_1 + s_2 x_2. The third derivatives of V vanish there, so that V'''' is the reduced fourth
+/// derivative. At extremal_2 = 1 x_1 is extremal on the curve; the slice alone gives the pitchforks of a line.
 #pragma once
 
 #include <cmath>

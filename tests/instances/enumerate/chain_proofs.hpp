@@ -6,8 +6,7 @@
 
 #define INSTANCES_PROOF(Model)                                                           \
     equilibria::Proof<Model> equilibria::prove<Model>(const equilibria::RootSet<Model>&, \
-                                                      const equilibria::RunOptions&,     \
-                                                      const equilibria::ProveOptions&)
+                                                      const equilibria::RunOptions&, const equilibria::ProveOptions&)
 
 #ifdef EQUILIBRIA_SHARED_INSTANCES
 extern template INSTANCES_PROOF(equilibria::mechanisms::TwoLinkChain);

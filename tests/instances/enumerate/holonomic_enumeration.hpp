@@ -1,4 +1,5 @@
-// The enumeration of the holonomic mechanism and its proofs, compiled once for the tests and examples that include this.
+// The enumeration of the holonomic mechanism and its proofs, compiled once for the tests and examples that include
+// this.
 #pragma once
 
 #include <equilibria/mechanisms/holonomic_mechanism.hpp>

@@ -6,16 +6,16 @@
 
 #define INSTANCES_STRUCTURE_STEPPER class equilibria::PathStepper<equilibria::fem::Structure>
 
-#define INSTANCES_STRUCTURE_FOLLOW                                                                                  \
-    equilibria::Branch<equilibria::fem::Structure> equilibria::follow(                                              \
-        equilibria::PathStepper<equilibria::fem::Structure>&,                                                       \
-        const equilibria::BranchPoint<equilibria::fem::Structure>&, const equilibria::ContinuationOptions&,         \
+#define INSTANCES_STRUCTURE_FOLLOW                                                                          \
+    equilibria::Branch<equilibria::fem::Structure> equilibria::follow(                                      \
+        equilibria::PathStepper<equilibria::fem::Structure>&,                                               \
+        const equilibria::BranchPoint<equilibria::fem::Structure>&, const equilibria::ContinuationOptions&, \
         const std::vector<equilibria::EventFunction<equilibria::fem::Structure>>&)
 
-#define INSTANCES_STRUCTURE_BRANCH                                                                                  \
-    equilibria::Branch<equilibria::fem::Structure> equilibria::continue_branch(                                     \
-        const equilibria::fem::Structure&, const equilibria::fem::StructureState&, double, int,                     \
-        const equilibria::ContinuationOptions&,                                                                     \
+#define INSTANCES_STRUCTURE_BRANCH                                                              \
+    equilibria::Branch<equilibria::fem::Structure> equilibria::continue_branch(                 \
+        const equilibria::fem::Structure&, const equilibria::fem::StructureState&, double, int, \
+        const equilibria::ContinuationOptions&,                                                 \
         const std::vector<equilibria::EventFunction<equilibria::fem::Structure>>&)
 
 #ifdef EQUILIBRIA_SHARED_INSTANCES

@@ -1,7 +1,6 @@
 #include "instances/locus/holonomic_events.hpp"
 
-template equilibria::LineEvents<equilibria::mechanisms::HolonomicMechanism>
-equilibria::find_events<equilibria::mechanisms::HolonomicMechanism,
-                        equilibria::mechanisms::HolonomicMechanism::stiffness_2>(
+template equilibria::LineEvents<equilibria::mechanisms::HolonomicMechanism> equilibria::find_events<
+    equilibria::mechanisms::HolonomicMechanism, equilibria::mechanisms::HolonomicMechanism::stiffness_2>(
     const equilibria::Parameters<equilibria::mechanisms::HolonomicMechanism>&, double, double,
     const equilibria::RunOptions&);

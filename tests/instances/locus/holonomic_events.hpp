@@ -1,4 +1,5 @@
-// The events of the holonomic mechanism over its stiffness c2, compiled once for the tests and examples that include this.
+// The events of the holonomic mechanism over its stiffness c2, compiled once for the tests and examples that include
+// this.
 #pragma once
 
 #include <equilibria/locus/line/line_events.hpp>
@@ -6,9 +7,8 @@
 #include "instances/enumerate/holonomic_enumeration.hpp"
 
 #ifdef EQUILIBRIA_SHARED_INSTANCES
-extern template equilibria::LineEvents<equilibria::mechanisms::HolonomicMechanism>
-equilibria::find_events<equilibria::mechanisms::HolonomicMechanism,
-                        equilibria::mechanisms::HolonomicMechanism::stiffness_2>(
+extern template equilibria::LineEvents<equilibria::mechanisms::HolonomicMechanism> equilibria::find_events<
+    equilibria::mechanisms::HolonomicMechanism, equilibria::mechanisms::HolonomicMechanism::stiffness_2>(
     const equilibria::Parameters<equilibria::mechanisms::HolonomicMechanism>&, double, double,
     const equilibria::RunOptions&);
 #endif

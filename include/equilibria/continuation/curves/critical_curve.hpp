@@ -10,8 +10,8 @@
 ///                                             [ g(q, p; r) + gamma e_j     ]
 /// sigma and mu are those of bordered.hpp, with a border that is chosen anew after each step. Their derivatives are
 ///     d sigma = -psi^T dK r        d mu = psi^T (dK s + d(dg/dp)),        psi the left null vector,
-/// exact where the problem's tangent_derivative is; otherwise, as those by r, five-point differences, error O(eps^(4/5)).
-/// Source: Govaerts, Numerical Methods for Bifurcations of Dynamical Equilibria, chapters 3, 4 and 8.
+/// exact where the problem's tangent_derivative is; otherwise, as those by r, five-point differences, error
+/// O(eps^(4/5)). Source: Govaerts, Numerical Methods for Bifurcations of Dynamical Equilibria, chapters 3, 4 and 8.
 #pragma once
 
 #include <cmath>
@@ -100,8 +100,7 @@ public:
     Eigen::VectorXd transport(const Configuration& y, const Eigen::VectorXd& d, const Eigen::VectorXd& v) const {
         const Eigen::Index n = v.size() - extra;
         Eigen::VectorXd moved = v;
-        moved.tail(n) =
-            equilibria::transport(any_, y.q, Eigen::VectorXd(d.tail(n)), Eigen::VectorXd(v.tail(n)));
+        moved.tail(n) = equilibria::transport(any_, y.q, Eigen::VectorXd(d.tail(n)), Eigen::VectorXd(v.tail(n)));
         return moved;
     }
     int multipliers() const { return equilibria::multipliers(any_); }

@@ -72,20 +72,20 @@ double second_eigenvalue(const Curve& curve, const BranchPoint<Curve>& point) {
     return v.dot(b.k * v);
 }
 
-/// Follows a curve from a point, with event functions, the first of which is the second eigenvalue; the points where one
-/// of them vanishes are special, `kind_at` of its number.
+/// Follows a curve from a point, with event functions, the first of which is the second eigenvalue; the points where
+/// one of them vanishes are special, `kind_at` of its number.
 template <class Curve, class KindAt>
 CriticalCurveTrace<Curve> trace_curve(const Curve& curve, const Configuration<Curve>& start, double r, int direction,
-                                      const ContinuationOptions& options,
-                                      std::vector<EventFunction<Curve>> functions, const KindAt& kind_at) {
+                                      const ContinuationOptions& options, std::vector<EventFunction<Curve>> functions,
+                                      const KindAt& kind_at) {
     functions.insert(functions.begin(), {"second eigenvalue", [&curve](const BranchPoint<Curve>& point) {
                                              return second_eigenvalue(curve, point);
                                          }});
     CriticalCurveTrace<Curve> trace;
     trace.branch = continue_branch(curve, start, r, direction, options, functions);
     for (const auto& [step, function, point] : trace.branch.crossings) {
-        trace.special.push_back({function == 0 ? CriticalKind::hilltop : kind_at(function, point), step, point.q,
-                                 point.p, point.residual});
+        trace.special.push_back(
+            {function == 0 ? CriticalKind::hilltop : kind_at(function, point), step, point.q, point.p, point.residual});
         // it explains its step: there the curve's own tangent may be singular
         std::erase_if(trace.branch.unexplained, [at = step](const auto& u) { return u.step == at; });
     }
@@ -150,8 +150,7 @@ CriticalCurveTrace<BifurcationCurve<F>> continue_bifurcations(const F& family,
     const double noise = 1e-10 * detail::largest_entry(member.tangent(point.q, point.p));
     auto trace = detail::trace_curve(
         curve, start, r, direction, options,
-        {{"gamma",
-          [noise](const BranchPoint<Curve>& at) { return std::abs(at.q.gamma) < noise ? 0.0 : at.q.gamma; }},
+        {{"gamma", [noise](const BranchPoint<Curve>& at) { return std::abs(at.q.gamma) < noise ? 0.0 : at.q.gamma; }},
          {"dr/ds", [](const BranchPoint<Curve>& at) { return at.tangent.p; }}},
         [&](std::size_t function, const BranchPoint<Curve>& at) {
             return function == 1 ? detail::kind_of(family(at.p), at.q, options.critical) : CriticalKind::hilltop;

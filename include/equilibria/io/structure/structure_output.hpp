@@ -25,7 +25,8 @@ inline std::vector<std::vector<int>> element_lines(const Model& model) {
 }
 
 /// A VTK file of a configuration: points, lines, and of each node its displacement and rotation vector (radians, the
-/// shortest). `parameter` is written as field data, title into the header (its first 255 characters, without line ends).
+/// shortest). `parameter` is written as field data, title into the header (its first 255 characters, without line
+/// ends).
 inline std::string vtk(const Model& model, const StructureState& state, double parameter, std::string title) {
     for (char& c : title)
         if (c == '\n' || c == '\r') c = ' ';
@@ -36,8 +37,10 @@ inline std::string vtk(const Model& model, const StructureState& state, double p
     out.imbue(std::locale::classic());
     out.precision(17);
     const auto vector = [&](const Eigen::Vector3d& v) { out << v(0) << ' ' << v(1) << ' ' << v(2) << '\n'; };
-    out << "# vtk DataFile Version 3.0\n" << title.substr(0, 255) << "\nASCII\nDATASET POLYDATA\n"
-        << "FIELD FieldData 1\nparameter 1 1 double\n" << parameter << "\nPOINTS " << model.nodes() << " double\n";
+    out << "# vtk DataFile Version 3.0\n"
+        << title.substr(0, 255) << "\nASCII\nDATASET POLYDATA\n"
+        << "FIELD FieldData 1\nparameter 1 1 double\n"
+        << parameter << "\nPOINTS " << model.nodes() << " double\n";
     for (const auto& frame : state.frames) vector(frame.x);
     out << "LINES " << lines.size() << ' ' << entries << '\n';
     for (const auto& line : lines) {

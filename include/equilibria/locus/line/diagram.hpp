@@ -1,6 +1,6 @@
 /// \file
-/// Equilibria against one parameter: between two neighbouring events (folds and pitchforks, all of the line's) the number
-/// of equilibria and their indices are constant, so each interval is enumerated once, in its middle, and every
+/// Equilibria against one parameter: between two neighbouring events (folds and pitchforks, all of the line's) the
+/// number of equilibria and their indices are constant, so each interval is enumerated once, in its middle, and every
 /// equilibrium is followed by arc length to both ends.
 #pragma once
 
@@ -38,8 +38,8 @@ struct BifurcationDiagram {
 ///
 /// Throws InvalidArgument as find_events does.
 template <Model M, int Active>
-BifurcationDiagram<M> trace_diagram(const Parameters<M>& p, double low, double high,
-                                    const RunOptions& run = {}, PathOptions path = {.first_step = 1e-3, .largest_step = 0.02}) {
+BifurcationDiagram<M> trace_diagram(const Parameters<M>& p, double low, double high, const RunOptions& run = {},
+                                    PathOptions path = {.first_step = 1e-3, .largest_step = 0.02}) {
     BifurcationDiagram<M> diagram;
     auto found = find_events<M, Active>(p, low, high, run);
     diagram.failed_paths = found.paths.failed;

@@ -1,5 +1,6 @@
 /// \file
-/// An event on a line of the parameter space: a degenerate equilibrium, its kind, and what it does to the equilibria by index.
+/// An event on a line of the parameter space: a degenerate equilibrium, its kind, and what it does to the equilibria by
+/// index.
 #pragma once
 
 #include <algorithm>
@@ -24,18 +25,19 @@ namespace equilibria {
 template <Model M>
 struct LineEvent {
     CriticalKind kind = CriticalKind::fold;
-    double value = 0;       ///< of the active parameter
-    Unknowns<M> q;          ///< angles in (-pi, pi]
-    Unknowns<M> v;          ///< the unit null vector
-    double residual = 0;    ///< the largest |entry| of F and J v
-    double correction = 0;  ///< of the last step of Newton's method: about the error; NaN of kinds other than fold, pitchfork
+    double value = 0;     ///< of the active parameter
+    Unknowns<M> q;        ///< angles in (-pi, pi]
+    Unknowns<M> v;        ///< the unit null vector
+    double residual = 0;  ///< the largest |entry| of F and J v
+    /// Of the last step of Newton's method: about the error. NaN of kinds other than fold and pitchfork.
+    double correction = 0;
     ReducedCoefficients reduced;
     /// Of folds u . dF/dp, u the unit left null vector (v where there is a potential); else the derivative by p of the
     /// eigenvalue that vanishes, along the branch.
     double slope = 0;
-    int index = 0;     ///< negative eigenvalues beside the one that vanishes
-    /// By how much the numbers of equilibria of index 0, 1, .. n change as the parameter grows; of folds, pitchforks and
-    /// trans-critical points of models with a potential. Else empty.
+    int index = 0;  ///< negative eigenvalues beside the one that vanishes
+    /// By how much the numbers of equilibria of index 0, 1, .. n change as the parameter grows; of folds, pitchforks
+    /// and trans-critical points of models with a potential. Else empty.
     std::vector<std::int64_t> change;
     std::size_t interval = 0;  ///< the first one above the event
 };
@@ -110,8 +112,8 @@ void describe(LineEvent<M>& event, Parameters<M> p, int active) {
     }
 }
 
-/// The kind of an event, by the bifurcation equation a x^2 + 2 b x y + c y^2 = 0, y the change of the parameter in units of
-/// its size.
+/// The kind of an event, by the bifurcation equation a x^2 + 2 b x y + c y^2 = 0, y the change of the parameter in
+/// units of its size.
 template <Model M, int Active>
 CriticalKind bifurcation_kind(const LineEvent<M>& event, Parameters<M> p) {
     using Vector = UnknownColumn<M>;

@@ -4,8 +4,8 @@
 ///
 /// Folds are the solutions of the critical system (critical_system.hpp), all complex ones, real ones kept and refined.
 /// Pitchforks of symmetric branches are singular solutions of it; they are roots of one polynomial a branch
-/// (symmetric_branches.hpp), which accounts for their paths. Other singular solutions are refined and named. Between each
-/// two events the equilibria are enumerated: the tables must differ exactly by what the events say.
+/// (symmetric_branches.hpp), which accounts for their paths. Other singular solutions are refined and named. Between
+/// each two events the equilibria are enumerated: the tables must differ exactly by what the events say.
 #pragma once
 
 #include <algorithm>
@@ -43,26 +43,27 @@ struct LineInterval {
 template <Model M>
 struct LineEvents {
     double low = 0, high = 0;
-    std::vector<LineEvent<M>> events;       ///< by value
-    std::vector<LineInterval<M>> intervals; ///< one more than there are different values of events
+    std::vector<LineEvent<M>> events;        ///< by value
+    std::vector<LineInterval<M>> intervals;  ///< one more than there are different values of events
 
-    PathCounts paths;                       ///< of the critical system, in the last attempt
-    std::uint64_t attempts = 0;             ///< start systems tried until no path failed
-    std::uint64_t complex_solutions = 0;    ///< of the critical system, distinct ones
-    std::uint64_t regular_solutions = 0;    ///< of those: folds, real or not, in the segment or not
-    std::uint64_t pitchfork_paths = 0;      ///< singular paths that end at pitchforks of symmetric branches
-    std::uint64_t other_singular = 0;       ///< singular paths that end elsewhere, on no real event of the segment
-    std::uint64_t unexplained = 0;          ///< real singular solutions in the segment that Newton's method did not confirm
-    std::uint64_t compared = 0;             ///< values of events at which the tables were compared
-    std::uint64_t wrong_tables = 0;         ///< values at which the tables do not differ by what the events say
-    std::uint64_t unclean = 0;              ///< intervals whose enumeration is not clean
+    PathCounts paths;                     ///< of the critical system, in the last attempt
+    std::uint64_t attempts = 0;           ///< start systems tried until no path failed
+    std::uint64_t complex_solutions = 0;  ///< of the critical system, distinct ones
+    std::uint64_t regular_solutions = 0;  ///< of those: folds, real or not, in the segment or not
+    std::uint64_t pitchfork_paths = 0;    ///< singular paths that end at pitchforks of symmetric branches
+    std::uint64_t other_singular = 0;     ///< singular paths that end elsewhere, on no real event of the segment
+    std::uint64_t unexplained = 0;   ///< real singular solutions in the segment that Newton's method did not confirm
+    std::uint64_t compared = 0;      ///< values of events at which the tables were compared
+    std::uint64_t wrong_tables = 0;  ///< values at which the tables do not differ by what the events say
+    std::uint64_t unclean = 0;       ///< intervals whose enumeration is not clean
     double solve_seconds = 0, seconds = 0;
 
     bool complete() const { return paths.failed == 0 && unexplained == 0 && wrong_tables == 0 && unclean == 0; }
     /// Why nothing is missing, or what speaks against it, in words.
     std::string argument() const {
         std::ostringstream out;
-        out << paths.total << " paths from a multihomogeneous start reach every isolated complex solution of F = 0, J v = 0: "
+        out << paths.total
+            << " paths from a multihomogeneous start reach every isolated complex solution of F = 0, J v = 0: "
             << regular_solutions << " regular, " << paths.singular << " singular (" << pitchfork_paths
             << " at pitchforks of symmetric branches, found there by themselves), " << paths.at_infinity
             << " at infinity, " << paths.failed << " failed; the tables of the " << intervals.size()
@@ -124,7 +125,9 @@ private:
         if constexpr (Formulation<M>::reflection_symmetric)
             for (const Unknowns<M>& branch : symmetric_branches<M>()) add_pitchforks(branch);
     }
-    void add_pitchforks(const Unknowns<M>& branch) requires(n_coordinates<M> == 0) {
+    void add_pitchforks(const Unknowns<M>& branch)
+    requires(n_coordinates<M> == 0)
+    {
         const auto values =
             singular_points_of_branch<M>(branch, p_, Active, System::entry().degree[0], found_.low, found_.high);
         for (std::size_t k = 0; k < values.size(); ++k) {
@@ -152,14 +155,13 @@ private:
         for (int attempt = 0; attempt < most_attempts && (attempt == 0 || found_.paths.failed > 0); ++attempt) {
             const RunOptions run = run_.with_seed(seed_of_attempt(run_.seed, found_.attempts++));
             Generator generator(run.seed);
-            const auto set = solve_multihomogeneous(System::system(System::numbers(p_, scale_, generator)),
-                                                    System::grouping, run);
+            const auto set =
+                solve_multihomogeneous(System::system(System::numbers(p_, scale_, generator)), System::grouping, run);
             found_.paths = set.paths;
             found_.complex_solutions = set.roots.size();
             found_.regular_solutions = found_.pitchfork_paths = found_.other_singular = found_.unexplained = 0;
             for (const auto& root : set.roots) {
-                if (root.status == PathStatus::finite)
-                    ++found_.regular_solutions;
+                if (root.status == PathStatus::finite) ++found_.regular_solutions;
                 take(root);
             }
         }
@@ -183,7 +185,8 @@ private:
         const bool real = imaginary < near && std::abs(x.imag()) < near * (1 + std::abs(x)) &&
                           (System::entry().power[0] == 1 || x.real() > -near);
         const double value =
-            real ? System::parameter(0, System::entry().power[0] == 1 ? x.real() : std::max(0.0, x.real()), scale_[0]) : 0;
+            real ? System::parameter(0, System::entry().power[0] == 1 ? x.real() : std::max(0.0, x.real()), scale_[0])
+                 : 0;
         if (!real) {
             if (singular) found_.other_singular += paths;
             return;
@@ -227,8 +230,8 @@ private:
     }
 
     /// Newton's method for F = 0, J v = 0, |v| = 1 in (q, v, p), with steps of least length along what these equations
-    /// determine: at a bifurcation they are singular, and the direction that they leave open stays as the endpoint has it.
-    /// False where that does not converge next to the endpoint.
+    /// determine: at a bifurcation they are singular, and the direction that they leave open stays as the endpoint has
+    /// it. False where that does not converge next to the endpoint.
     bool correct_bifurcation(const Unknowns<M>& q, double value, LineEvent<M>& event) const {
         event.q = wrapped<M>(q);
         event.value = value;
@@ -332,11 +335,11 @@ private:
 
 }  // namespace detail
 
-/// All events with the parameter number Active in [low, high], the others those of p. The model must be polynomial in that
-/// parameter.
+/// All events with the parameter number Active in [low, high], the others those of p. The model must be polynomial in
+/// that parameter.
 ///
-/// Throws InvalidArgument for an interval that is empty, reversed or not finite, for parameters that are not finite, and for a
-/// run with a checkpoint or a cancel: these are of one enumeration, and here are many.
+/// Throws InvalidArgument for an interval that is empty, reversed or not finite, for parameters that are not finite,
+/// and for a run with a checkpoint or a cancel: these are of one enumeration, and here are many.
 template <Model M, int Active>
 LineEvents<M> find_events(const Parameters<M>& p, double low, double high, const RunOptions& run = {}) {
     require_finite(p, "parameters");

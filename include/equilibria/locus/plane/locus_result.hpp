@@ -26,12 +26,12 @@ struct LocusCurve {
 
 /// A region of constant count.
 struct LocusRegion {
-    PlanePoint point;                    ///< well inside
-    std::uint64_t count = 0;             ///< real equilibria there
+    PlanePoint point;         ///< well inside
+    std::uint64_t count = 0;  ///< real equilibria there
     std::vector<std::int64_t> by_index;
     double area = 0;
-    bool clean = false;      ///< the enumeration at the point had nothing against it (RootSet::clean)
-    bool confirmed = true;   ///< no other enumeration inside the region differed
+    bool clean = false;     ///< the enumeration at the point had nothing against it (RootSet::clean)
+    bool confirmed = true;  ///< no other enumeration inside the region differed
     /// Polygons, counterclockwise, which overlap nowhere and whose union is the region.
     std::vector<std::vector<PlanePoint>> polygons;
 };
@@ -59,8 +59,8 @@ struct Locus {
     /// The evidence of completeness.
     struct Evidence {
         std::uint64_t lines = 0, seeds = 0, checked_points = 0;
-        /// By how much the borders of x and of y were moved in, in parts of the window: the model may degenerate on them.
-        /// A piece of a curve that lies in a corner of that size, and has no special point, is not seen.
+        /// By how much the borders of x and of y were moved in, in parts of the window: the model may degenerate on
+        /// them. A piece of a curve that lies in a corner of that size, and has no special point, is not seen.
         std::array<double, 2> inset{};
         /// Complex solutions by kind: folds of a generic line in each direction, all special points of the plane.
         std::map<SingularityKind, SolutionCounts> solved;

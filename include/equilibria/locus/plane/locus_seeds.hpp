@@ -140,8 +140,8 @@ private:
             lines_[Fixed == X ? 0 : 1].push_back(line);
             ++evidence.lines;
         };
-        // the borders, moved in: the model may degenerate on them, and near to them may leave paths undecided, most of all
-        // near 0 of a parameter that enters by its square
+        // the borders, moved in: the model may degenerate on them, and near to them may leave paths undecided, most of
+        // all near 0 of a parameter that enters by its square
         const bool squared = Solver::System::entry().power[Fixed == X ? 0 : 1] == 2;
         for (const bool upper : {false, true})
             for (const double inset : {1e-6, 1e-4, 1e-2}) {

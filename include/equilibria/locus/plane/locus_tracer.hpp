@@ -27,11 +27,11 @@
 namespace equilibria {
 
 struct LocusOptions {
-    int lines = 12;            ///< lines in each direction that are solved beside the borders of the window, at least 2
-    int checks = 20;           ///< points in each direction whose count is compared with their region's; 0: none
+    int lines = 12;   ///< lines in each direction that are solved beside the borders of the window, at least 2
+    int checks = 20;  ///< points in each direction whose count is compared with their region's; 0: none
     /// Of the curves, in angles and in parts of the window; parameter_weight is set by it.
     PathOptions path{.first_step = 1e-3, .largest_step = 0.006, .largest_angle = 0.15};
-    int most_points = 20000;   ///< of one curve
+    int most_points = 20000;  ///< of one curve
 
     void validate() const {
         require(lines >= 2 && lines <= 10000, "lines", lines, "must be 2 to 10000");
@@ -156,9 +156,8 @@ private:
             }
             if constexpr (folds) {
                 const Unknowns<M> v = point_of(last.q, last.p, SingularityKind::fold).v;
-                const EventFunction<Curve> third{"third derivative", [&](const BranchPoint<Curve>& at) {
-                                                     return third_at(at, v);
-                                                 }};
+                const EventFunction<Curve> third{"third derivative",
+                                                 [&](const BranchPoint<Curve>& at) { return third_at(at, v); }};
                 std::optional<BranchPoint<Curve>> cusp;
                 if (std::signbit(third.value(last)) != std::signbit(third.value(*next)))
                     cusp = zero_between(stepper, third, last, *next);
@@ -186,10 +185,10 @@ private:
 
     /// Back at the first point, in the same direction; angles modulo 2 pi.
     template <class Curve>
-    bool closes(const PathStepper<Curve>& stepper, const BranchPoint<Curve>& first, const BranchPoint<Curve>& now) const {
+    bool closes(const PathStepper<Curve>& stepper, const BranchPoint<Curve>& first,
+                const BranchPoint<Curve>& now) const {
         Direction d = stepper.difference(first, now.q, now.p);
-        for (int i = 0; i + 1 < d.q.size() && i < n_angles<M>; ++i)
-            d.q(i + 1) = wrap(d.q(i + 1));
+        for (int i = 0; i + 1 < d.q.size() && i < n_angles<M>; ++i) d.q(i + 1) = wrap(d.q(i + 1));
         return stepper.length(d) < 1.5 * options_.path.largest_step && stepper.dot(first.tangent, now.tangent) > 0.95;
     }
 
@@ -290,9 +289,8 @@ private:
     void note_extremal_points(PathStepper<Curve>& stepper, const std::vector<BranchPoint<Curve>>& curve) {
         constexpr auto kind =
             std::is_same_v<Curve, Folds> ? SingularityKind::extremal_fold : SingularityKind::extremal_pitchfork;
-        const EventFunction<Curve> slopes[] = {
-            {"dx/ds", [](const BranchPoint<Curve>& at) { return at.tangent.q(0); }},
-            {"dy/ds", [](const BranchPoint<Curve>& at) { return at.tangent.p; }}};
+        const EventFunction<Curve> slopes[] = {{"dx/ds", [](const BranchPoint<Curve>& at) { return at.tangent.q(0); }},
+                                               {"dy/ds", [](const BranchPoint<Curve>& at) { return at.tangent.p; }}};
         const auto is_cusp = [&](const BranchPoint<Curve>& at) {
             for (const auto& cusp : locus_.points)
                 if (cusp.kind == SingularityKind::cusp && at.q.p == cusp.x() && at.p == cusp.y()) return true;

@@ -64,9 +64,7 @@ private:
     using System = CriticalSystem<M, X, Y>;
 
     static double exponent(int i, int k) { return System::entry().content[i][k] * System::entry().power[k]; }
-    Parameters<M> at(double p) const {
-        return with_active<X>(parameters_, p);
-    }
+    Parameters<M> at(double p) const { return with_active<X>(parameters_, p); }
     Vector scales(double p) const {
         Vector y(n);
         for (int i = 0; i < n; ++i) y(i) = std::pow(p, exponent(i, 0)) * std::pow(parameters_[Y], exponent(i, 1));
@@ -81,9 +79,7 @@ private:
 template <Model M, int X, int Y>
 struct PlaneFamily {
     Parameters<M> parameters;  ///< entries X and Y are not read
-    PlaneProblem<M, X, Y> operator()(double y) const {
-        return PlaneProblem<M, X, Y>(with_active<Y>(parameters, y));
-    }
+    PlaneProblem<M, X, Y> operator()(double y) const { return PlaneProblem<M, X, Y>(with_active<Y>(parameters, y)); }
 };
 
 }  // namespace equilibria

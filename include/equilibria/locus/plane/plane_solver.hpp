@@ -1,6 +1,6 @@
 /// \file
-/// All special points of a locus in a plane of two parameters: its points on lines, its cusps, and its points at which a
-/// parameter is extremal, from all complex solutions of the critical system and of the symmetric branches' system.
+/// All special points of a locus in a plane of two parameters: its points on lines, its cusps, and its points at which
+/// a parameter is extremal, from all complex solutions of the critical system and of the symmetric branches' system.
 #pragma once
 
 #include <algorithm>
@@ -38,8 +38,8 @@ public:
         : p_(p), run_(run), scales_(scales), more_digits_(more_digits) {}
 
     /// The folds on lines on which the parameter number `fixed` (0 for X, 1 for Y) has the given value. One line is
-    /// solved from its start system, at the value `generic`; the others follow by parameter homotopy, on as many paths as
-    /// there are folds.
+    /// solved from its start system, at the value `generic`; the others follow by parameter homotopy, on as many paths
+    /// as there are folds.
     class Lines {
     public:
         Lines(const PlaneSolver& solver, int fixed, double generic) : solver_(&solver), fixed_(fixed) {
@@ -99,7 +99,9 @@ public:
     };
 
     /// All cusps of the plane.
-    Points cusps(SolutionCounts& counts) const requires PotentialModel<M> {
+    Points cusps(SolutionCounts& counts) const
+    requires PotentialModel<M>
+    {
         return solve(
             counts, [](Numbers& numbers) { numbers.cusp = 1; },
             [](const Unknowns<M>& q, const Parameters<M>& p) {
@@ -107,7 +109,9 @@ public:
             });
     }
     /// All points of fold curves at which the parameter number `which` (0 for X, 1 for Y) is extremal.
-    Points extremal_folds(int which, SolutionCounts& counts) const requires PotentialModel<M> {
+    Points extremal_folds(int which, SolutionCounts& counts) const
+    requires PotentialModel<M>
+    {
         return solve(
             counts, [which](Numbers& numbers) { numbers.extremal[1 - which] = 1; },
             [which](const Unknowns<M>& q, const Parameters<M>& p) {
@@ -118,11 +122,15 @@ public:
     }
 
     /// All pitchforks of symmetric branches at which that parameter is extremal on their curve.
-    Points extremal_pitchforks(int which, SolutionCounts& counts) const requires PotentialModel<M> {
+    Points extremal_pitchforks(int which, SolutionCounts& counts) const
+    requires PotentialModel<M>
+    {
         return on_branches(counts, [which](auto& numbers) { numbers.extremal[1 - which] = 1; });
     }
     /// All pitchforks of symmetric branches that turn from super- to subcritical.
-    Points degenerate_pitchforks(SolutionCounts& counts) const requires PotentialModel<M> {
+    Points degenerate_pitchforks(SolutionCounts& counts) const
+    requires PotentialModel<M>
+    {
         return on_branches(counts, [](auto& numbers) { numbers.fourth = 1; });
     }
 
@@ -218,8 +226,7 @@ private:
                 attempt(counts, [&](std::uint64_t seed, Generator& generator) {
                     auto numbers = Branch::numbers(p_, scales_, branch, generator);
                     weigh(numbers);
-                    auto set =
-                        solve_multihomogeneous(Branch::system(numbers), Branch::grouping, run_.with_seed(seed));
+                    auto set = solve_multihomogeneous(Branch::system(numbers), Branch::grouping, run_.with_seed(seed));
                     for (const auto& root : set.roots) {
                         auto at = singularity_at<M, X, Y>(SingularityKind::pitchfork, branch, p_);
                         if (!real_parameters(&root.q[Branch::first_active], 1e-6, at)) continue;

@@ -21,8 +21,8 @@ void place_points(Locus<M>& locus, const PlaneDecomposition& plane) {
     std::vector<double> best(locus.regions.size(), -1);
     const auto consider = [&](double x, double y, int number) {
         if (number < 0) return;
-        double clearance = std::min(std::min(x - w.x_low, w.x_high - x) / w.width(),
-                                    std::min(y - w.y_low, w.y_high - y) / w.height());
+        double clearance =
+            std::min(std::min(x - w.x_low, w.x_high - x) / w.width(), std::min(y - w.y_low, w.y_high - y) / w.height());
         for (const auto& curve : locus.curves)
             for (const auto& p : curve.points)
                 clearance = std::min(clearance, std::hypot((p.x() - x) / w.width(), (p.y() - y) / w.height()));
@@ -43,17 +43,19 @@ void place_points(Locus<M>& locus, const PlaneDecomposition& plane) {
         }
 }
 
-/// Whether two tables by index differ, and by pairs of neighbouring indices alone, as on both sides of a fold or pitchfork.
+/// Whether two tables by index differ, and by pairs of neighbouring indices alone, as on both sides of a fold or
+/// pitchfork.
 inline bool differ_by_pairs(const std::vector<std::int64_t>& a, const std::vector<std::int64_t>& b) {
     std::int64_t alternating = 0;
     for (std::size_t k = 0; k < a.size(); ++k) alternating += (k % 2 == 0 ? 1 : -1) * (a[k] - b[k]);
     return a != b && alternating == 0;
 }
 
-/// Whether a region is more than a sliver below the resolution of the curves' points, where two curves touch or lie over each
-/// other: with the window as the unit, an area of 1e-13 and a mean width (twice the area over the outline) of 1e-6,
-/// which is less than the 4e-6 that a chord of the largest step by default, 0.006, is off a curve of radius 1. A region that is
-/// thinner than that everywhere is left out. The outline is that of all its polygons, so never too short.
+/// Whether a region is more than a sliver below the resolution of the curves' points, where two curves touch or lie
+/// over each other: with the window as the unit, an area of 1e-13 and a mean width (twice the area over the outline) of
+/// 1e-6, which is less than the 4e-6 that a chord of the largest step by default, 0.006, is off a curve of radius 1. A
+/// region that is thinner than that everywhere is left out. The outline is that of all its polygons, so never too
+/// short.
 inline bool is_resolved(const LocusRegion& region, const PlaneWindow& window) {
     const double area = region.area / (window.width() * window.height());
     double outline = 0;

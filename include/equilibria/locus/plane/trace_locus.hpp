@@ -1,12 +1,13 @@
 /// \file
-/// The bifurcation locus of a model in a window of the plane of two of its parameters: fold and pitchfork curves, cusps,
-/// and the regions between the curves with their equilibria counted by index.
+/// The bifurcation locus of a model in a window of the plane of two of its parameters: fold and pitchfork curves,
+/// cusps, and the regions between the curves with their equilibria counted by index.
 ///
 /// Completeness. A curve that meets the window crosses its border, whose lines are solved for all their folds and
-/// pitchforks, or is closed within; then it has a cusp, a degenerate pitchfork, or points at which a parameter is extremal, and
-/// all of these are solved for (plane_solver.hpp). Every point solved for must lie on a curve, and every special point of a
-/// curve must have been solved for. Lines inside the window are a further check, as are the numbers of equilibria, enumerated
-/// at the points of a grid, which must be those of their regions. Models without a potential have the lines alone.
+/// pitchforks, or is closed within; then it has a cusp, a degenerate pitchfork, or points at which a parameter is
+/// extremal, and all of these are solved for (plane_solver.hpp). Every point solved for must lie on a curve, and every
+/// special point of a curve must have been solved for. Lines inside the window are a further check, as are the numbers
+/// of equilibria, enumerated at the points of a grid, which must be those of their regions. Models without a potential
+/// have the lines alone.
 #pragma once
 
 #include <equilibria/locus/plane/locus_result.hpp>
@@ -15,11 +16,11 @@
 namespace equilibria {
 
 /// The bifurcation locus of the model in the plane of its parameters number X and Y, the others being those of p.
-/// more_digits: more_digits<CriticalSystem<M, X, Y>> (enumerate/more_digits.hpp) tracks paths that fail in double with more
-/// digits, instead of all paths from another start system; that saves time where there are thousands.
+/// more_digits: more_digits<CriticalSystem<M, X, Y>> (enumerate/more_digits.hpp) tracks paths that fail in double with
+/// more digits, instead of all paths from another start system; that saves time where there are thousands.
 ///
-/// Throws InvalidArgument for a window that is empty, reversed or not finite, for parameters that are not finite for options
-/// out of range, and for a run with a checkpoint or a cancel.
+/// Throws InvalidArgument for a window that is empty, reversed or not finite, for parameters that are not finite for
+/// options out of range, and for a run with a checkpoint or a cancel.
 template <Model M, int X, int Y>
 Locus<M> trace_locus(const Parameters<M>& p, const PlaneWindow& window, const RunOptions& run = {},
                      const LocusOptions& options = {}, MoreDigitsOf<CriticalSystem<M, X, Y>> more_digits = nullptr) {

@@ -203,9 +203,9 @@ private:
             if (Folds::entry().power[k] == 2 && !(x > 2 * r)) return -1;  // the parameter itself might not be real
             const double size = k == 0 ? locus_->window.width() : locus_->window.height();
             for (const double end : {x - r, x + r})
-                largest = std::max(largest, std::abs(Folds::parameter(k, end, scales_[k]) -
-                                                     Folds::parameter(k, x, scales_[k])) /
-                                                size);
+                largest = std::max(
+                    largest,
+                    std::abs(Folds::parameter(k, end, scales_[k]) - Folds::parameter(k, x, scales_[k])) / size);
         }
         return largest;
     }
@@ -218,8 +218,8 @@ private:
 
 }  // namespace detail
 
-/// Proves what can be proved of a locus of the plane of the parameters number X and Y. What is not proved is missing in the
-/// shares, no more. Throws InvalidArgument for a run with a checkpoint or a cancel. Source: krawczyk.hpp.
+/// Proves what can be proved of a locus of the plane of the parameters number X and Y. What is not proved is missing in
+/// the shares, no more. Throws InvalidArgument for a run with a checkpoint or a cancel. Source: krawczyk.hpp.
 template <PotentialModel M, int X, int Y>
 LocusProof prove_locus(const Locus<M>& locus, const RunOptions& run = {}) {
     run.require_whole("a proof");

@@ -158,7 +158,8 @@ private:
         const double same = 1e-9 * window_.width();
         std::vector<double> kept;
         for (const double x : abscissae_)
-            if (x >= window_.x_low && x <= window_.x_high && (kept.empty() || x - kept.back() > same)) kept.push_back(x);
+            if (x >= window_.x_low && x <= window_.x_high && (kept.empty() || x - kept.back() > same))
+                kept.push_back(x);
         abscissae_ = kept;
     }
 

@@ -53,11 +53,8 @@ public:
     static constexpr int n = n_unknowns<M>;
 
     CuspTracer(const Parameters<M>& p, const CuspBox& box, const CuspCurveOptions& options)
-        : box_(box),
-          options_(options),
-          problem_(p, box.x_high - box.x_low, box.y_high - box.y_low),
-          stepper_(problem_, path_options(box, options)),
-          symmetric_(is_symmetric(p)) {}
+        : box_(box), options_(options), problem_(p, box.x_high - box.x_low, box.y_high - box.y_low),
+          stepper_(problem_, path_options(box, options)), symmetric_(is_symmetric(p)) {}
 
     CuspCurve<M> run(const Unknowns<M>& q, const Parameters<M>& p) {
         CuspCurve<M> curve;

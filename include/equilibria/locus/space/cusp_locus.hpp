@@ -36,7 +36,7 @@
 namespace equilibria {
 
 struct CuspLocusOptions {
-    int planes = 9;          ///< that are solved, the two at the ends of the range included
+    int planes = 9;  ///< that are solved, the two at the ends of the range included
     CuspCurveOptions curve{};
 
     void validate() const {

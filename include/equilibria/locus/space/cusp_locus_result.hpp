@@ -20,7 +20,7 @@ template <PotentialModel M>
 struct CuspPlane {
     double z = 0;
     std::vector<Singularity<M>> cusps;  ///< those within the box, one of a mirror pair
-    std::uint64_t outside = 0;         ///< real cusps beyond the box, one of a mirror pair
+    std::uint64_t outside = 0;          ///< real cusps beyond the box, one of a mirror pair
     /// Real solutions on the faces of x and y that are no cusps, one of a mirror pair: the model is degenerate there,
     /// as without a mass, and all derivatives along the null vector are 0.
     std::uint64_t degenerate = 0;

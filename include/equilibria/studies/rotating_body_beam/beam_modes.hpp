@@ -2,8 +2,8 @@
 /// Shape functions of a beam that is clamped at 0 and free at 1, at compile time: polynomials that are orthonormal in
 /// L2, and the integrals of their products that an energy needs.
 ///
-/// Everything here is a constant expression, since a model's potential must be one: so Gauss's nodes are found here, and
-/// are not taken from boost::math::quadrature::gauss, whose functions no constant expression may call; a test holds
+/// Everything here is a constant expression, since a model's potential must be one: so Gauss's nodes are found here,
+/// and are not taken from boost::math::quadrature::gauss, whose functions no constant expression may call; a test holds
 /// them against it. K = 14 is in use, with whirling speeds to 13 digits; many more shapes reach the compilers' limit of
 /// steps in a constant expression. Sources: Hale and Townsend, Fast and accurate computation of Gauss-Legendre and
 /// Gauss-Jacobi quadrature nodes and weights, SIAM J. Sci. Comput. 35 (2013); Gautschi, Orthogonal Polynomials:

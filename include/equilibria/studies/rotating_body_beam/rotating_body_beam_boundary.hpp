@@ -61,10 +61,7 @@ public:
     /// RotatingBodyBeam::validate does, and unless points is from 4 to 256.
     RotatingBodyBeamBoundary(const Values& parameters, BeamStrain strain, int points = 24,
                              BeamControl control = BeamControl::speed)
-        : p_(parameters),
-          coupled_(strain == BeamStrain::coupled),
-          m_(checked(points)),
-          control_(control),
+        : p_(parameters), coupled_(strain == BeamStrain::coupled), m_(checked(points)), control_(control),
           chebyshev_(m_, parameters[Beam::length]) {
         Beam::validate(parameters);
         third_ = chebyshev_.integral(chebyshev_.coefficients, 1);

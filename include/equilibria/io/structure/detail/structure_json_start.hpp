@@ -14,8 +14,8 @@
 
 #include <equilibria/continuation/redundant_constraints.hpp>
 #include <equilibria/core/error.hpp>
-#include <equilibria/fem/structure_model.hpp>
 #include <equilibria/fem/structure.hpp>
+#include <equilibria/fem/structure_model.hpp>
 #include <equilibria/io/structure/detail/strict_json.hpp>
 #include <equilibria/io/structure/structure_input.hpp>
 

@@ -8,17 +8,24 @@
 /// endpoint, to the accuracy of the tracking even where Newton's method would crawl. It is accepted when two radii
 /// agree; on a path to infinity they agree on a pole instead, at radii where it is not far out yet. Sources: Morgan,
 /// Sommese, Wampler, power-series and Cauchy endgames; Timme (valuation test).
+///
+/// Many paths are ended together: at each scale of 1-t all of those that are still open are expanded, looped and
+/// brought to their next scale, a path a lane.
 #pragma once
 
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <numbers>
+#include <span>
+#include <utility>
 #include <vector>
 
 #include <equilibria/homotopy/detail/closed_loop.hpp>
-#include <equilibria/homotopy/lane_tracker.hpp>
+#include <equilibria/homotopy/detail/segments.hpp>
 #include <equilibria/homotopy/polish.hpp>
 
 namespace equilibria {
@@ -28,48 +35,113 @@ inline constexpr double regular_condition = 1e8;
 
 namespace detail {
 
+/// A path around t = 1 at |1-t| = r, until it closes.
+template <class M, class R>
+struct Circle : Segment<M, R> {
+    using At = Point<M, R>;
+    using Loop = ClosedLoop<M, R>;
+    static constexpr int samples = Loop::samples;
+
+    /// Points as close as `closed` are the same.
+    Circle(const At& first, double radius, std::int32_t steps_before, double noise_there, double closed)
+        : points_{first}, radius_(radius), closed_(closed) {
+        this->q = first;
+        this->steps = steps_before;
+        this->noise = noise_there;
+        set_arc();
+    }
+    /// Without a winding number where the path was stuck, or did not close.
+    const Loop& loop() const { return loop_; }
+
+    bool advance() {
+        ++arc_;
+        if (arc_ == samples * Loop::most_turns) return false;
+        set_arc();
+        return true;
+    }
+    bool take(const At& at) {
+        const double away = distance(points_.front(), at);
+        excursion_ = std::max(excursion_, away);
+        if (arc_ % samples == 0 && away < 1e-3 * excursion_ + closed_) {
+            loop_ = Loop(points_, arc_ / samples);
+            return false;
+        }
+        points_.push_back(at);
+        return arc_ < samples * Loop::most_turns;
+    }
+
+private:
+    Complex<R> time(int arc) const {
+        const int m = arc % samples;
+        const auto z = m == 0 ? std::complex<double>(radius_) : std::polar(radius_, 2 * std::numbers::pi * m / samples);
+        return {1.0 - R(z.real()), -R(z.imag())};
+    }
+    void set_arc() {
+        this->from = time(arc_);
+        this->to = time(arc_ + 1);
+    }
+
+    std::vector<At> points_;
+    double radius_, closed_, excursion_ = 0;
+    int arc_ = 0;
+    Loop loop_;
+};
+
 /// R: double, or a multiprecision float, which tracks and closes loops with more digits; what is polished, and what
 /// counts as regular, is decided in double all the same.
 template <class H, class R = double>
 class Endgame {
 public:
     using M = typename H::System;
-    using Z = Complex<R>;
     using At = Point<M, R>;
     using Loop = ClosedLoop<M, R>;
-    using Tracker = Stepper<H, R, Complex<R>, true>;
     static constexpr int n = n_unknowns<M>;
 
     Endgame(const H& h, const Polisher<H>& polisher, const TrackerOptions& options)
-        : options_(options), stepper_(h, options), closing_(h, closing(options)), polisher_(&polisher) {}
+        : options_(options), tracker_(h, options, shortest_step), closing_(h, closing(options), shortest_step),
+          polisher_(&polisher) {}
 
+    /// Ends paths that have come to t = ends[k]->t.
+    void finish(std::span<Endpoint<M>* const> ends) {
+        std::vector<Path> paths;
+        for (Endpoint<M>* end : ends) paths.push_back(path_at(*end, 1 - end->t));
+        for (std::size_t k = 0; k < ends.size(); ++k) copy_lane(ends[k]->q, 0, paths[k].q, 0);
+        finish(paths);
+    }
     /// Tracks the path from its start, slowly, and ends it with the endgame wherever it leads.
     Endpoint<M> from_start(const Point<M, double>& start) {
         Endpoint<M> end;
-        At q;
-        copy_lane(start, 0, q, 0);
-        double reached = 0;
-        const Progress progress = track(stepper_, q, time(1), time(1e-3), end.steps, &reached);
-        copy_lane(q, 0, end.q, 0);
-        const double r = 1 - reached * (1 - 1e-3);
-        // close to t = 1 rounding may be what stops it, and the endgame measures that
-        if (progress == Progress::stuck && (end.steps >= options_.most_steps || r > 0.02)) {
-            end.reason =
-                end.steps >= options_.most_steps ? FailureReason::too_many_steps : FailureReason::step_too_small;
-            return end;
-        }
-        finish(end, q, r);
+        from_starts(std::span(&start, 1), std::span(&end, 1));
         return end;
     }
-
-    /// Ends a path that has come to t = 1 - r.
-    void finish(Endpoint<M>& end, double r) {
-        At q;
-        copy_lane(end.q, 0, q, 0);
-        finish(end, q, r);
+    /// The same for many paths; ends[k] belongs to starts[k], and comes as made by default.
+    void from_starts(std::span<const Point<M, double>> starts, std::span<Endpoint<M>> ends) {
+        std::vector<Segment<M, R>> segments(starts.size());
+        for (std::size_t k = 0; k < starts.size(); ++k) {
+            copy_lane(starts[k], 0, segments[k].q, 0);
+            segments[k].from = time(1);
+            segments[k].to = time(1e-3);
+            segments[k].may_leave = true;
+        }
+        tracker_.follow(std::span(segments));
+        std::vector<Path> paths;
+        for (std::size_t k = 0; k < starts.size(); ++k) {
+            const Segment<M, R>& segment = segments[k];
+            Endpoint<M>& end = ends[k];
+            end.steps = segment.steps;
+            copy_lane(segment.q, 0, end.q, 0);
+            const double r = 1 - segment.reached * (1 - 1e-3);
+            const bool out_of_steps = end.steps >= options_.most_steps;
+            // close to t = 1 rounding may be what stops it, and the endgame measures that
+            if (segment.progress == Progress::stuck && (out_of_steps || r > 0.02)) {
+                end.reason = out_of_steps ? FailureReason::too_many_steps : FailureReason::step_too_small;
+                continue;
+            }
+            paths.push_back(path_at(end, r));
+            paths.back().q = segment.q;
+        }
+        finish(paths);
     }
-
-    enum class Progress { arrived, far, stuck };
 
 private:
     static constexpr bool exact = !std::is_same_v<R, double>;
@@ -85,8 +157,27 @@ private:
     static constexpr double pole_radius = 1e-9;
     static constexpr double shortest_step = exact ? 1e-18 : 1e-9;
 
+    /// A path on its way to t = 1.
+    struct Path {
+        Endpoint<M>* end;
+        At q;  ///< at t = 1 - r
+        double r;
+        double noise = 0;             ///< Newton corrections up to this size may be rounding there
+        Array<double, n> nu, before;  ///< valuations there and at the last scale, -1 without one
+        bool diverging = false;
+        double excluded = 1;  ///< no finite solution has its branch point between this radius and r
+        Loop now, last;
+        bool decided = false;
+    };
+    using Paths = std::vector<Path*>;
+
+    static Path path_at(Endpoint<M>& end, double r) {
+        Path path{.end = &end, .q = {}, .r = r, .nu = {}, .before = {}, .now = {}, .last = {}};
+        for (double& nu : path.nu) nu = -1;
+        return path;
+    }
     /// The point 1 - r of the time.
-    static Z time(const std::complex<double>& r) { return {1.0 - R(r.real()), -R(r.imag())}; }
+    static Complex<R> time(double r) { return {1.0 - R(r), R(0.0)}; }
     /// Near a family the position along it is known only to 1e-16 / r: contractions below 1e-5 can't be told there.
     static TrackerOptions closing(TrackerOptions o) {
         o.contraction = std::max(o.contraction, 1e-5);
@@ -94,123 +185,150 @@ private:
         return o;
     }
     static double size2(const At& q) { return static_cast<double>(farthest2(q)); }
-
-    void finish(Endpoint<M>& end, At& q, double r) {
-        decide(end, q, r);
-        if (end.status == PathStatus::at_infinity || end.status == PathStatus::failed) copy_lane(q, 0, end.q, 0);
+    static Paths select(const Paths& paths, const auto& which) {
+        Paths y;
+        std::copy_if(paths.begin(), paths.end(), std::back_inserter(y), [&](Path* path) { return which(*path); });
+        return y;
     }
 
-    void decide(Endpoint<M>& end, At& at, double r) {
-        Array<double, n> before;
-        bool diverging = false;
-        double excluded = 1;
-        Loop last;
-        for (double& nu : before) nu = -1;
-        while (r > smallest_radius) {
-            const Array<double, n> nu = valuations(at, r);
-            diverging = diverges(at, nu, before);
-            if (diverging &&
-                (size2(at) > far_away2 || r < (size2(at) > 1e10 ? diverging_radius : slowly_diverging_radius)))
-                break;
-            before = nu;
-            const Loop now = recedes(at, nu) || size2(at) > far_away2 ? Loop{} : loop(at, r, end.steps);
-            if (now.winding > 0 && last.winding > 0) {
-                excluded = std::min(excluded, excluded_radius(now, r, last));
-                if (excluded < slowly_diverging_radius) break;
-                if (now.has_mean && last.has_mean && distance(now.mean, last.mean) < settled &&
-                    settle(end, now.mean, now.winding))
-                    return;
-            }
-            last = now;
-            // the next scale: where the fastest unknown has grown e^3 times, a tenth at the most
+    void finish(std::vector<Path>& paths) {
+        Paths open;
+        for (Path& path : paths) open.push_back(&path);
+        while (true) {
+            std::erase_if(open, [](Path* path) { return path->r <= smallest_radius; });
+            if (open.empty()) break;
+            find_valuations(open);
+            std::erase_if(open, [](Path* path) { return diverges(*path); });
+            for (Path* path : open) path->last = std::exchange(path->now, Loop{});
+            find_loops(select(open, [](const Path& path) { return !recedes(path) && !(size2(path.q) > far_away2); }));
+            std::erase_if(open, [this](Path* path) { return closes(*path); });
+            go_on(open);
+        }
+        Paths left;
+        for (Path& path : paths)
+            if (!path.decided) left.push_back(&path);
+        conclude(left);
+        for (const Path& path : paths)
+            if (path.end->status == PathStatus::at_infinity || path.end->status == PathStatus::failed)
+                copy_lane(path.q, 0, path.end->q, 0);
+    }
+
+    /// Whether the path is believed to diverge.
+    static bool diverges(Path& path) {
+        path.diverging = diverges(path.q, path.nu, path.before);
+        const double size = size2(path.q);
+        return path.diverging &&
+               (size > far_away2 || path.r < (size > 1e10 ? diverging_radius : slowly_diverging_radius));
+    }
+    /// Whether two loops settle what becomes of the path.
+    bool closes(Path& path) {
+        const Loop &now = path.now, &last = path.last;
+        if (now.winding == 0 || last.winding == 0) return false;
+        path.excluded = std::min(path.excluded, excluded_radius(now, path.r, last));
+        if (path.excluded < slowly_diverging_radius) return true;
+        path.decided = now.has_mean && last.has_mean && distance(now.mean, last.mean) < settled &&
+                       settle(*path.end, now.mean, now.winding);
+        return path.decided;
+    }
+    /// To the next scale: where the fastest unknown has grown e^3 times, a tenth at the most. Those that are stuck stay
+    /// behind, and are no longer open.
+    void go_on(Paths& open) {
+        std::vector<double> next;
+        std::vector<Segment<M, R>> segments;
+        for (const Path* path : open) {
             double fastest = 0;
-            for (const double v : nu) fastest = std::max(fastest, v);
-            const double smaller = r * std::max(0.1, std::exp(-3 / (fastest + 1e-3)));
-            double reached = 0;
-            At next = at;
-            if (track(closing_, next, time(r), time(smaller), end.steps, &reached) == Progress::stuck) break;
-            at = next;
-            r -= reached * (r - smaller);
+            for (const double v : path->nu) fastest = std::max(fastest, v);
+            next.push_back(path->r * std::max(0.1, std::exp(-3 / (fastest + 1e-3))));
+            segments.push_back(segment(*path, next.back()));
+            segments.back().may_leave = true;
         }
-        if (diverging || excluded < slowly_diverging_radius ||
-            (r > smallest_radius && (excluded < pole_radius || recedes_from_afar(at, r, end.steps)))) {
-            end.status = PathStatus::at_infinity;
-            return;
-        }
-        // no singularity on any scale: the path is regular there, only badly conditioned
-        if (r <= 10 * smallest_radius) {
-            if (track(closing_, at, time(r), time(0), end.steps) == Progress::arrived) {
-                Point<M, double> q;
-                copy_lane(at, 0, q, 0);
-                polisher_->run(q, &end.evidence);
-                if (end.evidence.condition < regular_condition && end.evidence.correction < 1e-8) {
-                    end.q = q;
-                    end.status = PathStatus::finite;
-                    return;
-                }
+        closing_.follow(std::span(segments));
+        for (std::size_t k = 0; k < open.size(); ++k) {
+            Path& path = *open[k];
+            path.end->steps = segments[k].steps;
+            if (segments[k].progress == Progress::stuck) {
+                open[k] = nullptr;
+                continue;
             }
+            path.q = segments[k].q;
+            path.r -= segments[k].reached * (path.r - next[k]);
         }
-        end.status = PathStatus::failed;
-        end.reason = FailureReason::endgame_undecided;
+        std::erase(open, nullptr);
     }
-
-    /// Moves q along the segment from t = a to t = b; stops where q is far away. `reached`: the part of the way.
-    Progress track(Tracker& stepper, At& q, const Z& a, const Z& b, std::int32_t& steps, double* reached = nullptr) {
-        stepper.set_segment(a, b - a);
-        R tau = 0, h = 0;
-        const bool was_far = size2(q) > far_away2;
-        while (tau < 1) {
-            if (++steps > options_.most_steps) return Progress::stuck;
-            stepper.expand(q, tau);
-            if (h == 0) h = stepper.first_step();
-            const auto outcome = stepper.step(q, tau, lane_min<R>(h, 1 - tau));
-            h = outcome.next_step;
-            if (outcome.accepted) {
-                q = outcome.q;
-                tau = outcome.step >= 1 - tau ? R(1) : R(tau + outcome.step);
-                if (reached) *reached = static_cast<double>(tau);
-                if (!was_far && reached && size2(q) > far_away2) return Progress::far;
-            } else if (!(h > shortest_step)) {
-                return Progress::stuck;
-            }
-        }
-        // one more correction, or three for all the digits: the loops average these points
-        for (int k = 0; k < (exact ? 3 : 1); ++k) stepper.expand(q, R(1.0));
-        return Progress::arrived;
-    }
-
-    /// The largest difference of two points: of (c, s) relative to their size, of coordinates against 1 + |x|.
-    template <class Q>
-    static double distance(const Point<M, Q>& a, const Point<M, Q>& b) {
-        double largest = 0;
-        const auto take = [&](const Q& difference2, const Q& size2) {
-            largest = std::max(largest, std::sqrt(static_cast<double>(difference2 / size2)));
-            if (!(difference2 < 1e300)) largest = 1e300;
+    /// What the paths that no loop settled are.
+    void conclude(const Paths& left) {
+        const auto infinite = [](const Path& path) {
+            return path.diverging || path.excluded < slowly_diverging_radius ||
+                   (path.r > smallest_radius && path.excluded < pole_radius);
         };
-        for (int i = 0; i < n_angles<M>; ++i)
-            take(norm2(a.c[i] - b.c[i]) + norm2(a.s[i] - b.s[i]), norm2(a.c[i]) + norm2(a.s[i]));
-        for (int j = 0; j < n_coordinates<M>; ++j) take(norm2(a.x[j] - b.x[j]), 1 + norm2(a.x[j]));
-        return largest;
+        Paths receding = select(left, [&](const Path& path) { return !infinite(path) && path.r > smallest_radius; });
+        find_receding(receding);
+        Paths regular;
+        for (Path* path : left) {
+            if (infinite(*path) || std::find(receding.begin(), receding.end(), path) != receding.end()) {
+                path->end->status = PathStatus::at_infinity;
+                continue;
+            }
+            path->end->status = PathStatus::failed;
+            path->end->reason = FailureReason::endgame_undecided;
+            if (path->r <= 10 * smallest_radius) regular.push_back(path);
+        }
+        go_to_the_end(regular);
+    }
+    /// No singularity on any scale: the paths are regular at t = 1, only badly conditioned.
+    void go_to_the_end(const Paths& paths) {
+        std::vector<Segment<M, R>> segments;
+        for (const Path* path : paths) segments.push_back(segment(*path, 0));
+        closing_.follow(std::span(segments));
+        for (std::size_t k = 0; k < paths.size(); ++k) {
+            Endpoint<M>& end = *paths[k]->end;
+            end.steps = segments[k].steps;
+            paths[k]->q = segments[k].q;
+            if (segments[k].progress != Progress::arrived) continue;
+            Point<M, double> q;
+            copy_lane(segments[k].q, 0, q, 0);
+            polisher_->run(q, &end.evidence);
+            if (!(end.evidence.condition < regular_condition && end.evidence.correction < 1e-8)) continue;
+            end.q = q;
+            end.status = PathStatus::finite;
+            end.reason = FailureReason::none;
+        }
     }
 
-    /// Also tells the stepper of the loops how large rounding is there.
-    Array<double, n> valuations(At& q, double r) {
-        closing_.set_segment(time(r), {R(r), R(0.0)});
-        closing_.expand(q, R(0.0));
-        // what further corrections still change is rounding
-        double noise = 0;
-        for (int k = 0; k < 2; ++k) {
-            const At before = q;
-            closing_.expand(q, R(0.0));
-            noise = std::max(noise, distance(before, q));
+    /// From where the path is to t = 1 - r.
+    static Segment<M, R> segment(const Path& path, double r) {
+        Segment<M, R> y;
+        y.q = path.q;
+        y.from = time(path.r);
+        y.to = time(r);
+        y.steps = path.end->steps;
+        y.noise = path.noise;
+        return y;
+    }
+
+    /// Valuations, and how large rounding is there.
+    void find_valuations(const Paths& paths) {
+        std::vector<Expansion<M, R>> points;
+        for (const Path* path : paths) points.push_back({.q = path->q, .r = path->r, .noise = 0, .nu = {}});
+        closing_.expand(std::span(points));
+        for (std::size_t k = 0; k < paths.size(); ++k) {
+            Path& path = *paths[k];
+            path.q = points[k].q;
+            path.noise = std::clamp(16 * points[k].noise / closing(options_).contraction, 1e-7, 1e-5);
+            path.before = path.nu;
+            path.nu = points[k].nu;
+            for (int u = n_angles<M>; u < n; ++u)
+                path.nu[u] /= 1e-30 + std::sqrt(static_cast<double>(norm2(path.q.x[u - n_angles<M>])));
         }
-        closing_.set_noise(std::clamp(16 * noise / closing(options_).contraction, 1e-7, 1e-5));
-        Array<double, n> nu;
-        for (int u = 0; u < n; ++u) {
-            nu[u] = std::sqrt(static_cast<double>(norm2(closing_.coefficient(1, u))));
-            if (u >= n_angles<M>) nu[u] /= 1e-30 + std::sqrt(static_cast<double>(norm2(q.x[u - n_angles<M>])));
+    }
+    void find_loops(const Paths& paths) {
+        std::vector<Circle<M, R>> circles;
+        for (const Path* path : paths) circles.emplace_back(path->q, path->r, path->end->steps, path->noise, closed);
+        closing_.follow(std::span(circles));
+        for (std::size_t k = 0; k < paths.size(); ++k) {
+            paths[k]->now = circles[k].loop();
+            paths[k]->end->steps = circles[k].steps;
         }
-        return nu;
     }
     /// The unknown that is farthest out.
     static int farthest(const At& q) {
@@ -219,11 +337,9 @@ private:
             if (unknown_size2(q, k) > unknown_size2(q, u)) u = k;
         return u;
     }
+    static bool is_far(const At& q) { return unknown_size2(q, farthest(q)) > 100; }
     /// The unknown that is farthest out is far, and on its way.
-    static bool recedes(const At& q, const Array<double, n>& nu) {
-        const int u = farthest(q);
-        return unknown_size2(q, u) > 100 && nu[u] > 0.1;
-    }
+    static bool recedes(const Path& path) { return is_far(path.q) && path.nu[farthest(path.q)] > 0.1; }
     /// Some unknown is far out, and its valuation is positive and the same on two scales; and that of the farthest one
     /// does not fall, as it does near a finite solution that is merely far away.
     static bool diverges(const At& q, const Array<double, n>& nu, const Array<double, n>& before) {
@@ -236,16 +352,35 @@ private:
         return false;
     }
 
-    /// Where rounding stops a path: whether it is on its way to infinity, as far as r and 10 r tell. Loops there show a
-    /// pole; or it is so far out that its valuations are enough.
-    bool recedes_from_afar(At& at, double r, std::int32_t& steps) {
-        if (!(unknown_size2(at, farthest(at)) > 100) || 10 * r > 0.05) return false;
-        const Array<double, n> nu = valuations(at, r);
-        const Loop here = loop(at, r, steps);
-        At back = at;
-        if (track(closing_, back, time(r), time(10 * r), steps) != Progress::arrived) return false;
-        if (grows(at, nu, back, valuations(back, 10 * r))) return true;
-        return here.pole > 0 && excluded_radius(here, r, loop(back, 10 * r, steps)) < pole_radius;
+    /// Of paths that rounding stops, those on their way to infinity as far as r and 10 r tell: loops there show a pole,
+    /// or they are so far out that their valuations are enough.
+    void find_receding(Paths& paths) {
+        std::erase_if(paths, [](Path* path) { return !is_far(path->q) || 10 * path->r > 0.05; });
+        find_valuations(paths);
+        find_loops(paths);
+        std::vector<Path> wider;  // the same paths at 10 r
+        std::vector<Segment<M, R>> segments;
+        for (const Path* path : paths) segments.push_back(segment(*path, 10 * path->r));
+        closing_.follow(std::span(segments));
+        for (std::size_t k = 0; k < paths.size(); ++k) {
+            Path& path = *paths[k];
+            path.end->steps = segments[k].steps;
+            wider.push_back(path_at(*path.end, 10 * path.r));
+            wider.back().q = segments[k].q;
+        }
+        Paths back;
+        for (std::size_t k = 0; k < paths.size(); ++k)
+            if (segments[k].progress == Progress::arrived) back.push_back(&wider[k]);
+        find_valuations(back);
+        find_loops(back);
+        for (std::size_t k = 0; k < paths.size(); ++k) {
+            const Path &path = *paths[k], &at_wider = wider[k];
+            const bool recedes = segments[k].progress == Progress::arrived &&
+                                 (grows(path.q, path.nu, at_wider.q, at_wider.nu) ||
+                                  excluded_radius(path.now, path.r, at_wider.now) < pole_radius);
+            if (!recedes) paths[k] = nullptr;
+        }
+        std::erase(paths, nullptr);
     }
     /// Whether some unknown is very far out, and has grown since ten times the radius by a power of it between its
     /// valuations on both scales, which do not fall.
@@ -263,27 +398,6 @@ private:
     static double excluded_radius(const Loop& at_r, double r, const Loop& wider) {
         const bool same = at_r.winding == wider.winding && at_r.pole == wider.pole;
         return same && at_r.pole > 0 ? at_r.beyond * r : 1;
-    }
-
-    /// Follows the path around t = 1 until it closes.
-    Loop loop(const At& first, double r, std::int32_t& steps) {
-        constexpr int samples = Loop::samples;
-        std::vector<At> points;
-        double excursion = 0;
-        At at = first;
-        for (int turn = 1; turn <= Loop::most_turns; ++turn) {
-            for (int k = 0; k < samples; ++k) {
-                points.push_back(at);
-                const auto point = [&](int m) {
-                    return time(m % samples == 0 ? std::complex<double>(r)
-                                                 : std::polar(r, 2 * std::numbers::pi * m / samples));
-                };
-                if (track(closing_, at, point(k), point(k + 1), steps) != Progress::arrived) return {};
-                excursion = std::max(excursion, distance(first, at));
-            }
-            if (distance(first, at) < 1e-3 * excursion + closed) return Loop(points, turn);
-        }
-        return {};
     }
 
     /// Decides at a settled estimate of the endpoint; false if the radius is still too large to tell.
@@ -309,7 +423,7 @@ private:
     }
 
     TrackerOptions options_;
-    Tracker stepper_, closing_;  // from the start, and near t = 1
+    SegmentLanes<H, R> tracker_, closing_;  // from the start, and near t = 1
     const Polisher<H>* polisher_;
 };
 

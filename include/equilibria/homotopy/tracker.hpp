@@ -1,25 +1,22 @@
 /// \file
-/// Predictor, corrector and step control, on all lanes of a pack at once; one lane (a scalar type) is the same code.
+/// Prediction, correction and step control, on all lanes of a pack at once; one lane (a scalar type) is the same code.
 ///
-/// Predictor: Taylor coefficients q_1, q_2, q_3 of the path from one factorisation of the Jacobian, then a Pade(2,1)
-/// approximant an unknown; local order 4. Corrector: one Newton step and one simplified step with the same
-/// factorisation; their quotient Theta = |second| / |first| is half of Newton's Lipschitz figure times the error of
-/// the prediction. A prediction is taken only if Theta is far below 1, that is, if it is an approximate zero of this
-/// path; that is what keeps a path from jumping to its neighbour. Step: what makes Theta its target (Theta grows with
-/// the fourth power of the step), and at most a part of the distance to the nearest pole of the path, |q_2| / |q_3|.
-/// Sources: Timme, Mixed precision path tracking for polynomial homotopy continuation; Telen, Van Barel, Verschelde,
-/// A robust numerical path tracking algorithm.
+/// Predictor: Taylor coefficients of the path from one factorisation of the Jacobian, and what the homotopy's predictor
+/// makes of them. Corrector: one Newton step and one simplified step with the same factorisation; the step control
+/// judges by their quotient whether the prediction is an approximate zero of this path, which keeps a path from jumping
+/// to its neighbour. Which predictor and which step control: tracking.hpp.
 ///
 /// Where it fails: at singular points of the path; t = 1 is left to the endgame.
 #pragma once
 
-#include <cmath>
 #include <type_traits>
+#include <utility>
 
 #include <equilibria/core/linear_solve.hpp>
 #include <equilibria/evaluation/point.hpp>
 #include <equilibria/homotopy/path_status.hpp>
 #include <equilibria/homotopy/tracker_options.hpp>
+#include <equilibria/homotopy/tracking.hpp>
 
 namespace equilibria {
 
@@ -38,8 +35,11 @@ public:
     static constexpr int n = n_unknowns<M>;
     using Factorization = std::conditional_t<Pivoted, PivotedFactorization<R, n>, SymmetricFactorization<R, n>>;
 
+    using Predictor = typename TrackingOf<H>::type::template Predictor<R, n>;
+    using StepControl = typename TrackingOf<H>::type::template StepControl<R, Predictor::local_order>;
+
     Stepper(const H& h, const TrackerOptions& options)
-        : options_(options), evaluation_(h), origin_(Time{}), direction_(Time{} + 1.0) {}
+        : control_(options), evaluation_(h), origin_(Time{}), direction_(Time{} + 1.0) {}
 
     /// The segment that tau in [0, 1] runs along.
     void set_segment(const Time& origin, const Time& direction) {
@@ -67,35 +67,27 @@ public:
         lu_.solve(f);
         rounding2_ = lane_min(16.0 * correction_size(q, f), noise2_);
         q = corrected<M, R>(q, f);
-        evaluation_.taylor_right_side(1, taylor_[0]);
-        for (Z& entry : taylor_[0]) entry = scaled(entry);
-        solve_order(1);
-        evaluation_.taylor_right_side(2, taylor_[1]);
-        for (Z& entry : taylor_[1]) entry = scaled(scaled(entry));
-        solve_order(2);
-        evaluation_.taylor_right_side(3, taylor_[2]);
-        for (Z& entry : taylor_[2]) entry = scaled(scaled(scaled(entry)));
-        lu_.solve(taylor_[2]);
-        find_pole(q);
+        [&]<int... k>(std::integer_sequence<int, k...>) {
+            (find_coefficient<k + 1>(), ...);
+        }(std::make_integer_sequence<int, Predictor::order>());
+        pole_ = Predictor::pole(taylor_);
     }
 
     /// A first step for a new path, from its Taylor coefficients.
-    R first_step() const { return lane_min(R{} + 0.1, options_.pole_fraction * pole_); }
+    R first_step() const { return control_.first(pole_); }
 
     /// Predicts and corrects from (q, tau), after `expand`, with a step of at most h.
     Outcome step(const Point<M, R>& q, const R& tau, const R& h_asked) {
         Outcome y;
-        // NaN in pole_ must not pass: the comparison is false for it and leaves a NaN step, which is refused below
-        const R limit = options_.pole_fraction * pole_;
+        // a NaN pole must not pass: the comparison is false for it and leaves a NaN step, which is refused below
+        const R limit = control_.longest(pole_);
         const R h = y.step = select(h_asked < limit, h_asked, limit);
+        Trial<R> trial{.step = h, .asked = h_asked, .turn2 = {}, .first2 = {}, .second2 = {}, .noise2 = noise2_};
         Z d[n];
-        R turn = broadcast<R>(0.0);
         for (int u = 0; u < n; ++u) {
-            d[u] = predicted(u, h);
-            if (u < n_angles<M>) turn = lane_max(turn, norm2(d[u]));
+            d[u] = Predictor::change(taylor_, u, h);
+            if (u < n_angles<M>) trial.turn2 = lane_max(trial.turn2, norm2(d[u]));
         }
-        const R largest = options_.largest_turn * options_.largest_turn + R{};
-        const Mask short_enough = turn < largest;
         y.q = moved<M, R>(q, d);
         Z f[n], j[n][n];
         evaluation_.jacobian(y.q, time(tau + h), f, j);
@@ -103,42 +95,24 @@ public:
         lu_.factor(j);
         for (Z& entry : f) entry = -entry;
         lu_.solve(f);
-        const R first = correction_size(y.q, f);
+        trial.first2 = correction_size(y.q, f);
         y.q = corrected<M, R>(y.q, f);
         evaluation_.value(y.q, time(tau + h), f);
         for (Z& entry : f) entry = -entry;
         lu_.solve(f);
         // what the third correction at the last point still changed is rounding: far out it would look like a bad step
-        const R second = lane_max(correction_size(y.q, f) - rounding2_, R{});
+        trial.second2 = lane_max(correction_size(y.q, f) - rounding2_, R{});
         y.q = corrected<M, R>(y.q, f);
-        // Theta^2; a first correction below the noise is no cause for concern, and its quotient may be rounding
-        const R theta2 = second / (first + noise2_);
-        const R most = options_.largest_contraction * options_.largest_contraction + R{};
-        const R largest_first = R{} + 1e-2;
-        y.accepted = both(both(short_enough, theta2 < most), first < largest_first);
-        // h (target / Theta)^(1/4), between a quarter and four times h
-        const R growth =
-            square_root(square_root(square_root((options_.contraction * options_.contraction) / (theta2 + 1e-30))));
-        R proposed = h * lane_min(lane_max(growth, R{} + 0.25), R{} + 4.0);
-        const R turn_limit = h * (0.8 * options_.largest_turn) / square_root(turn + 1e-30);
-        proposed = lane_min(proposed, lane_max(turn_limit, 0.25 * h));
-        y.next_step = select(y.accepted, proposed, select(proposed < 0.5 * h, proposed, 0.5 * h));
-        // a NaN proposal: shrink
-        y.next_step = select(y.next_step > R{} + 0.0, y.next_step, 0.25 * h_asked);
+        const Verdict<R> verdict = control_.judge(trial);
+        y.accepted = verdict.accepted;
+        y.next_step = verdict.next_step;
         return y;
     }
 
-    /// q_k of unknown u, k = 1, 2, 3.
+    /// q_k of unknown u, k from 1 to the order of the predictor.
     const Z& coefficient(int k, int u) const { return taylor_[k - 1][u]; }
 
 private:
-    static Mask both(const Mask& a, const Mask& b) {
-        if constexpr (is_pack<R>)
-            return a & b;
-        else
-            return a && b;
-    }
-
     Time time(const R& tau) const {
         if constexpr (std::is_same_v<Time, R>)
             return tau;
@@ -157,49 +131,33 @@ private:
             for (int r = 0; r < n; ++r)
                 for (int c = 0; c < r; ++c) j[r][c] = j[c][r];
     }
-    void solve_order(int k) {
-        lu_.solve(taylor_[k - 1]);
+    /// q_k, from those below; angles in radians, by tau.
+    template <int k>
+    void find_coefficient() {
+        Z(&q)[n] = taylor_[k - 1];
+        evaluation_.taylor_right_side(k, q);
+        for (Z& entry : q)
+            for (int m = 0; m < k; ++m) entry = scaled(entry);
+        lu_.solve(q);
+        if constexpr (k == Predictor::order) return;
         if constexpr (std::is_same_v<Time, R>) {
-            evaluation_.set_coefficient(k, taylor_[k - 1]);
+            evaluation_.set_coefficient(k, q);
         } else {  // the evaluation works in t
             Z d[n];
             const Z by = inverse(direction_);
             for (int u = 0; u < n; ++u) {
-                d[u] = taylor_[k - 1][u];
+                d[u] = q[u];
                 for (int m = 0; m < k; ++m) d[u] *= by;
             }
             evaluation_.set_coefficient(k, d);
         }
     }
 
-    /// The distance to the nearest pole: an unknown's series behaves like a geometric one, with quotient q_3 / q_2, and
-    /// sqrt(q_3 / q_1) where q_2 happens to vanish. An unknown that rests (a symmetric path) has none.
-    void find_pole(const Point<M, R>&) {
-        R nearest2 = broadcast<R>(1e20);
-        for (int u = 0; u < n; ++u) {
-            const R a1 = norm2(taylor_[0][u]), a2 = norm2(taylor_[1][u]), a3 = norm2(taylor_[2][u]);
-            const R by_ratio = (a2 + 1e-20) / (a3 + 1e-24);
-            const R by_root = square_root((a1 + 1e-20) / (a3 + 1e-24));
-            nearest2 = lane_min(nearest2, lane_max(by_ratio, 0.25 * by_root));
-        }
-        pole_ = square_root(nearest2);
-    }
-
-    /// Pade(2,1): q_1 h + q_2 h^2 / (1 - h q_3 / q_2), and the cubic where that is ill-conditioned.
-    Z predicted(int u, const R& h) const {
-        const Z &q1 = taylor_[0][u], &q2 = taylor_[1][u], &q3 = taylor_[2][u];
-        const Z step3 = h * q3;
-        const Z den = q2 - step3;
-        const Mask pade = norm2(step3) < 0.5 * norm2(q2);
-        const Z tail = select(pade, q2 * q2 / den, q2 + step3);
-        return h * (q1 + h * tail);
-    }
-
-    TrackerOptions options_;
+    StepControl control_;
     typename H::template Evaluation<R, Time> evaluation_;
     Factorization lu_;
     Time origin_, direction_;
-    Z taylor_[3][n];
+    Z taylor_[Predictor::order][n];
     R pole_;
     R noise2_ = R{} + 1e-14, rounding2_ = R{};
 };

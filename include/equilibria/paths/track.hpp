@@ -116,9 +116,7 @@ private:
                 [&](std::uint64_t k) { return start_->point(k); }, std::span(block));
             tracking += now() - started;
             polish(block);
-            std::uint64_t retracked = 0;
-            for (std::size_t k = 0; k < block.size(); ++k)
-                if (block[k].status == PathStatus::failed) retracked += finish(block[k], numbers[k]);
+            const std::uint64_t retracked = finish(block, first);
             working += now() - started;
             ends.put(which, block, retracked);
             report(last - first, ends.size());
@@ -171,23 +169,37 @@ private:
         flush();
     }
 
-    /// Decides a path that the lanes left open; returns whether it was tracked again from its start.
-    bool finish(Endpoint<M>& end, std::uint64_t k) const {
-        if (end.arrival == Arrival::endgame) {
-            Endgame<H>(*homotopy_, polisher_, options_).finish(end, 1 - end.t);
-            if (end.status != PathStatus::failed) return false;
-        }
+    /// Decides the paths of a block that the lanes left open; returns how many were tracked again from their start.
+    std::uint64_t finish(std::span<Endpoint<M>> block, std::size_t first) const {
+        std::vector<Endpoint<M>*> arrived;
+        for (Endpoint<M>& end : block)
+            if (end.status == PathStatus::failed && end.arrival == Arrival::endgame) arrived.push_back(&end);
+        Endgame<H>(*homotopy_, polisher_, options_).finish(arrived);
+        std::uint64_t retracked = 0;
         TrackerOptions careful = options_;
-        for (int round = 0; round < 2 && end.status == PathStatus::failed; ++round) {
+        for (int round = 0; round < 2; ++round) {
+            std::vector<std::uint64_t> failed;
+            for (std::size_t k = 0; k < block.size(); ++k)
+                if (block[k].status == PathStatus::failed) failed.push_back(k);
+            if (round == 0) retracked = failed.size();
+            if (failed.empty()) break;
             careful = careful.tightened();
-            track_again(end, k, careful);
+            std::vector<Endpoint<M>> ends = track_again(failed, first, careful);
+            for (std::size_t m = 0; m < failed.size(); ++m) {
+                ends[m].steps += block[failed[m]].steps;
+                block[failed[m]] = ends[m];
+            }
         }
-        return true;
+        return retracked;
     }
-    void track_again(Endpoint<M>& end, std::uint64_t k, const TrackerOptions& options) const {
-        const std::int32_t steps = end.steps;
-        end = Endgame<H>(*homotopy_, polisher_, options).from_start(start_->point(k));
-        end.steps += steps;
+    /// The paths of these numbers, `first` added, from their start.
+    std::vector<Endpoint<M>> track_again(std::span<const std::uint64_t> paths, std::uint64_t first,
+                                         const TrackerOptions& options) const {
+        std::vector<Point<M, double>> starts;
+        for (const std::uint64_t k : paths) starts.push_back(start_->point(first + k));
+        std::vector<Endpoint<M>> ends(paths.size());
+        Endgame<H>(*homotopy_, polisher_, options).from_starts(starts, ends);
+        return ends;
     }
 
     /// The failed paths, each once.
@@ -222,20 +234,24 @@ private:
             const auto groups = finder.groups(paths.size(), point, 1e-9);
             if (groups.empty()) return;
             careful = careful.tightened();
+            std::vector<std::uint64_t> crossed;
             for (const auto& group : groups)
-                for (const std::size_t k : group) {
-                    if (paths.rests(k)) continue;
-                    if (run_->cancelled()) {
-                        ends.unsettle(k);
+                for (const std::size_t k : group)
+                    if (paths.rests(k))
                         continue;
-                    }
-                    Endpoint<M> end = ends[k];
-                    const Point<M, double> before = end.q;
-                    track_again(end, k, careful);
-                    ++paths.effort.retracked;
-                    paths.effort.crossed += end.status != PathStatus::finite || !finder.same(before, end.q, 1e-9);
-                    ends.replace(k, end);
-                }
+                    else if (run_->cancelled())
+                        ends.unsettle(k);
+                    else
+                        crossed.push_back(k);
+            const std::vector<Endpoint<M>> again = track_again(crossed, 0, careful);
+            for (std::size_t m = 0; m < crossed.size(); ++m) {
+                const Endpoint<M> before = ends[crossed[m]];
+                Endpoint<M> end = again[m];
+                end.steps += before.steps;
+                ++paths.effort.retracked;
+                paths.effort.crossed += end.status != PathStatus::finite || !finder.same(before.q, end.q, 1e-9);
+                ends.replace(crossed[m], end);
+            }
             if (!ends.complete()) return;
         }
     }

@@ -125,7 +125,7 @@ private:
         header_sum_ = head_sum(head);
         put_number(&head[16], header_sum_);
         end_ = committed_ = data_at();
-        for (const std::uint64_t k : {0, 1}) {
+        for (const std::uint64_t k : {0u, 1u}) {
             const Mark m = mark(k, committed_, 0);
             std::copy(m.begin(), m.end(), head.begin() + static_cast<std::ptrdiff_t>(marks_at[k]));
         }

@@ -1,0 +1,37 @@
+/// \file
+/// What a homotopy is tracked by: a predictor (predictor.hpp) and a step control (step_control.hpp).
+#pragma once
+
+#include <equilibria/homotopy/predictor.hpp>
+#include <equilibria/homotopy/step_control.hpp>
+
+namespace equilibria {
+
+struct PadeTracking {
+    template <class R, int n>
+    using Predictor = PadePredictor<R, n>;
+    template <class R, int local_order>
+    using StepControl = ContractionControl<R, local_order>;
+};
+
+/// A homotopy that is tracked by something else: T, with a Predictor and a StepControl as PadeTracking has them, and a
+/// class derived from that may bring one of them alone.
+template <class T, class H>
+struct TrackedBy : H {
+    using Tracking = T;
+    explicit TrackedBy(const H& homotopy) : H(homotopy) {}
+};
+
+namespace detail {
+template <class H>
+struct TrackingOf {
+    using type = PadeTracking;
+};
+template <class H>
+requires requires { typename H::Tracking; }
+struct TrackingOf<H> {
+    using type = typename H::Tracking;
+};
+}  // namespace detail
+
+}  // namespace equilibria

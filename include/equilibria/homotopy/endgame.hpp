@@ -162,7 +162,7 @@ private:
         Endpoint<M>* end;
         At q;  ///< at t = 1 - r
         double r;
-        double noise = 0;             ///< Newton corrections up to this size may be rounding there
+        double noise = 1e-7;          ///< Newton corrections up to this size may be rounding there
         Array<double, n> nu, before;  ///< valuations there and at the last scale, -1 without one
         bool diverging = false;
         double excluded = 1;  ///< no finite solution has its branch point between this radius and r

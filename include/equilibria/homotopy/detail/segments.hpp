@@ -43,7 +43,7 @@ struct Segment {
     Point<M, R> q;           ///< at `from`, then where it was left
     Complex<R> from, to;     ///< t
     std::int32_t steps = 0;  ///< of the whole path
-    double noise = 0;        ///< Newton corrections up to this size may be rounding
+    double noise = 1e-7;     ///< Newton corrections up to this size may be rounding
     bool may_leave = false;  ///< it is done as soon as q is far away
     double reached = 0;      ///< the part of the way that was gone
     Progress progress = Progress::stuck;

@@ -60,6 +60,14 @@ struct ConstraintScale {
     double penalty = 1;     ///< rho
 };
 
+/// What is asked of an element at the frames of its nodes.
+struct ElementQuery {
+    const double* multipliers;  ///< its own, lambda
+    double p;
+    ConstraintScale scale;
+    Need need;
+};
+
 namespace detail {
 
 template <class E, class T>
@@ -180,8 +188,9 @@ void evaluate_energy(const E& element, const Frames<E, double>& at, double p, Ne
 
 /// Of constraints: the same of k lambda Phi + rho |Phi|^2 / 2, by nodes' unknowns and multipliers.
 template <class E>
-void evaluate_constraints(const E& element, const Frames<E, double>& at, const double* multipliers, double p,
-                          const ConstraintScale& scale, Need need, ElementValues& out) {
+void evaluate_constraints(const E& element, const Frames<E, double>& at, const ElementQuery& query,
+                          ElementValues& out) {
+    const auto& [multipliers, p, scale, need] = query;
     constexpr int own = node_unknowns_of<E>, m = E::n_constraints;
     if (need == Need::tangent) out.tangent.template bottomRightCorner<m, m>().setZero();
     for (int i = 0; i < own; ++i)
@@ -225,8 +234,8 @@ void add_chart_term(const auto& residual, Eigen::MatrixXd& tangent) {
 
 /// Residual, tangent or parameter derivative of an element, whichever functions it has.
 template <Element E>
-void evaluate(const E& element, const Frames<E, double>& at, const double* multipliers, double p,
-              const ConstraintScale& scale, Need need, ElementValues& out) {
+void evaluate(const E& element, const Frames<E, double>& at, const ElementQuery& query, ElementValues& out) {
+    [[maybe_unused]] const auto& [multipliers, p, scale, need] = query;
     [[maybe_unused]] constexpr int own = node_unknowns_of<E>;
     if constexpr (WithValues<E>) {
         element.evaluate(at, p, need, out);
@@ -248,7 +257,7 @@ void evaluate(const E& element, const Frames<E, double>& at, const double* multi
             if (need == Need::tangent && k == own - 1) add_chart_term<E>(r, out.tangent);
         }
     } else if constexpr (WithConstraints<E>) {
-        evaluate_constraints(element, at, multipliers, p, scale, need, out);
+        evaluate_constraints(element, at, query, out);
     } else {
         evaluate_energy(element, at, p, need, out);
     }
@@ -270,8 +279,8 @@ public:
     virtual int multipliers() const = 0;
     virtual bool conservative() const = 0;
     /// Of element e, whose nodes are taken from `frames`, all of the structure's.
-    virtual void evaluate(std::size_t e, const Frame<double>* frames, const double* multipliers, double p,
-                          const ConstraintScale& scale, Need need, ElementValues& out) const = 0;
+    virtual void evaluate(std::size_t e, const Frame<double>* frames, const ElementQuery& query,
+                          ElementValues& out) const = 0;
     int unknowns() const { return n_nodes() * n_components() + multipliers(); }
 };
 
@@ -295,11 +304,11 @@ public:
     const Component* components() const override { return E::components.data(); }
     int multipliers() const override { return multipliers_of<E>; }
     bool conservative() const override { return is_conservative<E>; }
-    void evaluate(std::size_t e, const Frame<double>* frames, const double* multipliers, double p,
-                  const ConstraintScale& scale, Need need, ElementValues& out) const override {
+    void evaluate(std::size_t e, const Frame<double>* frames, const ElementQuery& query,
+                  ElementValues& out) const override {
         detail::Frames<E, double> at;
         for (std::size_t k = 0; k < count; ++k) at[k] = frames[nodes_[e][k]];
-        detail::evaluate(elements_[e], at, multipliers, p, scale, need, out);
+        detail::evaluate(elements_[e], at, query, out);
     }
 
 private:

@@ -292,7 +292,7 @@ private:
                 const double* lambda =
                     m == 0 ? nullptr
                            : q.multipliers.data() + assembly.unknowns(e)[group.unknowns() - m] - (size_ - multipliers_);
-                group.evaluate(e, q.frames.data(), lambda, p, options_.scale, need, out);
+                group.evaluate(e, q.frames.data(), {lambda, p, options_.scale, need}, out);
             },
             [&](std::size_t e, const ElementValues& out) { add(assembly, e, out); });
     }

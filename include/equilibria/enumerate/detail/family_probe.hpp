@@ -172,8 +172,10 @@ private:
             Vector at = q;
             for (int r = 0; r < y.nullity; ++r)
                 for (int i = 0; i < n_; ++i) at[index(i)] += h * unit[index(r)] * rows[index(r)][index(i)];
+            Slices slices{q, rows, Vector(unit.begin(), unit.begin() + d), h};
+            for (auto& x : slices.offsets) x *= h;
             double residual = 0;
-            if (!solve_on_slices(at, q, rows, unit, d, h, residual)) return false;
+            if (!solve_on_slices(at, slices, residual)) return false;
             y.neighbour = at;
             y.residual = residual;
         }
@@ -182,8 +184,16 @@ private:
         return true;
     }
 
-    [[gnu::cold]] bool solve_on_slices(Vector& q, const Vector& centre, const std::vector<Vector>& rows,
-                                       const Vector& unit, int d, double h, double& residual) const {
+    /// The hyperplanes rows[r] . (q - centre) = offsets[r], as many as there are offsets, some `distance` away.
+    struct Slices {
+        const Vector& centre;
+        const std::vector<Vector>& rows;
+        Vector offsets;
+        double distance;
+    };
+    [[gnu::cold]] bool solve_on_slices(Vector& q, const Slices& slices, double& residual) const {
+        const auto& [centre, rows, offsets, h] = slices;
+        const int d = static_cast<int>(offsets.size());
         Vector f, j;
         for (int round = 0; round < 40; ++round) {
             system_(q, f, j);
@@ -197,7 +207,7 @@ private:
             for (int i = 0; i < n_; ++i) shift[index(i)] -= centre[index(i)];
             double off = 0;
             for (int r = 0; r < d; ++r) {
-                right.push_back(inner(rows[index(r)], shift) - h * unit[index(r)]);
+                right.push_back(inner(rows[index(r)], shift) - offsets[index(r)]);
                 off = std::max(off, std::abs(right.back()));
             }
             if (residual < negligible && off < 1e-9 * h) return largest(shift) < 4 * h;

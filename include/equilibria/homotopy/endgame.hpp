@@ -155,6 +155,8 @@ private:
     static constexpr double diverging_radius = exact ? 1e-14 : 2e-9, slowly_diverging_radius = exact ? 1e-18 : 1e-12;
     /// Where a pole that closed loops show is believed of a path that rounding stops.
     static constexpr double pole_radius = 1e-9;
+    /// How far polishing may move a point: beside a family Newton's method may go anywhere.
+    static constexpr double same_point = 1e-6;
     static constexpr double shortest_step = exact ? 1e-18 : 1e-9;
 
     /// A path on its way to t = 1.
@@ -285,10 +287,11 @@ private:
             end.steps = segments[k].steps;
             paths[k]->q = segments[k].q;
             if (segments[k].progress != Progress::arrived) continue;
-            Point<M, double> q;
-            copy_lane(segments[k].q, 0, q, 0);
+            Point<M, double> reached;
+            copy_lane(segments[k].q, 0, reached, 0);
+            Point<M, double> q = reached;
             polisher_->run(q, &end.evidence);
-            if (!(end.evidence.condition < regular_condition && end.evidence.correction < 1e-8)) continue;
+            if (!is_regular(end.evidence) || distance(q, reached) > same_point) continue;
             end.q = q;
             end.status = PathStatus::finite;
             end.reason = FailureReason::none;
@@ -400,14 +403,18 @@ private:
         return same && at_r.pole > 0 ? at_r.beyond * r : 1;
     }
 
+    static bool is_regular(const PolishedEvidence& evidence) {
+        return evidence.condition < regular_condition && evidence.correction < 1e-8;
+    }
     /// Decides at a settled estimate of the endpoint; false if the radius is still too large to tell.
     bool settle(Endpoint<M>& end, const At& mean, int winding) {
         Point<M, double> estimate;
         copy_lane(mean, 0, estimate, 0);
         Point<M, double> q = estimate;
         polisher_->run(q, &end.evidence);
-        if (end.evidence.condition < regular_condition && end.evidence.correction < 1e-8) {
-            if (winding > 1 || distance(q, estimate) > 1e-6) return false;  // a branch point near t = 1, not at it
+        if (is_regular(end.evidence)) {
+            if (winding > 1 || distance(q, estimate) > same_point)
+                return false;  // a branch point near t = 1, not at it
             end.q = q;
             end.status = PathStatus::finite;
             return true;

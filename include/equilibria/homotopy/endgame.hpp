@@ -155,8 +155,6 @@ private:
     static constexpr double diverging_radius = exact ? 1e-14 : 2e-9, slowly_diverging_radius = exact ? 1e-18 : 1e-12;
     /// Where a pole that closed loops show is believed of a path that rounding stops.
     static constexpr double pole_radius = 1e-9;
-    /// How far polishing may move a point: beside a family Newton's method may go anywhere.
-    static constexpr double same_point = 1e-6;
     static constexpr double shortest_step = exact ? 1e-18 : 1e-9;
 
     /// A path on its way to t = 1.
@@ -285,13 +283,14 @@ private:
         for (std::size_t k = 0; k < paths.size(); ++k) {
             Endpoint<M>& end = *paths[k]->end;
             end.steps = segments[k].steps;
-            paths[k]->q = segments[k].q;
             if (segments[k].progress != Progress::arrived) continue;
-            Point<M, double> reached;
-            copy_lane(segments[k].q, 0, reached, 0);
-            Point<M, double> q = reached;
+            Point<M, double> before, q;
+            copy_lane(paths[k]->q, 0, before, 0);
+            copy_lane(segments[k].q, 0, q, 0);
+            paths[k]->q = segments[k].q;
             polisher_->run(q, &end.evidence);
-            if (!is_regular(end.evidence) || distance(q, reached) > same_point) continue;
+            // beside a family Newton's method may go anywhere
+            if (!is_regular(end.evidence) || distance(q, before) > 1e-4) continue;
             end.q = q;
             end.status = PathStatus::finite;
             end.reason = FailureReason::none;
@@ -413,8 +412,7 @@ private:
         Point<M, double> q = estimate;
         polisher_->run(q, &end.evidence);
         if (is_regular(end.evidence)) {
-            if (winding > 1 || distance(q, estimate) > same_point)
-                return false;  // a branch point near t = 1, not at it
+            if (winding > 1 || distance(q, estimate) > 1e-6) return false;  // a branch point near t = 1, not at it
             end.q = q;
             end.status = PathStatus::finite;
             return true;

@@ -10,9 +10,8 @@
 /// fold the widest possible ones are only a constant factor wider.
 #pragma once
 
-#include <vector>
-
 #include <array>
+#include <vector>
 
 #include <equilibria/certify/krawczyk.hpp>
 
@@ -70,167 +69,206 @@ BallMatrix<R, N> times(const Ball<R> (&a)[N][N], const Complex<R> (&b)[N][N]) {
     return y;
 }
 
-}  // namespace detail
-
-/// The test at the points q, one a lane; see krawczyk for one system. The radii and the enclosures hold the roots of
-/// all parameters of the family, and E the Jacobians at all of them.
+/// The test of a family, step by step; see `krawczyk`.
 template <class M, class R, class S, int N>
-KrawczykResult<M, R> krawczyk(const BallFamily<M, S, N>& family, const Point<M, R>& q, bool real) {
+class FamilyTest {
+public:
+    FamilyTest(const BallFamily<M, S, N>& family, const Point<M, R>& q, bool real)
+        : family_(family), at_(family.center, q, real) {
+        for (int m = 0; m < N; ++m) width_[m] = broadcast<R>(family.half_width[m]);
+    }
+
+    KrawczykResult<M, R> run() {
+        precondition();
+        bound_middle();
+        follow_center();
+        R s[n], best[n]{};
+        for (int u = 0; u < n; ++u)
+            s[u] = rounded_up<R>(2.0 * fixed_[u] + 0.3 * along_[u] + rounding_unit<R> * (zero() + 1e-3));
+        out_.proved = R{} > zero() + 1.0;
+        for (int round = 0; round < 5; ++round) {
+            R second[n], e[n][n], reach[n];
+            bound_over(s, second, e);
+            const Mask holds = contracts(s, second, e, reach);
+            const Mask fresh = mask_and<Mask>(holds, mask_not(out_.proved));
+            out_.proved = mask_not(mask_and<Mask>(mask_not(out_.proved), mask_not(holds)));
+            for (int u = 0; u < n; ++u) {
+                best[u] = select(fresh, reach[u], best[u]);
+                out_.weight[u] = select(fresh, s[u], out_.weight[u]);
+                for (int k = 0; k < n; ++k) out_.contraction[u][k] = select(fresh, e[u][k], out_.contraction[u][k]);
+            }
+            if (all_lanes(out_.proved)) break;
+            for (int u = 0; u < n; ++u) s[u] = select(out_.proved, s[u], R(1.2 * reach[u]));
+        }
+        range(best, out_.radius);
+        enclose(at_.widened(out_.radius), out_);
+        return out_;
+    }
+
+private:
     using Mask = typename LaneTraits<R>::Mask;
-    using Matrix = detail::BallMatrix<R, n_unknowns<M>>;
-    constexpr int n = n_unknowns<M>;
-    const auto derivative = [&](int k) -> const BallSystem<M, S>& {
-        return family.derivative[static_cast<std::size_t>(k)];
-    };
-    const auto entry = [](Matrix& m, int r, int c) -> Ball<R>& {
+    static constexpr int n = n_unknowns<M>;
+    using Matrix = BallMatrix<R, n>;
+
+    static R zero() { return R{} + 0.0; }
+    static R unit() { return R{} + (n + 4) * rounding_unit<R>; }
+    static Ball<R>& entry(Matrix& m, int r, int c) {
         return m[static_cast<std::size_t>(r)][static_cast<std::size_t>(c)];
-    };
-    const R unit = R{} + (n + 4) * rounding_unit<R>, zero = R{} + 0.0;
-    R width[N];
-    for (int m = 0; m < N; ++m) width[m] = broadcast<R>(family.half_width[m]);
-
-    KrawczykResult<M, R> out;
-    const FactorBalls<M, R> at(family.center, q, real);
-    Ball<R> f[n], j[n][n], g[n][n];
-    ball_values(family.center, at, f);
-    ball_jacobian(family.center, at, j);
-    Complex<R> y[n][n];
-    for (int r = 0; r < n; ++r)
-        for (int c = 0; c < n; ++c) out.jacobian[r][c] = j[r][c].mid;
-    detail::approximate_inverse(out.jacobian, y);
-    detail::weak_directions(y, out.basis);
-    const auto& b = out.basis;
-    Matrix jb = detail::times(j, b);
-    Complex<R> middle[n][n];
-    for (int r = 0; r < n; ++r)
-        for (int c = 0; c < n; ++c) middle[r][c] = entry(jb, r, c).mid;
-    detail::approximate_inverse(middle, out.inverse);
-    R size_y[n][n], size_b[n][n];
-    for (int u = 0; u < n; ++u)
-        for (int k = 0; k < n; ++k) {
-            size_y[u][k] = rounded_up<R>(magnitude_bound(out.inverse[u][k]));
-            size_b[u][k] = rounded_up<R>(magnitude_bound(b[u][k]));
-        }
-    const auto bound = [&](const Ball<R>(&v)[n], R(&z)[n]) { detail::product_bound(out.inverse, size_y, v, z); };
-
-    // what does not depend on the radii: the values at the middle and |1 - Y J B| there
-    R part[n], fixed[n], fixed_e[n][n], along[n];
-    bound(f, fixed);
-    for (int c = 0; c < n; ++c) {
-        Ball<R> column[n];
-        for (int r = 0; r < n; ++r) column[r] = entry(jb, r, c);
-        // 1 - Y (J B), the 1 taken into the sum
-        for (int r = 0; r < n; ++r) {
-            Complex<R> sum(r == c ? 1.0 : 0.0);
-            R error = zero + (r == c ? static_cast<double>(n) : 0.0) * rounding_unit<R>;
-            for (int k = 0; k < n; ++k) {
-                sum -= out.inverse[r][k] * column[k].mid;
-                error = error + size_y[r][k] * (column[k].rad + unit * magnitude_bound(column[k].mid));
-            }
-            fixed_e[r][c] = rounded_up<R>(magnitude_bound(sum) + error * (1 + unit));
-        }
     }
-    // X, and the part of F that it does not cancel
-    Complex<R> x[n][N];
-    for (R& value : along) value = zero;
-    for (int m = 0; m < N; ++m) {
-        ball_values(derivative(m), at, f);
-        for (int u = 0; u < n; ++u) {
-            x[u][m] = Complex<R>(0.0);
-            for (int k = 0; k < n; ++k) x[u][m] -= out.inverse[u][k] * f[k].mid;
-            along[u] = rounded_up<R>(along[u] + magnitude_bound(x[u][m]) * width[m]);
-        }
+    const BallSystem<M, S>& derivative(int m) const { return family_.derivative[static_cast<std::size_t>(m)]; }
+    /// |Y v|
+    void bound(const Ball<R> (&v)[n], R (&z)[n]) const { product_bound(out_.inverse, size_y_, v, z); }
+
+    /// The basis B, J B and the inverse Y of its middle.
+    void precondition() {
+        Ball<R> j[n][n];
+        ball_jacobian(family_.center, at_, j);
+        Complex<R> y[n][n], middle[n][n];
         for (int r = 0; r < n; ++r)
-            for (int k = 0; k < n; ++k) f[r] += entry(jb, r, k) * Ball<R>(x[k][m]);
-        bound(f, part);
-        for (int u = 0; u < n; ++u) fixed[u] = rounded_up<R>(fixed[u] + width[m] * part[u]);
-    }
-
-    R s[n];
-    for (int u = 0; u < n; ++u)
-        s[u] = rounded_up<R>(2.0 * fixed[u] + 0.3 * along[u] + rounding_unit<R> * (zero + 1e-3));
-    const auto range = [&](const R(&rest)[n], R(&d)[n]) {
-        for (int u = 0; u < n; ++u) {
-            R sum = zero;
-            for (int k = 0; k < n; ++k) sum = sum + size_b[u][k] * (along[k] + rest[k]);
-            d[u] = rounded_up<R>(sum * (1 + unit));
-        }
-    };
-    out.proved = R{} > zero + 1.0;
-    R best[n]{};
-    for (int round = 0; round < 5; ++round) {
-        R d[n], e[n][n], second[n];
-        range(s, d);
-        const FactorBalls<M, R> wide = at.widened(d);
-        for (int u = 0; u < n; ++u) {
-            second[u] = zero;
-            for (int k = 0; k < n; ++k) e[u][k] = fixed_e[u][k];
-        }
-        const auto widen = [&](Matrix& slope, const R& by) {  // e += |Y slope| by
-            for (int c = 0; c < n; ++c) {
-                Ball<R> column[n];
-                for (int u = 0; u < n; ++u) column[u] = entry(slope, u, c);
-                bound(column, part);
-                for (int u = 0; u < n; ++u) e[u][c] = rounded_up<R>(e[u][c] + by * part[u]);
+            for (int c = 0; c < n; ++c) out_.jacobian[r][c] = j[r][c].mid;
+        approximate_inverse(out_.jacobian, y);
+        weak_directions(y, out_.basis);
+        jb_ = times(j, out_.basis);
+        for (int r = 0; r < n; ++r)
+            for (int c = 0; c < n; ++c) middle[r][c] = entry(jb_, r, c).mid;
+        approximate_inverse(middle, out_.inverse);
+        for (int u = 0; u < n; ++u)
+            for (int k = 0; k < n; ++k) {
+                size_y_[u][k] = rounded_up<R>(magnitude_bound(out_.inverse[u][k]));
+                size_b_[u][k] = rounded_up<R>(magnitude_bound(out_.basis[u][k]));
             }
-        };
+    }
+    /// What does not depend on the radii: the values at the middle and |1 - Y J B| there.
+    void bound_middle() {
+        Ball<R> f[n];
+        ball_values(family_.center, at_, f);
+        bound(f, fixed_);
+        for (int c = 0; c < n; ++c) {
+            Ball<R> column[n];
+            for (int r = 0; r < n; ++r) column[r] = entry(jb_, r, c);
+            // 1 - Y (J B), the 1 taken into the sum
+            for (int r = 0; r < n; ++r) {
+                Complex<R> sum(r == c ? 1.0 : 0.0);
+                R error = zero() + (r == c ? static_cast<double>(n) : 0.0) * rounding_unit<R>;
+                for (int k = 0; k < n; ++k) {
+                    sum -= out_.inverse[r][k] * column[k].mid;
+                    error = error + size_y_[r][k] * (column[k].rad + unit() * magnitude_bound(column[k].mid));
+                }
+                fixed_e_[r][c] = rounded_up<R>(magnitude_bound(sum) + error * (1 + unit()));
+            }
+        }
+    }
+    /// X, and the part of F that it does not cancel.
+    void follow_center() {
+        Ball<R> f[n];
+        R part[n];
+        for (R& value : along_) value = zero();
+        for (int m = 0; m < N; ++m) {
+            ball_values(derivative(m), at_, f);
+            for (int u = 0; u < n; ++u) {
+                x_[u][m] = Complex<R>(0.0);
+                for (int k = 0; k < n; ++k) x_[u][m] -= out_.inverse[u][k] * f[k].mid;
+                along_[u] = rounded_up<R>(along_[u] + magnitude_bound(x_[u][m]) * width_[m]);
+            }
+            for (int r = 0; r < n; ++r)
+                for (int k = 0; k < n; ++k) f[r] += entry(jb_, r, k) * Ball<R>(x_[k][m]);
+            bound(f, part);
+            for (int u = 0; u < n; ++u) fixed_[u] = rounded_up<R>(fixed_[u] + width_[m] * part[u]);
+        }
+    }
+    /// How far the unknowns move by `rest` in the basis, and with the centre.
+    void range(const R (&rest)[n], R (&d)[n]) const {
+        for (int u = 0; u < n; ++u) {
+            R sum = zero();
+            for (int k = 0; k < n; ++k) sum = sum + size_b_[u][k] * (along_[k] + rest[k]);
+            d[u] = rounded_up<R>(sum * (1 + unit()));
+        }
+    }
+    /// e += |Y slope| by
+    void widen(Matrix& slope, const R& by, R (&e)[n][n]) const {
+        R part[n];
+        for (int c = 0; c < n; ++c) {
+            Ball<R> column[n];
+            for (int u = 0; u < n; ++u) column[u] = entry(slope, u, c);
+            bound(column, part);
+            for (int u = 0; u < n; ++u) e[u][c] = rounded_up<R>(e[u][c] + by * part[u]);
+        }
+    }
+    /// Over the radii s: |1 - Y J B|, and the second derivative of F along the moving centre, half of which counts.
+    void bound_over(const R (&s)[n], R (&second)[n], R (&e)[n][n]) {
+        R d[n], part[n];
+        range(s, d);
+        const FactorBalls<M, R> wide = at_.widened(d);
+        for (int u = 0; u < n; ++u) {
+            second[u] = zero();
+            for (int k = 0; k < n; ++k) e[u][k] = fixed_e_[u][k];
+        }
         // the derivatives of J B along the basis, and along the moving centre
-        Ball<R> by_unknown[n][n][n];
-        for (int u = 0; u < n; ++u) ball_jacobian_derivative(family.all, wide, u, by_unknown[u]);
+        Ball<R> by_unknown[n][n][n], f[n], g[n][n];
+        for (int u = 0; u < n; ++u) ball_jacobian_derivative(family_.all, wide, u, by_unknown[u]);
         Matrix along_basis[n], along_center[N], own[N];
         for (int k = 0; k < n; ++k) {
             for (int r = 0; r < n; ++r)
                 for (int c = 0; c < n; ++c) {
                     g[r][c] = Ball<R>(Complex<R>(0.0));
-                    for (int u = 0; u < n; ++u) g[r][c] += by_unknown[u][r][c] * Ball<R>(b[u][k]);
+                    for (int u = 0; u < n; ++u) g[r][c] += by_unknown[u][r][c] * Ball<R>(out_.basis[u][k]);
                 }
-            along_basis[k] = detail::times(g, b);
-            widen(along_basis[k], s[k]);
+            along_basis[k] = times(g, out_.basis);
+            widen(along_basis[k], s[k], e);
         }
         for (int m = 0; m < N; ++m) {
             ball_jacobian(derivative(m), wide, g);
-            own[m] = along_center[m] = detail::times(g, b);
+            own[m] = along_center[m] = times(g, out_.basis);
             for (int k = 0; k < n; ++k)
                 for (int r = 0; r < n; ++r)
                     for (int c = 0; c < n; ++c)
-                        entry(along_center[m], r, c) += entry(along_basis[k], r, c) * Ball<R>(x[k][m]);
-            widen(along_center[m], width[m]);
+                        entry(along_center[m], r, c) += entry(along_basis[k], r, c) * Ball<R>(x_[k][m]);
+            widen(along_center[m], width_[m], e);
         }
-        // the second derivative of F along the moving centre, half of which counts
         for (int m = 0; m < N; ++m)
             for (int l = 0; l < N; ++l) {
                 for (int r = 0; r < n; ++r) {
                     f[r] = Ball<R>(Complex<R>(0.0));
                     for (int k = 0; k < n; ++k)
                         f[r] +=
-                            entry(own[m], r, k) * Ball<R>(x[k][l]) + entry(along_center[l], r, k) * Ball<R>(x[k][m]);
+                            entry(own[m], r, k) * Ball<R>(x_[k][l]) + entry(along_center[l], r, k) * Ball<R>(x_[k][m]);
                 }
                 bound(f, part);
                 for (int u = 0; u < n; ++u)
-                    second[u] = rounded_up<R>(second[u] + 0.5 * (width[m] * width[l]) * part[u]);
+                    second[u] = rounded_up<R>(second[u] + 0.5 * (width_[m] * width_[l]) * part[u]);
             }
-        Mask holds = R{} < zero + 1.0;
-        R reach[n];
+    }
+    /// Whether the polydisc of the radii s goes into itself, and how far it reaches.
+    Mask contracts(const R (&s)[n], const R (&second)[n], const R (&e)[n][n], R (&reach)[n]) const {
+        Mask holds = R{} < zero() + 1.0;
         for (int u = 0; u < n; ++u) {
-            R sum = zero;
+            R sum = zero();
             for (int k = 0; k < n; ++k) sum = sum + e[u][k] * s[k];
-            sum = rounded_up<R>(sum * (1 + unit));
-            reach[u] = rounded_up<R>(fixed[u] + second[u] + sum);
+            sum = rounded_up<R>(sum * (1 + unit()));
+            reach[u] = rounded_up<R>(fixed_[u] + second[u] + sum);
             holds = mask_and<Mask>(holds, mask_and<Mask>(reach[u] <= s[u], sum < s[u]));
         }
-        const Mask fresh = mask_and<Mask>(holds, mask_not(out.proved));
-        out.proved = mask_not(mask_and<Mask>(mask_not(out.proved), mask_not(holds)));
-        for (int u = 0; u < n; ++u) {
-            best[u] = select(fresh, reach[u], best[u]);
-            out.weight[u] = select(fresh, s[u], out.weight[u]);
-            for (int k = 0; k < n; ++k) out.contraction[u][k] = select(fresh, e[u][k], out.contraction[u][k]);
-        }
-        if (all_lanes(out.proved)) break;
-        for (int u = 0; u < n; ++u) s[u] = select(out.proved, s[u], R(1.2 * reach[u]));
+        return holds;
     }
-    range(best, out.radius);
-    detail::enclose(at.widened(out.radius), out);
-    return out;
+
+    const BallFamily<M, S, N>& family_;
+    FactorBalls<M, R> at_;
+    R width_[N];
+    KrawczykResult<M, R> out_;
+    Matrix jb_;
+    R size_y_[n][n], size_b_[n][n];  // |Y|, |B|
+    R fixed_[n], fixed_e_[n][n];     // what the values at the middle, and 1 - Y J B there, contribute
+    Complex<R> x_[n][N];             // X, how the centre moves with the parameters
+    R along_[n];                     // how far it does
+};
+
+}  // namespace detail
+
+/// The test at the points q, one a lane; see krawczyk for one system. The radii and the enclosures hold the roots of
+/// all parameters of the family, and E the Jacobians at all of them.
+template <class M, class R, class S, int N>
+KrawczykResult<M, R> krawczyk(const BallFamily<M, S, N>& family, const Point<M, R>& q, bool real) {
+    return detail::FamilyTest<M, R, S, N>(family, q, real).run();
 }
 
 }  // namespace equilibria

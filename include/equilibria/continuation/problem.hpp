@@ -248,6 +248,37 @@ struct DerivativeErrors {
     double second_parameter_derivative = 0;  ///< of d2g/dp2
 };
 
+namespace detail {
+
+/// The residual, the tangent and the parameter derivative: finite, and of sizes that fit.
+template <ContinuationProblem P>
+void require_shapes(const Eigen::VectorXd& g, const TangentMatrix<P>& k, const Eigen::VectorXd& g_p) {
+    require(g.allFinite(), "problem.residual", g.hasNaN() ? "NaN" : "infinite", "must be finite at the start");
+    require(k.rows() == g.size() && k.cols() == g.size(), "problem.tangent",
+            std::to_string(k.rows()) + " x " + std::to_string(k.cols()),
+            "must be square, of the residual's size " + std::to_string(g.size()));
+    require(g_p.size() == g.size(), "problem.parameter_derivative", std::to_string(g_p.size()),
+            "must have the residual's size " + std::to_string(g.size()));
+    require(g_p.allFinite(), "problem.parameter_derivative", "NaN or infinite", "must be finite at the start");
+}
+
+/// The gradients of the constraints, the rows of K of the multipliers.
+template <ContinuationProblem P>
+void require_independent_constraints(const P& problem, const TangentMatrix<P>& k, const Configuration<P>& q) {
+    const Eigen::Index m = problem.multipliers();
+    require(m >= 0 && m < k.rows(), "problem.multipliers", m,
+            "must be 0 to " + std::to_string(k.rows() - 1) + ", below the number of unknowns");
+    const ConstraintGradients constraints(k, static_cast<int>(m), weights(problem, q, k.rows()));
+    const std::size_t redundant =
+        constraints.count() <= 2000 ? constraints.redundant().size() : constraints.redundant_count();
+    require(redundant == 0, "problem.multipliers", m,
+            "must be the number of independent constraints: redundant ones, or a dead point, at the start, where "
+            "the rank is " +
+                std::to_string(static_cast<std::size_t>(m) - redundant));
+}
+
+}  // namespace detail
+
 /// Compares the derivatives of a problem with central differences along a fixed direction without zeros. Throws
 /// InvalidArgument that names the function where a value is not finite, a size does not fit, an error is above
 /// `tolerance` or constraints are redundant: their gradients, the rows of K of the multipliers, dependent at q.
@@ -257,14 +288,7 @@ DerivativeErrors check_derivatives(const P& problem, const Configuration<P>& q, 
     const Eigen::VectorXd g = problem.residual(q, p);
     const TangentMatrix<P> k = problem.tangent(q, p);
     const Eigen::VectorXd g_p = problem.parameter_derivative(q, p);
-    require(g.allFinite(), "problem.residual", g.hasNaN() ? "NaN" : "infinite", "must be finite at the start");
-    require(k.rows() == g.size() && k.cols() == g.size(), "problem.tangent",
-            std::to_string(k.rows()) + " x " + std::to_string(k.cols()),
-            "must be square, of the residual's size " + std::to_string(g.size()));
-    require(g_p.size() == g.size(), "problem.parameter_derivative", std::to_string(g_p.size()),
-            "must have the residual's size " + std::to_string(g.size()));
-    require(g_p.allFinite(), "problem.parameter_derivative", "NaN or infinite", "must be finite at the start");
-
+    detail::require_shapes<P>(g, k, g_p);
     const Eigen::VectorXd v = detail::generic_vector(g.size());
     const auto error = [](const Eigen::VectorXd& a, const Eigen::VectorXd& b, double least) {
         const double size = std::max({a.norm(), b.norm(), least});
@@ -325,18 +349,7 @@ DerivativeErrors check_derivatives(const P& problem, const Configuration<P>& q, 
           "must be the derivative of parameter_derivative along v");
     check("problem.second_parameter_derivative", y.second_parameter_derivative,
           "must be the derivative of parameter_derivative by p");
-    if constexpr (requires { problem.multipliers(); }) {
-        const Eigen::Index m = problem.multipliers();
-        require(m >= 0 && m < g.size(), "problem.multipliers", m,
-                "must be 0 to " + std::to_string(g.size() - 1) + ", below the number of unknowns");
-        const ConstraintGradients constraints(k, static_cast<int>(m), weights(problem, q, g.size()));
-        const std::size_t redundant =
-            constraints.count() <= 2000 ? constraints.redundant().size() : constraints.redundant_count();
-        require(redundant == 0, "problem.multipliers", m,
-                "must be the number of independent constraints: redundant ones, or a dead point, at the start, where "
-                "the rank is " +
-                    std::to_string(static_cast<std::size_t>(m) - redundant));
-    }
+    if constexpr (requires { problem.multipliers(); }) detail::require_independent_constraints(problem, k, q);
     return y;
 }
 

@@ -38,7 +38,7 @@ int main() {
 
     // the buckling loads are the cusps: stiffness 2 - sqrt 2, sqrt 2 (twice) and 2 + sqrt 2, at offset 0
     using Model = SpringLoadedDoublePendulum;
-    const auto locus = equilibria::trace_locus<Model, Model::offset, Model::stiffness>({1, 0}, {-0.5, 0.5, 0.5, 4});
+    const auto locus = equilibria::trace_locus<Model, Model::offset, Model::stiffness>({1, 0}, {{-0.5, 0.5}, {0.5, 4}});
     auto cusps = locus.of(equilibria::SingularityKind::cusp);
     std::sort(cusps.begin(), cusps.end(), [](const auto& a, const auto& b) { return a.y() < b.y(); });
     std::printf("%zu fold curves, %s\n", locus.curves.size(),

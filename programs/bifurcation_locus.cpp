@@ -114,12 +114,12 @@ void print(const Locus& locus, const Proof& proof) {
 }
 
 /// A window around a cusp that shows both branches of its fold curve, and no further than the nearest border is.
-equilibria::PlaneWindow around(const equilibria::Singularity<Chain>& cusp, const Locus& locus) {
+equilibria::Window around(const equilibria::Singularity<Chain>& cusp, const Locus& locus) {
     const auto& w = locus.window;
     const equilibria::PlanePoint c{cusp.x(), cusp.y()};
-    const double x_reach = std::min({0.011 * w.width(), c.x - w.x_low, w.x_high - c.x});
-    const double y_reach = std::min({0.055 * w.height(), c.y - w.y_low, w.y_high - c.y});
-    equilibria::PlaneWindow box{c.x, c.x, c.y, c.y};
+    const double x_reach = std::min({0.011 * w.width(), c.x - w.x.low, w.x.high - c.x});
+    const double y_reach = std::min({0.055 * w.height(), c.y - w.y.low, w.y.high - c.y});
+    equilibria::Window box{{c.x, c.x}, {c.y, c.y}};
     for (const auto& curve : locus.curves) {
         const auto at = std::find_if(curve.points.begin(), curve.points.end(),
                                      [&](const auto& p) { return p.x() == c.x && p.y() == c.y; });
@@ -128,16 +128,16 @@ equilibria::PlaneWindow around(const equilibria::Singularity<Chain>& cusp, const
             const equilibria::PlanePoint p{point.x(), point.y()};
             const bool near = std::abs(p.x - c.x) <= x_reach && std::abs(p.y - c.y) <= y_reach;
             if (near)
-                box = {std::min(box.x_low, p.x), std::max(box.x_high, p.x), std::min(box.y_low, p.y),
-                       std::max(box.y_high, p.y)};
+                box = {{std::min(box.x.low, p.x), std::max(box.x.high, p.x)},
+                       {std::min(box.y.low, p.y), std::max(box.y.high, p.y)}};
             return !near;
         };
         std::find_if(at, curve.points.end(), add);
         std::find_if(std::make_reverse_iterator(at), curve.points.rend(), add);
     }
     const double dx = 0.15 * box.width() + 1e-9 * w.width(), dy = 0.15 * box.height() + 1e-9 * w.height();
-    return {std::max(w.x_low, box.x_low - dx), std::min(w.x_high, box.x_high + dx), std::max(w.y_low, box.y_low - dy),
-            std::min(w.y_high, box.y_high + dy)};
+    return {{std::max(w.x.low, box.x.low - dx), std::min(w.x.high, box.x.high + dx)},
+            {std::max(w.y.low, box.y.low - dy), std::min(w.y.high, box.y.high + dy)}};
 }
 
 /// The tics of an axis from `low` to `high`: two to four round numbers, as powers of ten where they are small.
@@ -172,22 +172,21 @@ std::string place(const equilibria::PlanePoint& c) {
 
 /// Windows around cusps as arrays.
 void add_windows(equilibria::GnuplotData& data, const std::string& name,
-                 const std::vector<equilibria::PlaneWindow>& windows) {
-    const auto add = [&](const char* bound, double equilibria::PlaneWindow::* member) {
-        std::vector<double> values;
-        for (const auto& w : windows) values.push_back(w.*member);
-        data.values(name + bound, values);
+                 const std::vector<equilibria::Window>& windows) {
+    const auto add = [&](const std::string& axis, equilibria::Interval equilibria::Window::* member) {
+        std::vector<double> low, high;
+        for (const auto& w : windows) low.push_back((w.*member).low), high.push_back((w.*member).high);
+        data.values(name + axis + "_low", low);
+        data.values(name + axis + "_high", high);
     };
-    add("_x_low", &equilibria::PlaneWindow::x_low);
-    add("_x_high", &equilibria::PlaneWindow::x_high);
-    add("_y_low", &equilibria::PlaneWindow::y_low);
-    add("_y_high", &equilibria::PlaneWindow::y_high);
+    add("_x", &equilibria::Window::x);
+    add("_y", &equilibria::Window::y);
 }
 
 /// Insets around the first two cusps.
 void add_insets(equilibria::GnuplotData& data, const Locus& locus) {
     const auto& w = locus.window;
-    std::vector<equilibria::PlaneWindow> boxes, frames;
+    std::vector<equilibria::Window> boxes, frames;
     std::vector<std::string> titles, formats[2];
     std::vector<double> steps[2], zeros[2];
     const auto cusps = locus.of(SingularityKind::cusp);
@@ -196,12 +195,12 @@ void add_insets(equilibria::GnuplotData& data, const Locus& locus) {
         const auto box = around(cusps[k], locus);
         boxes.push_back(box);
         // large enough to be seen
-        frames.push_back({std::max(w.x_low, std::min(box.x_low, c.x - 0.013 * w.width())),
-                          std::min(w.x_high, std::max(box.x_high, c.x + 0.013 * w.width())),
-                          std::max(w.y_low, std::min(box.y_low, c.y - 0.013 * w.height())),
-                          std::min(w.y_high, std::max(box.y_high, c.y + 0.013 * w.height()))});
+        frames.push_back({{std::max(w.x.low, std::min(box.x.low, c.x - 0.013 * w.width())),
+                           std::min(w.x.high, std::max(box.x.high, c.x + 0.013 * w.width()))},
+                          {std::max(w.y.low, std::min(box.y.low, c.y - 0.013 * w.height())),
+                           std::min(w.y.high, std::max(box.y.high, c.y + 0.013 * w.height()))}});
         titles.push_back(place(c));
-        const Tics axes[] = {tics(box.x_low, box.x_high), tics(box.y_low, box.y_high)};
+        const Tics axes[] = {tics(box.x.low, box.x.high), tics(box.y.low, box.y.high)};
         for (std::size_t axis = 0; axis < 2; ++axis) {
             formats[axis].push_back(axes[axis].format);
             steps[axis].push_back(axes[axis].step);
@@ -246,7 +245,7 @@ std::array<Columns, 2> columns(const Locus& locus, double ratio) {
     for (const auto& r : locus.regions) found[r.point.x * ratio > 1 ? 0 : 1][r.count] = r.by_index;
     for (int i = 0; i < 12; ++i)
         for (int j = 0; j < 60; ++j) {
-            const double alpha = w.x_low + w.width() * (i + 0.5) / 12, omega = w.y_low + w.height() * (j + 0.5) / 60;
+            const double alpha = w.x.low + w.width() * (i + 0.5) / 12, omega = w.y.low + w.height() * (j + 0.5) / 60;
             const auto set = equilibria::enumerate<Chain>({alpha, ratio, omega});
             if (set.clean()) found[alpha * ratio > 1 ? 0 : 1][set.real()] = set.by_index();
         }
@@ -254,12 +253,12 @@ std::array<Columns, 2> columns(const Locus& locus, double ratio) {
 }
 
 /// Tables 3.3 in Markdown.
-std::string markdown(const std::array<Columns, 2>& found, const equilibria::PlaneWindow& w, double ratio) {
+std::string markdown(const std::array<Columns, 2>& found, const equilibria::Window& w, double ratio) {
     std::ostringstream out;
     out << "# The rotating chain of two links, l2/l1 = " << ratio
         << ": equilibria by index\n\nAs in Baillieul's Figure 3.3; each column is a number of equilibria that occurs "
            "in the window alpha "
-        << w.x_low << " to " << w.x_high << ", omega " << w.y_low << " to " << w.y_high << ".\n";
+        << w.x.low << " to " << w.x.high << ", omega " << w.y.low << " to " << w.y.high << ".\n";
     for (std::size_t t = 0; t < 2; ++t) {
         if (found[t].empty()) continue;
         out << "\n## Table 3.3("
@@ -295,7 +294,7 @@ int main(int argc, char** argv) {
     const Command c = read(argc, argv);
     try {
         const Locus locus = equilibria::trace_locus<Chain, Chain::alpha, Chain::omega>(
-            {0.5, c.ratio, 1}, {c.alpha.low, c.alpha.high, c.omega.low, c.omega.high}, c.run, c.options);
+            {0.5, c.ratio, 1}, {{c.alpha.low, c.alpha.high}, {c.omega.low, c.omega.high}}, c.run, c.options);
         Proof proof;
         if (c.prove) proof = equilibria::prove_locus<Chain, Chain::alpha, Chain::omega>(locus, c.run);
         if (c.pictures.asked()) c.pictures.draw({1000, 760}, plotted(locus, c.ratio), plots::bifurcation_locus);

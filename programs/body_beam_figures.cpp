@@ -16,7 +16,7 @@
 #include <equilibria/continuation/curves/critical_curve_trace.hpp>
 #include <equilibria/locus/line/model_problem.hpp>
 #include <equilibria/stability/inertia.hpp>
-#include <equilibria/studies/rotating_body_beam/body_beam_family.hpp>
+#include <equilibria/studies/rotating_body_beam/body_beam_either_strain.hpp>
 #include <equilibria/studies/rotating_body_beam/momentum_hessian.hpp>
 #include <equilibria/studies/rotating_body_beam/rotating_body_beam.hpp>
 #include <equilibria/studies/rotating_body_beam/rotating_body_beam_boundary.hpp>
@@ -189,10 +189,10 @@ std::vector<VectorXd> equilibria_at(const ContinuousBeam& beam, const Diagram& d
 /// The branches joined to a spin, or to an equilibrium that Newton's method finds from a beam bent in a plane.
 Diagram diagram_of(const ContinuousBeam& beam) {
     DiagramOptions options;
-    options.continuation.low = low;
-    options.continuation.high = high;
-    options.continuation.path.parameter_weight = 0.2;
-    options.continuation.path.largest_step = 0.1;
+    options.continuation.range.low = low;
+    options.continuation.range.high = high;
+    options.continuation.branch.parameter_weight = 0.2;
+    options.continuation.branch.largest_step = 0.1;
     Diagram y;
     const auto add = [&](const VectorXd& guess, double momentum) {
         const auto q = beam.solve(guess, momentum);
@@ -292,7 +292,7 @@ std::map<int, std::string> pieces(const ContinuousBeam& beam, const Diagram& dia
 /// The truncated beam's whirling branches.
 template <int K>
 std::string truncated_branches(BeamStrain strain) {
-    using M = mechanisms::BodyBeamFamily<K, BeamControl::momentum>;
+    using M = mechanisms::BodyBeamEitherStrain<K, BeamControl::momentum>;
     struct Problem : ModelProblem<M, M::momentum> {
         using ModelProblem<M, M::momentum>::ModelProblem;
         VectorXd parameter_derivative_along(const VectorXd& q, double, const VectorXd&) const {
@@ -306,8 +306,8 @@ std::string truncated_branches(BeamStrain strain) {
     p[M::second_axis] = 1;
     const Problem problem(p);
     ContinuationOptions options;
-    options.low = low;
-    options.high = high;
+    options.range.low = low;
+    options.range.high = high;
     std::ostringstream rows;
     for (const int plane : {1, 2}) {
         const double momentum = b[Names::inertia_3] * mechanisms::whirl_speeds<K>(p, plane)[0];
@@ -317,7 +317,7 @@ std::string truncated_branches(BeamStrain strain) {
             q(M::multiplier) = b[Names::inertia_3];
             return q;
         };
-        PathStepper<Problem> stepper(problem, options.path);
+        BranchStepper<Problem> stepper(problem, options.branch);
         const auto before = stepper.start(spin(momentum - 0.01), momentum - 0.01, 1);
         CriticalPointSolver<Problem> solver(problem);
         const auto point = solver.solve(spin(momentum), momentum);
@@ -325,7 +325,7 @@ std::string truncated_branches(BeamStrain strain) {
         const auto sides = switch_branch(stepper, *point, before->tangent, 0.05);
         if (sides.empty()) throw std::runtime_error("no whirling branch of the truncated beam");
         rows << momentum << ' ' << b[Names::inertia_3] << '\n';
-        for (const auto& at : Path(stepper, sides[0])) {
+        for (const auto& at : BranchPoints(stepper, sides[0])) {
             rows << at.p << ' ' << at.q(M::multiplier) << '\n';
             if (at.p > high || at.q(M::multiplier) > 4) break;
         }
@@ -373,9 +373,9 @@ Figure ratio_figure(const ContinuousBeam& beam, const Diagram& diagram) {
         }
     };
     ContinuationOptions options;
-    options.low = least;
-    options.high = most;
-    options.path.largest_step = 0.2;
+    options.range.low = least;
+    options.range.high = most;
+    options.branch.largest_step = 0.2;
     options.most_steps = 60;
     std::vector<double> done;
     const ContinuousBeam member = family(here);

@@ -37,8 +37,8 @@ struct Command {
     /// The options with a case's own range of the parameter, unless one is given.
     equilibria::ContinuationOptions within(double low, double high) const {
         auto y = options;
-        y.low = window ? window->low : low;
-        y.high = window ? window->high : high;
+        y.range.low = window ? window->low : low;
+        y.range.high = window ? window->high : high;
         return y;
     }
 };
@@ -85,7 +85,7 @@ Command read(int argc, char** argv) {
 
     if (c.name.empty()) support::fail("--case", "", cases);
     if (app.count("--parameter") > 0) c.window = window;
-    c.options.path.largest_step = 0.05;
+    c.options.branch.largest_step = 0.05;
     return c;
 }
 
@@ -144,7 +144,7 @@ template <class P>
 void trace_chain(const Command& c, const P& problem, double high) {
     const double critical = problem.buckling_load();
     auto options = c.within(-critical, high);
-    options.path.parameter_weight = 1 / critical;
+    options.branch.parameter_weight = 1 / critical;
     run<P>(c, problem,
            {.parameter = "P l / c",
             .names = {"angle of the last link", "root mean square of the angles"},

@@ -321,7 +321,7 @@ void print(const support::Tracing<S>& t, const Run& run) {
 template <class S>
 void follow(const Command& c, const S& structure, Setup setup) {
     if (c.steps) setup.options.most_steps = *c.steps;
-    if (c.window) setup.options.low = c.window->low, setup.options.high = c.window->high;
+    if (c.window) setup.options.range.low = c.window->low, setup.options.range.high = c.window->high;
     auto t = tracing_of<S>(setup);
     Run run = run_of(structure);
     if (!c.vtk.empty() || c.pictures.asked())
@@ -356,10 +356,10 @@ void follow_model(const Command& c) {
                 .options = {},
                 .amplitude = 0.02,
                 .both_ways = false};
-    setup.options.low = input.low;
-    setup.options.high = input.high;
-    setup.options.path.first_step = input.first_step.value_or(0.01);
-    setup.options.path.largest_step = input.largest_step.value_or(0.1);
+    setup.options.range.low = input.low;
+    setup.options.range.high = input.high;
+    setup.options.branch.first_step = input.first_step.value_or(0.01);
+    setup.options.branch.largest_step = input.largest_step.value_or(0.1);
     const auto run = [&](const auto& structure) {
         if (const auto loose = equilibria::fem::loose_motion(structure, structure.initial(), 0))
             throw std::runtime_error("the structure moves without a force: " + name_of(input, loose->node) + ", " +

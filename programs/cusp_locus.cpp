@@ -123,7 +123,7 @@ struct Shown {
 };
 Shown shown(const Locus& locus) {
     const auto& box = locus.box;
-    double low = box.z_high, high = box.z_low, slowest = box.y_high;
+    double low = box.z.high, high = box.z.low, slowest = box.y.high;
     Shown y{};
     for (const auto& curve : locus.curves) {
         for (const auto& p : curve.points)
@@ -137,10 +137,10 @@ Shown shown(const Locus& locus) {
     // of the range of the ratio the part that the curves take, and a third of that above and below
     y.any = low <= high;
     const double margin = y.any ? (high - low) / 3 : 0;
-    y.low = y.any ? std::max(box.z_low, low - margin) : box.z_low;
-    y.high = y.any ? std::min(box.z_high, high + margin) : box.z_high;
+    y.low = y.any ? std::max(box.z.low, low - margin) : box.z.low;
+    y.high = y.any ? std::min(box.z.high, high + margin) : box.z.high;
     // no pendulum leaves the vertical below omega = 1
-    y.omega_low = slowest >= 1 && box.y_low < 1 && box.y_high > 1 ? 1 : box.y_low;
+    y.omega_low = slowest >= 1 && box.y.low < 1 && box.y.high > 1 ? 1 : box.y.low;
     return y;
 }
 
@@ -206,9 +206,9 @@ equilibria::GnuplotData plotted(const Locus& locus) {
         if (plane.z < s.low || plane.z > s.high) not_shown << (not_shown.str().empty() ? "" : ", ") << plane.z;
     equilibria::GnuplotData data;
     data.value("low", s.low).value("high", s.high).string("not_shown", not_shown.str());
-    data.values("panel_left", {alpha_axis.scaled(box.x_low), omega_axis.scaled(s.omega_low)});
-    data.values("panel_right", {alpha_axis.scaled(box.x_high), omega_axis.scaled(box.y_high)});
-    data.strings("ticks", {ticks(alpha_axis, box.x_low, box.x_high), ticks(omega_axis, s.omega_low, box.y_high)});
+    data.values("panel_left", {alpha_axis.scaled(box.x.low), omega_axis.scaled(s.omega_low)});
+    data.values("panel_right", {alpha_axis.scaled(box.x.high), omega_axis.scaled(box.y.high)});
+    data.strings("ticks", {ticks(alpha_axis, box.x.low, box.x.high), ticks(omega_axis, s.omega_low, box.y.high)});
     data.integer("any", s.any).integer("at_window", s.at_window);
     data.integer("at_degenerate", s.at_degenerate).integer("at_other", s.at_other);
     add_labels(data, locus);
@@ -222,8 +222,8 @@ int main(int argc, char** argv) {
     const Command c = read(argc, argv);
     try {
         const Locus locus = equilibria::find_cusp_locus<Chain, Chain::alpha, Chain::omega, Chain::ratio>(
-            {0.5, 1.5, 1}, {c.alpha.low, c.alpha.high, c.omega.low, c.omega.high, c.ratio.low, c.ratio.high}, c.run,
-            c.options);
+            {0.5, 1.5, 1}, {{c.alpha.low, c.alpha.high}, {c.omega.low, c.omega.high}, {c.ratio.low, c.ratio.high}},
+            c.run, c.options);
         if (c.pictures.asked()) c.pictures.draw({1150, 620}, plotted(locus), plots::cusp_locus);
         if (c.json)
             c.json->write(

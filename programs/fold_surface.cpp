@@ -40,7 +40,7 @@ struct Command {
     std::optional<support::OutputFile> html, json;
     support::Pictures pictures;
 
-    PlaneWindow window() const { return {alpha.low, alpha.high, omega.low, omega.high}; }
+    Window window() const { return {{alpha.low, alpha.high}, {omega.low, omega.high}}; }
     bool quiet() const {
         return to_stdout(json) || to_stdout(html) || to_stdout(pictures.svg) || to_stdout(pictures.png);
     }
@@ -111,8 +111,8 @@ Command read(int argc, char** argv) {
 Json document(const Planes& planes, const std::optional<Surface>& surface) {
     const equilibria::AxisNames names{.x = "alpha", .y = "omega"};
     const auto& w = planes.window();
-    Json out{{names.x, equilibria::json_range(w.x_low, w.x_high)},
-             {names.y, equilibria::json_range(w.y_low, w.y_high)},
+    Json out{{names.x, equilibria::json_range(w.x.low, w.x.high)},
+             {names.y, equilibria::json_range(w.y.low, w.y.high)},
              {"planes", Json::array()}};
     for (const auto& [ratio, plane] : planes.all()) {
         Json cusps = Json::array();

@@ -119,7 +119,7 @@ void print_motions(const Study& s) {
 }
 
 void print_sweep(const equilibria::LineEvents<M>& sweep) {
-    std::printf("\nEquilibria as c2 grows from %g to %g N/m\n", sweep.low, sweep.high);
+    std::printf("\nEquilibria as c2 grows from %g to %g N/m\n", sweep.range.low, sweep.range.high);
     for (std::size_t k = 0; k < sweep.intervals.size(); ++k) {
         const auto& interval = sweep.intervals[k];
         std::printf("%18.12f to %18.12f: %llu equilibria, by index", interval.low, interval.high,
@@ -175,7 +175,7 @@ int main(int argc, char** argv) {
         const auto p = mechanism.parameters();
         Study result = study(mechanism.data(), p, options);
         if (app.count("--sweep-c2") > 0)
-            result.sweep = equilibria::find_events<M, M::stiffness_2>(p, c2.low, c2.high, options);
+            result.sweep = equilibria::find_events<M, M::stiffness_2>(p, {c2.low, c2.high}, options);
         if (json) json->write(equilibria::json_text(document(result)));
         if (!to_stdout(json)) print(result);
     } catch (const std::exception& error) {

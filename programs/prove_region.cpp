@@ -31,7 +31,7 @@ namespace {
 
 using Chain = equilibria::mechanisms::TwoLinkChain;
 using equilibria::Json;
-using equilibria::PlaneWindow;
+using equilibria::Window;
 using equilibria::ProvedCell;
 using equilibria::RegionProof;
 
@@ -45,7 +45,7 @@ struct Command {
     std::optional<support::OutputFile> json;
     support::Pictures pictures;
 
-    PlaneWindow window() const { return {alpha.low, alpha.high, omega.low, omega.high}; }
+    Window window() const { return {{alpha.low, alpha.high}, {omega.low, omega.high}}; }
 };
 
 Command read(int argc, char** argv) {
@@ -98,16 +98,16 @@ std::vector<ProvedCell> joined(std::vector<ProvedCell> cells) {
         cells = std::move(y);
     };
     for (int round = 0; round < 3; ++round) {
-        pass([](const ProvedCell& c) { return std::tuple(c.count, c.window.x_low, c.window.x_high, c.window.y_low); },
-             [](PlaneWindow& a, const PlaneWindow& b) {
-                 if (a.x_low != b.x_low || a.x_high != b.x_high || a.y_high != b.y_low) return false;
-                 a.y_high = b.y_high;
+        pass([](const ProvedCell& c) { return std::tuple(c.count, c.window.x.low, c.window.x.high, c.window.y.low); },
+             [](Window& a, const Window& b) {
+                 if (a.x.low != b.x.low || a.x.high != b.x.high || a.y.high != b.y.low) return false;
+                 a.y.high = b.y.high;
                  return true;
              });
-        pass([](const ProvedCell& c) { return std::tuple(c.count, c.window.y_low, c.window.y_high, c.window.x_low); },
-             [](PlaneWindow& a, const PlaneWindow& b) {
-                 if (a.y_low != b.y_low || a.y_high != b.y_high || a.x_high != b.x_low) return false;
-                 a.x_high = b.x_high;
+        pass([](const ProvedCell& c) { return std::tuple(c.count, c.window.y.low, c.window.y.high, c.window.x.low); },
+             [](Window& a, const Window& b) {
+                 if (a.y.low != b.y.low || a.y.high != b.y.high || a.x.high != b.x.low) return false;
+                 a.x.high = b.x.high;
                  return true;
              });
     }
@@ -121,8 +121,8 @@ equilibria::GnuplotData plotted(const RegionProof& proof, const equilibria::Locu
         const auto& w = cell.window;
         std::ostringstream row;
         row.precision(10);
-        row << 0.5 * (w.x_low + w.x_high) << ' ' << 0.5 * (w.y_low + w.y_high) << ' ' << w.x_low << ' ' << w.x_high
-            << ' ' << w.y_low << ' ' << w.y_high << '\n';
+        row << 0.5 * (w.x.low + w.x.high) << ' ' << 0.5 * (w.y.low + w.y.high) << ' ' << w.x.low << ' ' << w.x.high
+            << ' ' << w.y.low << ' ' << w.y.high << '\n';
         rows[cell.count] += row.str();
     }
     std::string counts, cells;

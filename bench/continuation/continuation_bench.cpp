@@ -17,8 +17,8 @@ namespace {
 void star_dome(benchmark::State& state) {
     const auto dome = support::star_dome(0.5, 1);
     ContinuationOptions options;
-    options.low = -1e-3;
-    options.high = 2e-3;
+    options.range.low = -1e-3;
+    options.range.high = 2e-3;
     std::size_t points = 0, events = 0;
     for (auto _ : state) {
         const auto branch = continue_branch(dome, dome.unloaded(), 0, 1, options);
@@ -32,11 +32,11 @@ void star_dome(benchmark::State& state) {
 /// The fold curve of the two-link chain, both ways from a fold at alpha = 0.33, with its cusp.
 void chain_fold_curve(benchmark::State& state) {
     using Chain = mechanisms::TwoLinkChain;
-    const ModelFamily<Chain, Chain::omega, Chain::alpha> family{{.33, 1.5, 2}};
+    const ModelProblems<Chain, Chain::omega, Chain::alpha> family{{.33, 1.5, 2}};
     ContinuationOptions options;
-    options.low = 0.01;
-    options.high = 0.55;
-    options.path.first_step = 1e-3;
+    options.range.low = 0.01;
+    options.range.high = 0.55;
+    options.branch.first_step = 1e-3;
     const auto member = family(0.33);
     CriticalPointSolver<ModelProblem<Chain, Chain::omega>> solver(member);
     const auto fold = solver.solve(VectorXd(Eigen::Vector2d(1.1, -1.04)), 2.06);
@@ -57,7 +57,7 @@ void spring_elastica(benchmark::State& state) {
     const support::SpringElastica chain{static_cast<int>(state.range(0))};
     const double critical = chain.buckling_load();
     ContinuationOptions options;
-    options.path.parameter_weight = 1 / critical;
+    options.branch.parameter_weight = 1 / critical;
     options.most_steps = 200;
     std::size_t points = 0;
     for (auto _ : state) {

@@ -56,14 +56,14 @@ double seconds(const auto& work) {
 
 void first_critical_point(benchmark::State& state) {
     const Structure shell = gridshell(static_cast<int>(state.range(0)), static_cast<unsigned>(state.range(1)));
-    PathOptions options;
+    BranchOptions options;
     options.first_step = 0.002;
     options.largest_step = 0.02;
     std::size_t points = 0;
     double critical = 0, total = 0;
     int kind = -1;
     for (auto _ : state) {
-        PathStepper<Structure> stepper(shell, options);
+        BranchStepper<Structure> stepper(shell, options);
         EventFinder<Structure> finder(stepper);
         auto at = stepper.start(shell.initial(), 0, 1);
         if (!at) return state.SkipWithError("no start");

@@ -22,7 +22,7 @@ using Mechanism = mechanisms::HolonomicMechanism;
 constexpr Parameters<Three> three_links{1, 1.1, 1.2, 1, 1.05, 1.2, 1, 1};
 
 template <Model M, int X, int Y>
-void plane(benchmark::State& state, const Parameters<M>& p, const PlaneWindow& window,
+void plane(benchmark::State& state, const Parameters<M>& p, const Window& window,
            MoreDigitsOf<CriticalSystem<M, X, Y>> digits = nullptr) {
     Locus<M> locus;
     for (auto _ : state) locus = trace_locus<M, X, Y>(p, window, {.executor = threads(0)}, {}, digits);
@@ -43,7 +43,7 @@ void plane(benchmark::State& state, const Parameters<M>& p, const PlaneWindow& w
 template <Model M, int X>
 void line(benchmark::State& state, const Parameters<M>& p, double low, double high) {
     LineEvents<M> found;
-    for (auto _ : state) found = find_events<M, X>(p, low, high, {.executor = threads(0)});
+    for (auto _ : state) found = find_events<M, X>(p, {low, high}, {.executor = threads(0)});
     state.counters["events"] = static_cast<double>(found.events.size());
     state.counters["complete"] = found.complete();
 }
@@ -55,7 +55,7 @@ void plane_two_links(benchmark::State& state) {
 }
 void plane_mechanism(benchmark::State& state) {
     plane<Mechanism, Mechanism::stiffness_2, Mechanism::force>(state, Mechanism::paper_parameters(0),
-                                                               {0, 600, -300, 300});
+                                                               {{0, 600}, {-300, 300}});
 }
 void plane_three_links(benchmark::State& state) {
     constexpr int mass_3 = Three::mass + 2;

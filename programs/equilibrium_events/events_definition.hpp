@@ -59,7 +59,7 @@ equilibria::Json chain_events(const Chain& chain, const Options& options) {
     p[Model::gravity] = chain.gravity;
     equilibria::RunOptions how{
         .seed = options.seed, .executor = equilibria::threads(options.threads), .progress = options.progress};
-    const auto found = equilibria::find_events<Model, Model::omega>(p, options.low, options.high, how);
+    const auto found = equilibria::find_events<Model, Model::omega>(p, {options.low, options.high}, how);
 
     auto out = equilibria::json_of(found, "omega");
     for (std::size_t k = 0; k < found.events.size(); ++k) {

@@ -19,7 +19,7 @@ using Chain = equilibria::mechanisms::TwoLinkChain;
 using Locus = equilibria::Locus<Chain>;
 using equilibria::CurveEnd;
 using equilibria::SingularityKind;
-using equilibria::PlaneWindow;
+using equilibria::Window;
 
 /// A degenerate equilibrium: a point of a plane, with its angles in radians.
 struct Vertex {
@@ -29,7 +29,7 @@ struct Vertex {
 
 /// With the window as the unit of length and the half turn as that of angles. The mirror image of `b` where mirror is
 /// -1.
-inline double distance(const Vertex& a, const Vertex& b, const PlaneWindow& window, double mirror = 1) {
+inline double distance(const Vertex& a, const Vertex& b, const Window& window, double mirror = 1) {
     const auto turn = [&](int i) { return equilibria::wrap(a.theta[i] - mirror * b.theta[i]) / std::numbers::pi; };
     return std::hypot(std::hypot((a.alpha - b.alpha) / window.width(), (a.omega - b.omega) / window.height()),
                       std::hypot(turn(0), turn(1)));
@@ -51,7 +51,7 @@ struct Piece {
 };
 
 /// `points`, of which there are at least two, as `count` at equal distances.
-inline std::vector<Vertex> resampled(const std::vector<Vertex>& points, int count, const PlaneWindow& window) {
+inline std::vector<Vertex> resampled(const std::vector<Vertex>& points, int count, const Window& window) {
     std::vector<double> length{0};
     for (std::size_t k = 1; k < points.size(); ++k)
         length.push_back(length.back() + distance(points[k - 1], points[k], window));

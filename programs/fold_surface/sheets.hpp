@@ -39,7 +39,7 @@ struct Plane {
 /// The planes by their ratios, each traced when it is first asked for.
 class Planes {
 public:
-    Planes(const PlaneWindow& window, const equilibria::RunOptions& run, const equilibria::LocusOptions& options)
+    Planes(const Window& window, const equilibria::RunOptions& run, const equilibria::LocusOptions& options)
         : window_(window), run_(run), options_(options) {}
 
     void trace(const std::vector<double>& ratios, const std::string& label) {
@@ -57,11 +57,11 @@ public:
         auto own = pieces(locus);
         return planes_.emplace(ratio, Plane{ratio, std::move(locus), std::move(own)}).first->second;
     }
-    const PlaneWindow& window() const { return window_; }
+    const Window& window() const { return window_; }
     const std::map<double, Plane>& all() const { return planes_; }
 
 private:
-    PlaneWindow window_;
+    Window window_;
     equilibria::RunOptions run_;
     equilibria::LocusOptions options_;
     std::map<double, Plane> planes_;
@@ -69,7 +69,7 @@ private:
 
 /// `b`, turned and, where it is closed, begun so that its points are next to those of `a`; and how far they are at
 /// most, which is infinite for pieces of different kinds or ends.
-inline std::pair<double, Piece> fitted(const Piece& a, const Piece& b, const PlaneWindow& window) {
+inline std::pair<double, Piece> fitted(const Piece& a, const Piece& b, const Window& window) {
     std::pair<double, Piece> best{std::numeric_limits<double>::infinity(), b};
     if (a.kind != b.kind) return best;
     for (const bool reversed : {false, true}) {
@@ -93,7 +93,7 @@ inline std::pair<double, Piece> fitted(const Piece& a, const Piece& b, const Pla
 /// For each of the pieces below the number of the one above that continues it, or -1. Two pieces belong together where
 /// they are near, and every other piece is at least twice as far from either.
 inline std::vector<int> matched(const std::vector<const Piece*>& below, const std::vector<Piece>& above,
-                                const PlaneWindow& window) {
+                                const Window& window) {
     constexpr double largest = 0.25;
     std::vector<std::vector<double>> far(below.size());
     for (std::size_t i = 0; i < below.size(); ++i)
@@ -115,7 +115,7 @@ inline std::vector<const Piece*> pointers(const std::vector<Piece>& pieces) {
     return all;
 }
 
-inline bool all_matched(const Plane& a, const Plane& b, const PlaneWindow& window) {
+inline bool all_matched(const Plane& a, const Plane& b, const Window& window) {
     const auto found = matched(pointers(a.pieces), b.pieces, window);
     return a.pieces.size() == b.pieces.size() && std::find(found.begin(), found.end(), -1) == found.end();
 }

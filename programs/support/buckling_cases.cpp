@@ -91,9 +91,9 @@ BucklingCase make(Model model, const CaseData& data, int tip, const char* parame
     BucklingCase y{.structure = Structure(std::move(model), {.executor = equilibria::threads(data.threads)}),
                    .tip = tip,
                    .parameter = parameter,
-                   .options = {.low = low, .high = high, .most_steps = 2000}};
-    y.options.path.first_step = first_step;
-    y.options.path.largest_step = 0.1;
+                   .options = {.range = {low, high}, .most_steps = 2000}};
+    y.options.branch.first_step = first_step;
+    y.options.branch.largest_step = 0.1;
     return y;
 }
 
@@ -140,7 +140,7 @@ BucklingCase euler_column(const CaseData& data) {
     // the first three critical loads of the chosen ends
     const double most = cantilever ? 25 : clamped ? 90 : 45;
     BucklingCase y = make(std::move(model), data, watched, "P L^2 / EI", -1, most, 0.05);
-    y.options.path.parameter_weight = 0.1;
+    y.options.branch.parameter_weight = 0.1;
     if (cantilever)
         for (const double degrees : {20, 60, 120})
             y.points.push_back(
@@ -250,7 +250,7 @@ BucklingCase williams_toggle(const CaseData& data) {
     model.fix(b, planar);
     model.load(apex, {0, -1, 0});
     BucklingCase y = make(std::move(model), data, apex, "P", -5, 80, 0.001);
-    y.options.path.largest_step = 0.01;
+    y.options.branch.largest_step = 0.01;
     return y;
 }
 
@@ -289,7 +289,7 @@ BucklingCase star_dome(const CaseData& data) {
     model.load(apex, {0, 0, all ? -0.5 * ea : -ea});
     for (int k = 1; all && k < 7; ++k) model.load(k, {0, 0, -ea});
     BucklingCase y = make(std::move(model), data, apex, "P / EA", -1e-3, all ? 2e-3 : 1e-3, 0.001);
-    y.options.path.largest_step = 0.005;
+    y.options.branch.largest_step = 0.005;
     y.amplitude = 0.003;
     return y;
 }
@@ -323,7 +323,7 @@ BucklingCase pressed_ring(const CaseData& data) {
         }
     }
     BucklingCase y = make(std::move(model), data, nodes.front(), "q R^3 / EI", -0.5, 10, 0.05);
-    y.options.path.parameter_weight = 0.2;
+    y.options.branch.parameter_weight = 0.2;
     return y;
 }
 
@@ -342,7 +342,7 @@ BucklingCase twisted_rod(const CaseData& data) {
     const double k = y.structure.scale().multiplier;
     const int drive = y.structure.multipliers() - 3;
     y.value = [=](const StructureState& q, double) { return -k * q.multipliers(drive) / ei; };
-    y.options.path.largest_step = 0.2;
+    y.options.branch.largest_step = 0.2;
     return y;
 }
 
@@ -379,7 +379,7 @@ BucklingCase rigid_link_chain(const CaseData& data) {
     model.share_rotation(joint, before);
     model.load(joint, {0, -1, 0});
     BucklingCase y = make(std::move(model), data, joint, "P l / c", -0.5, 4.5, 0.05);
-    y.options.path.parameter_weight = 1;
+    y.options.branch.parameter_weight = 1;
     return y;
 }
 

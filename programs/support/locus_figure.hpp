@@ -28,8 +28,8 @@ void add_locus(equilibria::GnuplotData& data, const equilibria::Locus<M>& locus,
 }
 
 /// The window as x_low, x_high, y_low, y_high.
-inline void add_window(equilibria::GnuplotData& data, const equilibria::PlaneWindow& w) {
-    data.value("x_low", w.x_low).value("x_high", w.x_high).value("y_low", w.y_low).value("y_high", w.y_high);
+inline void add_window(equilibria::GnuplotData& data, const equilibria::Window& w) {
+    data.value("x_low", w.x.low).value("x_high", w.x.high).value("y_low", w.y.low).value("y_high", w.y.high);
 }
 
 /// Whether a curve passes within these parts of the window of the place of a number.

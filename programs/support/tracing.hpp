@@ -61,7 +61,7 @@ template <equilibria::ContinuationProblem P>
 class Tracer {
 public:
     Tracer(Tracing<P>& out, const P& problem, const TracingStart<P>& start)
-        : out_(out), start_(start), stepper_(problem, start.options.path) {}
+        : out_(out), start_(start), stepper_(problem, start.options.branch) {}
 
     void run(int direction) {
         const auto first = stepper_.start(start_.q, 0, direction);
@@ -111,7 +111,7 @@ private:
 
     Tracing<P>& out_;
     const TracingStart<P>& start_;
-    equilibria::PathStepper<P> stepper_;
+    equilibria::BranchStepper<P> stepper_;
     std::vector<equilibria::Branch<P>> branches_;
 };
 

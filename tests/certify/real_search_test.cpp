@@ -18,13 +18,13 @@ constexpr double pi = std::numbers::pi;
 
 /// A family in one parameter.
 template <class M>
-BallFamily<M, double, 1> family(const Parameters<M>& p, int varied, double low, double high) {
-    return BallFamily<M, double, 1>(ExactFamily<M, 1>(p, {{varied}}, {{low}}, {{high}}));
+BallSystems<M, double, 1> family(const Parameters<M>& p, int varied, double low, double high) {
+    return BallSystems<M, double, 1>(ExactSystems<M, 1>(p, {{varied}}, {{low}}, {{high}}));
 }
 
 /// The boxes of roots near the given angles, each of which must be proved for the whole family.
 template <class M>
-std::vector<AngleBox<n_angles<M>>> proved_boxes(const BallFamily<M, double, 1>& family,
+std::vector<AngleBox<n_angles<M>>> proved_boxes(const BallSystems<M, double, 1>& family,
                                                 const std::vector<Array<double, n_angles<M>>>& roots) {
     std::vector<AngleBox<n_angles<M>>> boxes;
     for (const auto& root : roots) {
@@ -42,7 +42,7 @@ std::vector<AngleBox<n_angles<M>>> proved_boxes(const BallFamily<M, double, 1>& 
 
 /// Complete with all boxes, and not with any one of them left out.
 template <class M>
-void check_exactly(const BallFamily<M, double, 1>& family, const std::vector<AngleBox<n_angles<M>>>& boxes) {
+void check_exactly(const BallSystems<M, double, 1>& family, const std::vector<AngleBox<n_angles<M>>>& boxes) {
     CHECK(search_real_roots<M>(family, boxes, 20000).complete);
     for (std::size_t k = 0; k < boxes.size(); ++k) {
         auto fewer = boxes;

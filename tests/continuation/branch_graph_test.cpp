@@ -15,8 +15,8 @@ struct MirroredArch : ShallowArch {
 
 DiagramOptions window(double low, double high) {
     DiagramOptions options;
-    options.continuation.low = low;
-    options.continuation.high = high;
+    options.continuation.range.low = low;
+    options.continuation.range.high = high;
     return options;
 }
 
@@ -33,7 +33,7 @@ int crossings(const BranchGraph<P>& graph, double p) {
 /// The equilibria of a problem in two unknowns at p, from a grid of guesses.
 template <class P>
 int equilibria_on_grid(const P& problem, double p) {
-    PathStepper<P> stepper(problem, {});
+    BranchStepper<P> stepper(problem, {});
     std::vector<VectorXd> found;
     for (double x = -4; x <= 4; x += 0.25)
         for (double y = -3; y <= 3; y += 0.25) {
@@ -99,7 +99,7 @@ TEST_CASE("deflation finds the branch that an imperfection cut off") {
 
 TEST_CASE("deflated Newton finds the other equilibria from two guesses, and none twice") {
     const ShallowArch arch{2.5};
-    PathStepper<ShallowArch> stepper(arch, {});
+    BranchStepper<ShallowArch> stepper(arch, {});
     const auto first = stepper.start(Eigen::Vector2d(2.5, 0), 3.0, 1);
     REQUIRE(first);
     const auto found = deflated_search(

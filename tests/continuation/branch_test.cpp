@@ -31,8 +31,8 @@ void check_events(const Branch<P>& branch, const std::vector<Expected>& expected
 
 ContinuationOptions window(double low, double high, int steps = 1000) {
     ContinuationOptions options;
-    options.low = low;
-    options.high = high;
+    options.range.low = low;
+    options.range.high = high;
     options.most_steps = steps;
     return options;
 }
@@ -51,7 +51,7 @@ TEST_CASE("shallow arch: folds, pitchforks and the closed side branch") {
     // q = l + 3 A1 and A1^2 + 4 A2^2 = l^2 - 4: q'' along A2 is -12 / A1
     CHECK(branch.events[0].point.curvature == Approx(-12 / 1.5).epsilon(1e-6));
 
-    PathStepper<ShallowArch> stepper(arch, {});
+    BranchStepper<ShallowArch> stepper(arch, {});
     REQUIRE(stepper.start(Eigen::Vector2d(2.5, 0), 0, 1));
     const auto& event = branch.events[0];
     const auto starts = switch_branch(stepper, event.point, branch.points[event.step].tangent, 0.05);
@@ -94,7 +94,7 @@ TEST_CASE("von Mises truss: limit load, bifurcation, and its side branch, a circ
                           {CriticalKind::fold, limit, 1, 1, 2},
                           {CriticalKind::fold, -limit, 1, 2, 1},
                           {CriticalKind::pitchfork, -bifurcation, 1, 1, 0}});
-    PathStepper<Truss> stepper(truss, {});
+    BranchStepper<Truss> stepper(truss, {});
     REQUIRE(stepper.start(truss.unloaded(), 0, 1));
     const auto starts =
         switch_branch(stepper, branch.events[0].point, branch.points[branch.events[0].step].tangent, 0.05);
@@ -122,7 +122,7 @@ TEST_CASE("star dome: the simple bifurcation, both double ones, the fold, and tw
                  {{CriticalKind::fold, 3.15579970840e-4, 1, 0, 1}, {CriticalKind::fold, -2.76052681472e-4, 1, 1, 0}});
 
     // six-fold symmetry: 3 and 3 half branches from the first double point, 6 and 6 from the second, alike in each set
-    PathStepper<Truss> stepper(dome, {});
+    BranchStepper<Truss> stepper(dome, {});
     REQUIRE(stepper.start(dome.unloaded(), 0, 1));
     for (const auto& [event, halves] : {std::pair{1, 6}, std::pair{2, 12}}) {
         const auto& e = branch.events[static_cast<std::size_t>(event)];
@@ -138,8 +138,8 @@ TEST_CASE("any constraint and predictor gives the same critical points") {
         for (const auto predictor : {Predictor::tangent, Predictor::secant, Predictor::quadratic}) {
             CAPTURE(static_cast<int>(constraint), static_cast<int>(predictor));
             auto options = window(-10, 10);
-            options.path.constraint = constraint;
-            options.path.predictor = predictor;
+            options.branch.constraint = constraint;
+            options.branch.predictor = predictor;
             const auto branch = continue_branch(arch, VectorXd(Eigen::Vector2d(2.5, 0)), 0, 1, options);
             CHECK(branch.unexplained.empty());
             REQUIRE(branch.events.size() == 4);
@@ -152,7 +152,7 @@ TEST_CASE("sparse: a chain of links buckles and is followed onto its side branch
         const SpringElastica chain{links};
         const double critical = chain.buckling_load();
         auto options = window(-1, 1.5 * critical);
-        options.path.parameter_weight = 1 / critical;  // straight, the load moves nothing: it has no scale of its own
+        options.branch.parameter_weight = 1 / critical;  // straight, the load moves nothing: it has no scale of its own
         const auto branch = continue_branch(chain, VectorXd(VectorXd::Zero(links)), 0, 1, options);
         REQUIRE(!branch.events.empty());
         const auto& event = branch.events[0];
@@ -160,7 +160,7 @@ TEST_CASE("sparse: a chain of links buckles and is followed onto its side branch
         CHECK(event.point.p == Approx(critical).epsilon(1e-9));
         // a buckled chain carries more than the critical load
         CHECK(event.point.curvature > 0);
-        PathStepper<SpringElastica> stepper(chain, options.path);
+        BranchStepper<SpringElastica> stepper(chain, options.branch);
         REQUIRE(stepper.start(VectorXd::Zero(links), 0, 1));
         const auto starts = switch_branch(stepper, event.point, branch.points[event.step].tangent, 0.1);
         REQUIRE(starts.size() == 2);

@@ -56,8 +56,8 @@ TEST_CASE("a dead point of a four-bar mechanism is named, and passed") {
     VectorXd start = VectorXd::Zero(5);
     start(0) = start(2) = -0.6;
     ContinuationOptions options;
-    options.low = -2;
-    options.high = 1;
+    options.range.low = -2;
+    options.range.high = 1;
     const auto branch = continue_branch(bar, start, -1.1, 1, options);
     CHECK(branch.end == BranchEnd::window);
     CHECK(branch.unexplained.empty());

@@ -51,7 +51,7 @@ struct Crossing {
 
 template <class P>
 CriticalPoint<P> first_of(const P& problem, const VectorXd& q, CriticalKind kind) {
-    const auto branch = continue_branch(problem, q, 0, 1, {.low = -10, .high = 10});
+    const auto branch = continue_branch(problem, q, 0, 1, {.range = {-10, 10}});
     for (const auto& event : branch.events)
         if (event.point.kind == kind) return event.point;
     FAIL("no such point");
@@ -62,8 +62,8 @@ double fold_offset(double l) { return 2 * std::pow(l * l - 1, 1.5) / (3 * std::s
 
 ContinuationOptions between(double low, double high) {
     ContinuationOptions options;
-    options.low = low;
-    options.high = high;
+    options.range.low = low;
+    options.range.high = high;
     return options;
 }
 
@@ -149,7 +149,7 @@ TEST_CASE("knock-down curve of the shallow arch follows the two-thirds power law
     const auto pitchfork = first_of(arch, Eigen::Vector2d(3, 0), CriticalKind::pitchfork);
     REQUIRE(pitchfork.curvature < 0);
     auto options = between(-0.5, 0.5);
-    options.path.first_step = 1e-3;
+    options.branch.first_step = 1e-3;
     const auto halves = knock_down_curves(arch, pitchfork, options);
     REQUIRE(halves.size() == 2);
     CHECK(halves[0].points.back().p * halves[1].points.back().p < 0);

@@ -110,8 +110,8 @@ TEST_CASE("200 random problems with planted folds, pitchforks, trans-critical po
         const auto planted = problem.planted();
         const VectorXd start = problem.on_branch(-2);
         ContinuationOptions options;
-        options.low = -3;
-        options.high = 2.0 / 3;  // p at y_0 = 2
+        options.range.low = -3;
+        options.range.high = 2.0 / 3;  // p at y_0 = 2
         options.most_steps = 200;
         const auto branch = continue_branch(problem, start, -2.0 / 3, 1, options);
         std::vector<double> found;
@@ -169,9 +169,9 @@ struct Opposite {
 
 TEST_CASE("two eigenvalues that cross 0 in opposite directions in one step, hidden behind a third") {
     ContinuationOptions options;
-    options.low = 0;
-    options.high = 3;
-    options.path.largest_step = 0.5;
+    options.range.low = 0;
+    options.range.high = 3;
+    options.branch.largest_step = 0.5;
     const auto branch = continue_branch(Opposite{}, VectorXd(Eigen::Vector4d(1, 0, 0, 0)), 0.5, 1, options);
     CHECK(branch.end == BranchEnd::window);
     CHECK(branch.unexplained.empty());

@@ -9,8 +9,8 @@ using namespace support;
 TEST_CASE("zeros of a user's scalar are located on the branch, its jumps are reported") {
     const ShallowArch arch{1.9};
     ContinuationOptions options;
-    options.low = -10;
-    options.high = 10;
+    options.range.low = -10;
+    options.range.high = 10;
     const std::vector<EventFunction<ShallowArch>> functions{
         {"height", [](const BranchPoint<ShallowArch>& at) { return at.q(0) - 1.2345; }},
         {"jump", [](const BranchPoint<ShallowArch>& at) { return at.q(0) > 0.5 ? 1.0 : -1.0; }},

@@ -26,7 +26,7 @@ struct Traced {
 
 Traced trace(const BucklingCase& c, bool sides = false, int most_steps = 400) {
     Traced y;
-    PathStepper<Structure> stepper(c.structure, c.options.path);
+    BranchStepper<Structure> stepper(c.structure, c.options.branch);
     std::vector<EventFunction<Structure>> functions;
     for (const auto& point : c.points)
         functions.push_back(

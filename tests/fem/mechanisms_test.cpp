@@ -131,8 +131,8 @@ TEST_CASE("A drive turns a mechanism through many turns") {
     mechanism.model.add(PointSpring<2>{{1, 0, 0}, {2, 0, 0}}, {mechanism.slider});
     const int slider = mechanism.slider;
     const Structure structure(std::move(mechanism.model));
-    const PathOptions path{.first_step = 0.02, .largest_step = 0.5, .parameter_weight = 1};
-    const auto branch = states::loaded(structure, -0.1, 8 * std::numbers::pi, path);
+    const BranchOptions options{.first_step = 0.02, .largest_step = 0.5, .parameter_weight = 1};
+    const auto branch = states::loaded(structure, -0.1, 8 * std::numbers::pi, options);
     CHECK(branch.events.empty());
     for (const auto& at : branch.points) {
         const double x = at.q.frames[static_cast<std::size_t>(slider)].x(0);

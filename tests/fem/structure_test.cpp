@@ -179,7 +179,7 @@ TEST_CASE("Nodes of one body share its rotation") {
     const Structure structure(std::move(model));
     CHECK(structure.unknown(b, rx) == structure.unknown(a, rx));
     CHECK_NOTHROW(check_derivatives(structure, structure.initial(), 0.0));
-    PathStepper<Structure> stepper(structure, {});
+    BranchStepper<Structure> stepper(structure, {});
     const auto at = stepper.start(structure.initial(), 1.5, 1);
     REQUIRE(at);
     CHECK(at->stable() == true);

@@ -28,8 +28,8 @@ BranchMeasures<ShallowArch> measures() {
 TEST_CASE("branch: samples in their order, critical points and zeros among them") {
     const ShallowArch arch{2.5};
     ContinuationOptions options;
-    options.low = -10, options.high = 10;
-    PathStepper<ShallowArch> stepper(arch, options.path);
+    options.range.low = -10, options.range.high = 10;
+    BranchStepper<ShallowArch> stepper(arch, options.branch);
     const std::vector<EventFunction<ShallowArch>> functions{
         {"A1 = 0", [](const BranchPoint<ShallowArch>& at) { return at.q(0); }}};
     const auto start = stepper.start(Eigen::Vector2d(2.5, 0), 0, 1);
@@ -84,7 +84,7 @@ TEST_CASE("branch: samples in their order, critical points and zeros among them"
 TEST_CASE("branch: a graph's nodes and branches name each other") {
     const ShallowArch arch{2.5};
     DiagramOptions options;
-    options.continuation.low = -10, options.continuation.high = 10;
+    options.continuation.range.low = -10, options.continuation.range.high = 10;
     const auto graph = bifurcation_diagram(arch, VectorXd(Eigen::Vector2d(2.5, 0)), 0.0, options);
     const Json again = Json::parse(json_text(json_of(graph, measures())));
     CHECK(again["parameter"] == "q");

@@ -15,7 +15,7 @@ const AxisNames names{"alpha", "omega", "ratio"};
 
 TEST_CASE("cusp locus: curves, transitions and planes") {
     CuspLocus<M> locus;
-    locus.box = {0, 1, 0, 20, 1, 3};
+    locus.box = {{0, 1}, {0, 20}, {1, 3}};
     const auto singularity = [](SingularityKind kind, double x, double y, double z) {
         return singularity_at<M, M::alpha, M::omega, M::ratio>(kind, {0.25, -0.5}, {x, z, y}, {1, 0});
     };

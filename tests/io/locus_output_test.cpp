@@ -31,7 +31,7 @@ Singularity<M> cusp(double x, double y, double residual, double fourth) {
 
 Locus<M> a_locus() {
     Locus<M> locus;
-    locus.window = {0, 1, 0, 5};
+    locus.window = {{0, 1}, {0, 5}};
     locus.curves = {{SingularityKind::fold, {point(0.25, 1), point(0.5, 2)}, {CurveEnd::border, CurveEnd::symmetric}},
                     {SingularityKind::pitchfork, {point(0.125, 3)}, {CurveEnd::closed, CurveEnd::closed}}};
     locus.points = {cusp(0.5, 2, 1e-15, -3.5), point(0.75, 4, SingularityKind::tricritical_pitchfork),

@@ -21,7 +21,7 @@ TEST_CASE("locus proof: shares proved, and cells") {
         CHECK(json_of(proof)[key].dump() == R"({"proved":0,"of":0})");
 
     RegionProof cells;
-    cells.window = {0, 1, 0, 3};
+    cells.window = {{0, 1}, {0, 3}};
     cells.cells = {{{0, 0.5, 0, 3}, CountArgument::real_search, 4, {1, 2, 1}}};
     cells.undecided.resize(2);
     cells.proved_area_share = 0.5;

@@ -162,11 +162,11 @@ TEST_CASE("the critical load of a column that was read") {
     const auto input = read_structure(file.name());
     const Structure structure(input.model);
     ContinuationOptions options;
-    options.low = input.low;
-    options.high = input.high;
-    options.path.first_step = *input.first_step;
-    options.path.largest_step = *input.largest_step;
-    options.path.parameter_weight = 0.1;
+    options.range.low = input.low;
+    options.range.high = input.high;
+    options.branch.first_step = *input.first_step;
+    options.branch.largest_step = *input.largest_step;
+    options.branch.parameter_weight = 0.1;
     const auto branch = continue_branch(structure, structure.initial(), 0.0, 1, options);
     CHECK(branch.end == BranchEnd::window);
     REQUIRE(branch.events.size() == 1);

@@ -19,7 +19,7 @@ using Chain = mechanisms::TwoLinkChain;
 namespace {
 
 const Locus<Chain>& figure() {
-    static const auto locus = trace_locus<Chain, Chain::alpha, Chain::omega>({0.5, 1.5, 1}, {0, 1, 0, 5});
+    static const auto locus = trace_locus<Chain, Chain::alpha, Chain::omega>({0.5, 1.5, 1}, {{0, 1}, {0, 5}});
     return locus;
 }
 
@@ -173,7 +173,7 @@ TEST_CASE("Figure 3.2") {
 
     SECTION("Another window and another seed give the same cusp") {
         const LocusOptions options{.lines = 5, .checks = 8};
-        const auto locus = trace_locus<Chain, Chain::alpha, Chain::omega>({0.5, 1.5, 1}, {0.3, 0.36, 1.8, 2.2},
+        const auto locus = trace_locus<Chain, Chain::alpha, Chain::omega>({0.5, 1.5, 1}, {{0.3, 0.36}, {1.8, 2.2}},
                                                                           {.seed = 12345}, options);
         CHECK(locus.evidence.complete());
         const auto cusps = locus.of(SingularityKind::cusp), before = figure().of(SingularityKind::cusp);
@@ -214,6 +214,6 @@ TEST_CASE("Figure 3.2") {
 }
 
 TEST_CASE("A window that is empty or reversed is refused") {
-    CHECK_THROWS_AS((trace_locus<Chain, Chain::alpha, Chain::omega>({0.5, 1.5, 1}, {1, 0, 0, 5})), InvalidArgument);
-    CHECK_THROWS_AS((trace_locus<Chain, Chain::alpha, Chain::omega>({0.5, 1.5, 1}, {0, 1, 5, 5})), InvalidArgument);
+    CHECK_THROWS_AS((trace_locus<Chain, Chain::alpha, Chain::omega>({0.5, 1.5, 1}, {{1, 0}, {0, 5}})), InvalidArgument);
+    CHECK_THROWS_AS((trace_locus<Chain, Chain::alpha, Chain::omega>({0.5, 1.5, 1}, {{0, 1}, {5, 5}})), InvalidArgument);
 }

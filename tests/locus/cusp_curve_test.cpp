@@ -146,7 +146,7 @@ TEST_CASE("through a swallowtail: the curve turns back in every parameter, and i
     using M = Swallowtail;
     const double u = 0.3, a = -6 * u * u, b = 8 * u * u * u, c = -3 * u * u * u * u;
     const auto q = angles_of<true>(u, 0);
-    const CuspBox box{-1, 1, -1, 1, -1, 1};
+    const Box box{{-1, 1}, {-1, 1}, {-1, 1}};
     const auto check = [&](const CuspCurve<M>& curve, const auto& order) {
         REQUIRE(curve.points.size() > 20);
         CHECK(curve.ends[0] == CurveEnd::border);
@@ -175,7 +175,7 @@ TEST_CASE("through a swallowtail: the curve turns back in every parameter, and i
 }
 
 TEST_CASE("through umbilics: one curve of cusps at the hyperbolic one, three at the elliptic one") {
-    const CuspBox box{-0.5, 0.5, -0.5, 0.5, -0.5, 0.5};
+    const Box box{{-0.5, 0.5}, {-0.5, 0.5}, {-0.5, 0.5}};
     const auto check = [&]<class M>(const M&, double a, double u, double w, double b, double c, SingularityKind kind) {
         const auto angles = angles_of<true>(u, w);
         Unknowns<M> q{angles[0], angles[1], 0};
@@ -206,7 +206,7 @@ TEST_CASE("through umbilics: one curve of cusps at the hyperbolic one, three at 
 }
 
 TEST_CASE("lips and beak-to-beak: the curve is tangent to a plane and b stays away from 0") {
-    const CuspBox box{-0.5, 0.5, -0.5, 0.5, -0.5, 0.5};
+    const Box box{{-0.5, 0.5}, {-0.5, 0.5}, {-0.5, 0.5}};
     const auto check = [&]<class M>(const M&, double z, SingularityKind kind) {
         const auto curve = trace_cusp_curve<M, M::x, M::y, M::z>({0.001, 0.4, z}, {0.01, -0.01}, box);
         REQUIRE(curve.points.size() > 20);
@@ -229,7 +229,7 @@ TEST_CASE("lips and beak-to-beak: the curve is tangent to a plane and b stays aw
 
 TEST_CASE("a closed curve of cusps begins and ends in lips") {
     using M = Meeting<Contact::circle>;
-    const auto curve = trace_cusp_curve<M, M::x, M::y, M::z>({0, 0.24, 0.18}, {0, 0}, {-1, 1, -1, 1, -1, 1});
+    const auto curve = trace_cusp_curve<M, M::x, M::y, M::z>({0, 0.24, 0.18}, {0, 0}, {{-1, 1}, {-1, 1}, {-1, 1}});
     CHECK(curve.ends[0] == CurveEnd::closed);
     CHECK(curve.ends[1] == CurveEnd::closed);
     REQUIRE(curve.transitions.size() == 2);
@@ -241,13 +241,13 @@ TEST_CASE("a closed curve of cusps begins and ends in lips") {
     }
     CHECK(product < 0);
     // a start on the turn itself
-    const auto turned = trace_cusp_curve<M, M::x, M::y, M::z>({0, 0, 0.3}, {0, 0}, {-1, 1, -1, 1, -1, 1});
+    const auto turned = trace_cusp_curve<M, M::x, M::y, M::z>({0, 0, 0.3}, {0, 0}, {{-1, 1}, {-1, 1}, {-1, 1}});
     CHECK(turned.ends[0] == CurveEnd::closed);
 }
 
 TEST_CASE("on a symmetric branch the curve meets its mirror image, in a tetracritical pitchfork") {
     using M = Symmetric;
-    const CuspBox box{-1, 1, -1, 1, -1.2, 1};
+    const Box box{{-1, 1}, {-1, 1}, {-1.2, 1}};
     for (const double u : {0.55, -0.3}) {
         const Parameters<M> p{-3 * u * u, 3 * std::pow(u, 4), -std::pow(u, 6)};
         const auto curve = trace_cusp_curve<M, M::b, M::c, M::a>(p, angles_of<false>(u, 0), box);
@@ -270,7 +270,7 @@ TEST_CASE("on a symmetric branch the curve meets its mirror image, in a tetracri
 
 TEST_CASE("the two cusps of the rotating chain at ratio 1.5 are on one curve, and meet beak to beak at ratio 16 / 9") {
     using M = mechanisms::TwoLinkChain;
-    const CuspBox box{0, 1, 0, 20, 1, 3};
+    const Box box{{0, 1}, {0, 20}, {1, 3}};
     double start_alpha[2];
     const Unknowns<M> starts[] = {{0.96388, -1.0864}, {0.1773, -0.638}};
     const Parameters<M> near[] = {{0.3299, 1.5, 1.938}, {0.003437, 1.5, 1.0168}};
@@ -322,7 +322,7 @@ TEST_CASE("the two cusps of the rotating chain at ratio 1.5 are on one curve, an
 
 TEST_CASE("without a cusp there is no curve, and bad boxes are refused") {
     using M = Swallowtail;
-    CHECK(trace_cusp_curve<M, 0, 1, 2>({5, 5, 5}, {1, 1}, {-1, 1, -1, 1, -1, 1}).points.empty());
-    CHECK_THROWS_AS((trace_cusp_curve<M, 0, 1, 2>({0, 0, 0}, {0, 0}, {-1, -1, -1, 1, -1, 1})), InvalidArgument);
-    CHECK_THROWS_AS((trace_cusp_curve<M, 0, 1, 2>({NAN, 0, 0}, {0, 0}, {-1, 1, -1, 1, -1, 1})), InvalidArgument);
+    CHECK(trace_cusp_curve<M, 0, 1, 2>({5, 5, 5}, {1, 1}, {{-1, 1}, {-1, 1}, {-1, 1}}).points.empty());
+    CHECK_THROWS_AS((trace_cusp_curve<M, 0, 1, 2>({0, 0, 0}, {0, 0}, {{-1, -1}, {-1, 1}, {-1, 1}})), InvalidArgument);
+    CHECK_THROWS_AS((trace_cusp_curve<M, 0, 1, 2>({NAN, 0, 0}, {0, 0}, {{-1, 1}, {-1, 1}, {-1, 1}})), InvalidArgument);
 }

@@ -15,7 +15,7 @@ namespace {
 
 using Chain = mechanisms::TwoLinkChain;
 
-CuspLocus<Chain> find(const CuspBox& box, const CuspLocusOptions& options = {}) {
+CuspLocus<Chain> find(const Box& box, const CuspLocusOptions& options = {}) {
     return find_cusp_locus<Chain, Chain::alpha, Chain::omega, Chain::ratio>({0.5, 1.5, 1}, box, {}, options);
 }
 
@@ -53,7 +53,7 @@ void check_complete(const CuspLocus<Chain>& locus) {
 }  // namespace
 
 TEST_CASE("two cusps at ratio 1.5, none at 2.2: one curve, which turns back in a beak-to-beak") {
-    const auto locus = find({0, 1, 0, 20, 1.5, 2.2}, {.planes = 3});
+    const auto locus = find({{0, 1}, {0, 20}, {1.5, 2.2}}, {.planes = 3});
     check_complete(locus);
     REQUIRE(locus.planes.size() == 3);
     const auto &first = locus.planes[0], &last = locus.planes[2];
@@ -77,7 +77,7 @@ TEST_CASE("two cusps at ratio 1.5, none at 2.2: one curve, which turns back in a
 }
 
 TEST_CASE("at ratio 1, where the chain is degenerate, the plane is given up for one next to it") {
-    const auto locus = find({0, 1, 0, 20, 1, 3}, {.planes = 2});
+    const auto locus = find({{0, 1}, {0, 20}, {1, 3}}, {.planes = 2});
     check_complete(locus);
     REQUIRE(locus.planes.size() == 2);
     const auto &first = locus.planes[0], &last = locus.planes[1];
@@ -103,12 +103,12 @@ TEST_CASE("at ratio 1, where the chain is degenerate, the plane is given up for 
 }
 
 TEST_CASE("bad boxes, parameters and options are refused") {
-    CHECK_THROWS_AS(find({0, 1, 0, 20, 2, 2}), InvalidArgument);
-    CHECK_THROWS_AS(find({1, 0, 0, 20, 1, 3}), InvalidArgument);
-    CHECK_THROWS_AS(find({0, 1, 0, INFINITY, 1, 3}), InvalidArgument);
-    CHECK_THROWS_AS(find({0, 1, NAN, 20, 1, 3}), InvalidArgument);
-    CHECK_THROWS_AS(find({0, 1, 0, 20, 1, 3}, {.planes = 1}), InvalidArgument);
+    CHECK_THROWS_AS(find({{0, 1}, {0, 20}, {2, 2}}), InvalidArgument);
+    CHECK_THROWS_AS(find({{1, 0}, {0, 20}, {1, 3}}), InvalidArgument);
+    CHECK_THROWS_AS(find({{0, 1}, {0, INFINITY}, {1, 3}}), InvalidArgument);
+    CHECK_THROWS_AS(find({{0, 1}, {NAN, 20}, {1, 3}}), InvalidArgument);
+    CHECK_THROWS_AS(find({{0, 1}, {0, 20}, {1, 3}}, {.planes = 1}), InvalidArgument);
     CHECK_THROWS_AS(
-        (find_cusp_locus<Chain, Chain::alpha, Chain::omega, Chain::ratio>({0.5, NAN, 1}, {0, 1, 0, 20, 1, 3})),
+        (find_cusp_locus<Chain, Chain::alpha, Chain::omega, Chain::ratio>({0.5, NAN, 1}, {{0, 1}, {0, 20}, {1, 3}})),
         InvalidArgument);
 }

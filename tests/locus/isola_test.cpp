@@ -66,15 +66,15 @@ void check_circle(const Locus<M>& locus, SingularityKind kind, std::size_t copie
 }  // namespace
 
 TEST_CASE("a circle of folds, 3e-4 of the window in radius, is found and traced") {
-    const auto locus =
-        trace_locus<FoldIsola, FoldIsola::x, FoldIsola::y>({0, 0, x_0, y_0, radius, 1, 0, 0}, {0, 1, 0, 1}, {}, few);
+    const auto locus = trace_locus<FoldIsola, FoldIsola::x, FoldIsola::y>({0, 0, x_0, y_0, radius, 1, 0, 0},
+                                                                          {{0, 1}, {0, 1}}, {}, few);
     check_circle(locus, SingularityKind::fold, 2);  // theta = 0 and theta = pi
     for (const auto& region : locus.regions) CHECK(region.count == (region.area < 1e-3 ? 6 : 2));
 }
 
 TEST_CASE("a circle of pitchforks, 3e-4 of the window in radius, is found and traced") {
     const auto locus = trace_locus<PitchforkCircle, PitchforkCircle::x, PitchforkCircle::y>({0, 0, x_0, y_0, radius},
-                                                                                            {0, 1, 0, 1}, {}, few);
+                                                                                            {{0, 1}, {0, 1}}, {}, few);
     check_circle(locus, SingularityKind::pitchfork, 1);
     for (const auto& region : locus.regions) CHECK(region.count == (region.area < 1e-3 ? 4 : 2));
 }
@@ -82,7 +82,7 @@ TEST_CASE("a circle of pitchforks, 3e-4 of the window in radius, is found and tr
 TEST_CASE("a lens between two cusps, 1e-3 of the window, is found and traced") {
     const double r = 5e-4;
     const auto locus =
-        trace_locus<FoldIsola, FoldIsola::x, FoldIsola::y>({0, 0, x_0, y_0, r, 0, 1, 1e-7}, {0, 1, 0, 1}, {}, few);
+        trace_locus<FoldIsola, FoldIsola::x, FoldIsola::y>({0, 0, x_0, y_0, r, 0, 1, 1e-7}, {{0, 1}, {0, 1}}, {}, few);
     CAPTURE(locus.argument());
     CHECK(locus.evidence.complete());
     const auto cusps = locus.of(SingularityKind::cusp);

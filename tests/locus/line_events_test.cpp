@@ -116,7 +116,7 @@ TEST_CASE("Random three-link chains: every event, the tables those of other enum
         for (int i = 0; i < 3; ++i) p[Chain::length + i] = uniform(generator, 0.5, 2);
         for (int i = 0; i < 3; ++i) p[Chain::mass + i] = uniform(generator, 0.2, 2);
         p[Chain::gravity] = 1;
-        const auto found = find_events<Chain, Chain::omega>(p, 0, 10, {.seed = static_cast<std::uint64_t>(set + 1)});
+        const auto found = find_events<Chain, Chain::omega>(p, {0, 10}, {.seed = static_cast<std::uint64_t>(set + 1)});
         CAPTURE(set, found.events.size());
         check_accounts(found);
 
@@ -152,7 +152,7 @@ TEST_CASE("Random three-link chains: every event, the tables those of other enum
 TEST_CASE("A pendulum under a torque: two folds, without a symmetry") {
     constexpr int torque = TorquePendulum::torque;
     for (const double stiffness : {0.3, 1.0, 2.5}) {
-        const auto found = find_events<TorquePendulum, torque>({0, stiffness}, -4, 3);
+        const auto found = find_events<TorquePendulum, torque>({0, stiffness}, {-4, 3});
         check_accounts(found);
         REQUIRE(found.events.size() == 2);
         for (int k = 0; k < 2; ++k) {
@@ -168,7 +168,7 @@ TEST_CASE("A pendulum under a torque: two folds, without a symmetry") {
         REQUIRE(found.intervals.size() == 3);
         for (std::size_t k = 0; k < 3; ++k) CHECK(found.intervals[k].count == (k == 1 ? 2 : 0));
     }
-    const auto none = find_events<TorquePendulum, torque>({0, 1}, 2, 3);
+    const auto none = find_events<TorquePendulum, torque>({0, 1}, {2, 3});
     check_accounts(none);
     CHECK(none.events.empty());
     CHECK(none.intervals.size() == 1);
@@ -177,9 +177,9 @@ TEST_CASE("A pendulum under a torque: two folds, without a symmetry") {
 TEST_CASE("A chain measured from other directions has the same events") {
     using Chain = mechanisms::TwoLinkChain;
     const Parameters<Chain> p{0.4, 1.5, 0};
-    const auto straight = find_events<Chain, Chain::omega>(p, 0, 5);
+    const auto straight = find_events<Chain, Chain::omega>(p, {0, 5});
     const auto turned =
-        find_events<TurnedChain, TurnedChain::omega>({p[0], p[1], p[2]}, 0, 5, {.seed = 5, .executor = threads(2)});
+        find_events<TurnedChain, TurnedChain::omega>({p[0], p[1], p[2]}, {0, 5}, {.seed = 5, .executor = threads(2)});
     check_accounts(straight);
     check_accounts(turned);
     // alpha = .4, computed independently: interval branch and bound, multiprecision
@@ -204,7 +204,7 @@ TEST_CASE("A chain measured from other directions has the same events") {
 }
 
 TEST_CASE("Trans-critical points have their name, and leave the tables as they are") {
-    const auto found = find_events<Crossing, 0>({0}, -2, 2.5);
+    const auto found = find_events<Crossing, 0>({0}, {-2, 2.5});
     check_accounts(found);
     REQUIRE(found.events.size() == 4);
     CHECK(number(found, CriticalKind::transcritical) == 2);
@@ -217,7 +217,7 @@ TEST_CASE("Trans-critical points have their name, and leave the tables as they a
     REQUIRE(found.intervals.size() == 4);
     CHECK(found.intervals[1].by_index == found.intervals[2].by_index);
 
-    const auto other = find_events<CrossingWithPotential, CrossingWithPotential::load>({0, 0.7, 0.3}, -2, 2.5);
+    const auto other = find_events<CrossingWithPotential, CrossingWithPotential::load>({0, 0.7, 0.3}, {-2, 2.5});
     check_accounts(other);
     REQUIRE(other.events.size() == 3);
     CHECK(number(other, CriticalKind::fold) == 2);
@@ -233,7 +233,7 @@ TEST_CASE("Trans-critical points have their name, and leave the tables as they a
 }
 
 TEST_CASE("Pitchforks of other symmetries than theta to -theta have their name") {
-    const auto sideways = find_events<Sideways, Sideways::load>({0, 1, 0.05}, -2, 2.5);
+    const auto sideways = find_events<Sideways, Sideways::load>({0, 1, 0.05}, {-2, 2.5});
     check_accounts(sideways);
     REQUIRE(sideways.events.size() == 4);
     CHECK(number(sideways, CriticalKind::pitchfork) == 2);
@@ -249,7 +249,7 @@ TEST_CASE("Pitchforks of other symmetries than theta to -theta have their name")
     CHECK(sideways.events[0].reduced.fourth == Approx(6.6).margin(1e-9));
     CHECK(sideways.events[1].reduced.fourth == Approx(-0.6).margin(1e-9));
 
-    const auto twins = find_events<Twins, Twins::load>({0, -0.75, 0.1}, -2, 2.5);
+    const auto twins = find_events<Twins, Twins::load>({0, -0.75, 0.1}, {-2, 2.5});
     check_accounts(twins);
     REQUIRE(twins.events.size() == 2);
     for (std::size_t k : {0, 1}) {
@@ -268,14 +268,14 @@ TEST_CASE(
     "An event at an end of the segment has no interval beyond it, and both signs of a squared parameter are searched") {
     using Chain = mechanisms::TwoLinkChain;
     const Parameters<Chain> p{0.4, 1.5, 0};
-    const auto whole = find_events<Chain, Chain::omega>(p, -3, 3);
+    const auto whole = find_events<Chain, Chain::omega>(p, {-3, 3});
     check_accounts(whole);
     REQUIRE(whole.events.size() == 12);
     for (std::size_t k = 0; k < 12; ++k)
         CHECK(whole.events[k].value == Approx(-whole.events[11 - k].value).epsilon(1e-12));
     const double fold = whole.events.back().value;
-    const auto below = find_events<Chain, Chain::omega>(p, 0, fold),
-               above = find_events<Chain, Chain::omega>(p, fold, 3);
+    const auto below = find_events<Chain, Chain::omega>(p, {0, fold}),
+               above = find_events<Chain, Chain::omega>(p, {fold, 3});
     CHECK(below.complete());
     CHECK(above.complete());
     CHECK(below.intervals.size() == 5);
@@ -284,8 +284,8 @@ TEST_CASE(
 
 TEST_CASE("A wide segment has the events of a narrow one") {
     using Chain = mechanisms::TwoLinkChain;
-    const auto narrow = find_events<Chain, Chain::omega>({0.4, 1.5, 0}, 0, 5);
-    const auto wide = find_events<Chain, Chain::omega>({0.4, 1.5, 0}, 0, 500);
+    const auto narrow = find_events<Chain, Chain::omega>({0.4, 1.5, 0}, {0, 5});
+    const auto wide = find_events<Chain, Chain::omega>({0.4, 1.5, 0}, {0, 500});
     check_accounts(wide);
     REQUIRE(wide.events.size() == narrow.events.size());
     for (std::size_t k = 0; k < wide.events.size(); ++k)
@@ -296,7 +296,7 @@ TEST_CASE("A search for events refuses what it cannot do") {
     constexpr int torque = TorquePendulum::torque;
     constexpr double infinity = std::numeric_limits<double>::infinity(), nan = std::numeric_limits<double>::quiet_NaN();
     const auto on = [](double low, double high, const RunOptions& options = {}) {
-        return refusal([&] { find_events<TorquePendulum, torque>({0, 1}, low, high, options); });
+        return refusal([&] { find_events<TorquePendulum, torque>({0, 1}, {low, high}, options); });
     };
     const std::string range = ": must be finite and run from the smaller to the larger value";
     CHECK(on(1, 1) == "interval = 1:1" + range);
@@ -306,6 +306,6 @@ TEST_CASE("A search for events refuses what it cannot do") {
     std::atomic<bool> cancel = false;
     CHECK(on(0, 1, {.checkpoint = "here"}) == "checkpoint = here: must be empty: it keeps a single enumeration");
     CHECK(on(0, 1, {.cancel = &cancel}) == "cancel = given: must be empty: a search for events cannot be cancelled");
-    CHECK(refusal([] { find_events<TorquePendulum, torque>({0, nan}, 0, 1); }) ==
+    CHECK(refusal([] { find_events<TorquePendulum, torque>({0, nan}, {0, 1}); }) ==
           "parameters[1] = nan: must be finite");
 }

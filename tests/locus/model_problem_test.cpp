@@ -10,7 +10,7 @@ using Chain = mechanisms::TwoLinkChain;
 using Eigen::VectorXd;
 
 TEST_CASE("the chain's fold at alpha = 0.33 and its fold curve through the cusp, by continuation alone") {
-    const ModelFamily<Chain, Chain::omega, Chain::alpha> family{{.33, 1.5, 2}};
+    const ModelProblems<Chain, Chain::omega, Chain::alpha> family{{.33, 1.5, 2}};
     const auto member = family(0.33);
     const VectorXd start = Eigen::Vector2d(1.1, -1.04);
     const auto errors = check_derivatives(member, start, 2.06);
@@ -25,9 +25,9 @@ TEST_CASE("the chain's fold at alpha = 0.33 and its fold curve through the cusp,
     CHECK(fold->residual < 1e-14);
 
     ContinuationOptions options;
-    options.low = 0.01;
-    options.high = 0.55;
-    options.path.first_step = 1e-3;
+    options.range.low = 0.01;
+    options.range.high = 0.55;
+    options.branch.first_step = 1e-3;
     const auto curve = continue_folds(family, *fold, 0.33, 1, options);
     CHECK(curve.branch.end == BranchEnd::window);
     CHECK(curve.branch.unexplained.empty());

@@ -14,29 +14,29 @@ using M = mechanisms::TwoLinkChain;
 
 namespace {
 
-RegionProof proved(const PlaneWindow& window, double min_cell, unsigned count = 1) {
+RegionProof proved(const Window& window, double min_cell, unsigned count = 1) {
     return prove_region<M, M::alpha, M::omega>({{.5, 1.5, 1}}, window, {.executor = threads(count)},
                                                {.min_cell = min_cell});
 }
-double area(const PlaneWindow& w) { return w.width() * w.height(); }
+double area(const Window& w) { return w.width() * w.height(); }
 
 }  // namespace
 
 TEST_CASE("each proved count is what an enumeration finds at random points of the cell") {
-    const auto proof = proved({.1, .6, .4, 2.8}, 0.012);
+    const auto proof = proved({{.1, .6}, {.4, 2.8}}, 0.012);
     CHECK(proof.proved_area_share > 0.6);
     Generator generator(1);
     for (std::size_t k = 0; k < proof.cells.size(); k += 1 + proof.cells.size() / 100) {
         const auto& cell = proof.cells[k];
-        const double alpha = uniform(generator, cell.window.x_low, cell.window.x_high);
-        const auto set = enumerate<M>({{alpha, 1.5, uniform(generator, cell.window.y_low, cell.window.y_high)}});
+        const double alpha = uniform(generator, cell.window.x.low, cell.window.x.high);
+        const auto set = enumerate<M>({{alpha, 1.5, uniform(generator, cell.window.y.low, cell.window.y.high)}});
         CHECK(static_cast<std::int64_t>(set.real()) == cell.count);
         CHECK(set.by_index() == cell.by_index);
     }
 }
 
 TEST_CASE("cells and undecided cells tile the window") {
-    const PlaneWindow window{.1, .6, .4, 2.8};
+    const Window window{{.1, .6}, {.4, 2.8}};
     const auto proof = proved(window, 0.1);
     double sum = 0, share = 0;
     for (const auto& cell : proof.cells) share += area(cell.window);
@@ -66,7 +66,7 @@ TEST_CASE("no cell that a known fold or pitchfork runs through is proved") {
 
 TEST_CASE("where complex roots go to infinity the real torus is searched") {
     // no curve of the locus here; at alpha = 1 and at omega = 0 the total degree is not reached
-    const auto proof = proved({.9, 1, 0, .6}, 1e-2);
+    const auto proof = proved({{.9, 1}, {0, .6}}, 1e-2);
     CHECK(proof.undecided.empty());
     bool searched = false;
     for (const auto& cell : proof.cells) {
@@ -77,13 +77,13 @@ TEST_CASE("where complex roots go to infinity the real torus is searched") {
 }
 
 TEST_CASE("the threads change nothing, and bad windows are refused") {
-    const PlaneWindow window{.2, .3, .5, .9};
+    const Window window{{.2, .3}, {.5, .9}};
     const auto one = proved(window, 0.02, 1), two = proved(window, 0.02, 2);
     REQUIRE(one.cells.size() == two.cells.size());
     for (std::size_t k = 0; k < one.cells.size(); ++k) {
-        CHECK(one.cells[k].window.x_low == two.cells[k].window.x_low);
+        CHECK(one.cells[k].window.x.low == two.cells[k].window.x.low);
         CHECK(one.cells[k].by_index == two.cells[k].by_index);
     }
-    CHECK_THROWS_AS(proved({.3, .2, 0, 1}, 0.1), InvalidArgument);
-    CHECK_THROWS_WITH(proved({.1, .2, 0, 1}, 0), "min_cell = 0: must be positive and finite");
+    CHECK_THROWS_AS(proved({{.3, .2}, {0, 1}}, 0.1), InvalidArgument);
+    CHECK_THROWS_WITH(proved({{.1, .2}, {0, 1}}, 0), "min_cell = 0: must be positive and finite");
 }

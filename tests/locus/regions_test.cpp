@@ -22,7 +22,7 @@ Curve circle(double x, double y, double r, int points = 400) {
 
 std::map<int, double> areas(const PlaneDecomposition& plane) {
     std::map<int, double> area;
-    for (const auto& cell : plane.cells()) area[cell.region] += (cell.x_high - cell.x_low) * cell.height;
+    for (const auto& cell : plane.cells()) area[cell.region] += (cell.x.high - cell.x.low) * cell.height;
     return area;
 }
 
@@ -103,7 +103,7 @@ TEST_CASE("Polygons of the cells have the cells' areas, and borders name regions
 }
 
 TEST_CASE("An empty, reversed or infinite window is refused with its values") {
-    CHECK_THROWS_WITH((PlaneWindow{1, 0, 0, 1}.validate()), Catch::Matchers::Contains("window x = 1:0"));
-    CHECK_THROWS_WITH((PlaneWindow{0, 1, 2, 2}.validate()), Catch::Matchers::Contains("window y = 2:2"));
-    CHECK_THROWS_WITH((PlaneWindow{0, 1, 0, INFINITY}.validate()), Catch::Matchers::Contains("window y = 0:inf"));
+    CHECK_THROWS_WITH((Window{{1, 0}, {0, 1}}.validate()), Catch::Matchers::Contains("window x = 1:0"));
+    CHECK_THROWS_WITH((Window{{0, 1}, {2, 2}}.validate()), Catch::Matchers::Contains("window y = 2:2"));
+    CHECK_THROWS_WITH((Window{{0, 1}, {0, INFINITY}}.validate()), Catch::Matchers::Contains("window y = 0:inf"));
 }

@@ -24,7 +24,7 @@ struct SpringLoadedDoublePendulum {
 
 TEST_CASE("The cusps of the spring-loaded double pendulum are its buckling loads without offset") {
     using Model = SpringLoadedDoublePendulum;
-    const auto locus = trace_locus<Model, Model::offset, Model::stiffness>({1, 0}, {-0.5, 0.5, 0.5, 4});
+    const auto locus = trace_locus<Model, Model::offset, Model::stiffness>({1, 0}, {{-0.5, 0.5}, {0.5, 4}});
     CHECK(locus.evidence.complete());
     // det J = 0 at theta_1, theta_2 in {0, pi}: k^2 - 4 k + 2 = 0 at (0, 0); k^2 = 2 at (0, pi) and (pi, 0)
     std::vector<double> loads;

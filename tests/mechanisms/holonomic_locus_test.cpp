@@ -33,7 +33,7 @@ std::vector<double> symmetric_cusps() {
 }  // namespace
 
 TEST_CASE("The mechanism's locus in the plane of c2 and the force has ten cusps, mirror images of each other") {
-    const auto locus = trace_locus<M, M::stiffness_2, M::force>(M::paper_parameters(0), {0, 600, -300, 300});
+    const auto locus = trace_locus<M, M::stiffness_2, M::force>(M::paper_parameters(0), {{0, 600}, {-300, 300}});
     CAPTURE(locus.argument());
     CHECK(locus.evidence.complete());
     const auto cusps = locus.of(SingularityKind::cusp);
@@ -65,7 +65,7 @@ TEST_CASE("The mechanism's locus in the plane of c2 and the force has ten cusps,
 TEST_CASE("Every event of the mechanism as the force grows, folds one and all") {
     auto p = M::paper_parameters(0);
     p[M::stiffness_2] = 150;
-    const auto found = find_events<M, M::force>(p, -300, 300);
+    const auto found = find_events<M, M::force>(p, {-300, 300});
     CAPTURE(found.argument());
     CHECK(found.complete());
     CHECK(found.events.size() >= 4);
@@ -78,7 +78,7 @@ TEST_CASE("Every event of the mechanism as the force grows, folds one and all") 
 }
 
 TEST_CASE("Without a force the equilibria change their number at four pitchforks as c2 grows, to 10 digits") {
-    const auto found = find_events<M, M::stiffness_2>(M::paper_parameters(0), 0, 400);
+    const auto found = find_events<M, M::stiffness_2>(M::paper_parameters(0), {0, 400});
     CAPTURE(found.argument());
     CHECK(found.complete());
     const auto expected = symmetric_cusps();  // the cusps of the plane: there the line F = 0 has pitchforks

@@ -30,7 +30,7 @@ TEST_CASE("Folds and pitchforks of the two-link chain on lines alpha = const") {
           Line{.4, {.6960675016716, .90127739195077, 1.1695539717331, 1.5143539252415}, 2.4293853881739},
           Line{.6, {.66948880558549, .96948528423161, 1.3316287206556, 1.9283286560808}, 7.4951235452437},
           Line{.7, {.65870047908076, 1.0175035388023, 1.4650681085145, 2.2631105219176}, 0}}) {
-        const auto found = find_events<Chain, Chain::omega>({line.alpha, 1.5, 1}, 0, 8);
+        const auto found = find_events<Chain, Chain::omega>({line.alpha, 1.5, 1}, {0, 8});
         CHECK(found.complete());
         int folds = 0;
         std::vector<double> pitchforks;

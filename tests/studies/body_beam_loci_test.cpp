@@ -11,7 +11,7 @@
 #include <equilibria/continuation/curves/critical_curve_trace.hpp>
 #include <equilibria/locus/line/model_problem.hpp>
 #include <equilibria/stability/inertia.hpp>
-#include <equilibria/studies/rotating_body_beam/body_beam_family.hpp>
+#include <equilibria/studies/rotating_body_beam/body_beam_either_strain.hpp>
 #include <equilibria/studies/rotating_body_beam/momentum_hessian.hpp>
 #include <equilibria/studies/rotating_body_beam/rotating_body_beam.hpp>
 
@@ -19,12 +19,12 @@
 
 using namespace equilibria;
 using Eigen::VectorXd;
-using mechanisms::BeamControl, mechanisms::BeamStrain, mechanisms::BodyBeamFamily, mechanisms::whirl_speeds;
+using mechanisms::BeamControl, mechanisms::BeamStrain, mechanisms::BodyBeamEitherStrain, mechanisms::whirl_speeds;
 
 namespace {
 
 constexpr int K = 2;
-using M = BodyBeamFamily<K, BeamControl::momentum>;
+using M = BodyBeamEitherStrain<K, BeamControl::momentum>;
 using ByAxis = mechanisms::RotatingBodyBeam<K, BeamStrain::either>;
 using Values = Parameters<M>;
 constexpr double inertia_3 = 0.8;
@@ -74,8 +74,7 @@ double whirl_momentum(const Values& p, int plane) { return inertia_3 * whirl_spe
 
 ContinuationOptions window(double low, double high) {
     ContinuationOptions y;
-    y.low = low;
-    y.high = high;
+    y.range = {low, high};
     return y;
 }
 
@@ -101,7 +100,7 @@ double curvature(const Values& p, int plane) {
 
 /// The branch that leaves the spin's first or second pitchfork.
 Branch<Problem> whirling(const Problem& problem, const Values& p, int plane, const ContinuationOptions& options) {
-    PathStepper<Problem> stepper(problem, options.path);
+    BranchStepper<Problem> stepper(problem, options.branch);
     const double momentum = whirl_momentum(p, plane);
     const auto before = stepper.start(spin(momentum - 0.01), momentum - 0.01, 1);
     REQUIRE(before);
@@ -193,7 +192,7 @@ TEST_CASE("The whirling branches with their folds and secondary pitchforks, and 
 
 TEST_CASE("Over the ratio of the stiffnesses the pitchforks follow the whirling speeds and cross at a double one") {
     const Values p = body(1);
-    const ModelFamily<M, M::momentum, M::bending_2> family{p};
+    const ModelProblems<M, M::momentum, M::bending_2> family{p};
     const auto member = family(p[M::bending_2]);
     CriticalPointSolver solver(member);
     // in the second plane A / sqrt(mu_2) is constant, the first one does not feel mu_2
@@ -232,8 +231,8 @@ TEST_CASE("The coupled beam's fold over the ratio of the stiffnesses and over th
         const auto& found = branch.events[0].point;
         REQUIRE(found.kind == CriticalKind::fold);
         // as of the class that the families give
-        const ModelFamily<M, M::momentum, M::bending_2> ratios{p};
-        const ModelFamily<M, M::momentum, M::coupling> couplings{p};
+        const ModelProblems<M, M::momentum, M::bending_2> ratios{p};
+        const ModelProblems<M, M::momentum, M::coupling> couplings{p};
         const auto member = couplings(1);
         CriticalPointSolver solver(member);
         const auto fold = solver.solve(found.q, found.p);
@@ -286,7 +285,7 @@ TEST_CASE("Of a locked beam two folds vanish in a cusp over the coupling") {
     const auto branch = whirling(problem, p, 1, window(3.95, 4.02));
     REQUIRE(branch.events.size() == 2);
     CHECK(branch.events[0].point.p > branch.events[1].point.p);
-    const ModelFamily<M, M::momentum, M::coupling> couplings{p};
+    const ModelProblems<M, M::momentum, M::coupling> couplings{p};
     const auto member = couplings(1);
     CriticalPointSolver solver(member);
     const auto fold = solver.solve(branch.events[0].point.q, branch.events[0].point.p);

@@ -32,10 +32,9 @@ constexpr BeamStrain strains[] = {BeamStrain::linear, BeamStrain::coupled};
 
 ContinuationOptions window(const Boundary& problem, double low, double high) {
     ContinuationOptions y;
-    y.low = low;
-    y.high = high;
+    y.range = {low, high};
     // the spin moves nothing: p in units of 10, of speed
-    y.path.parameter_weight = problem.control_by() == BeamControl::speed ? 0.1 : 0.1 / 0.8;
+    y.branch.parameter_weight = problem.control_by() == BeamControl::speed ? 0.1 : 0.1 / 0.8;
     return y;
 }
 
@@ -45,7 +44,7 @@ struct Whirl {
 };
 Whirl whirl_of(const Boundary& problem, double high) {
     const auto options = window(problem, 0.5, high);
-    PathStepper<Boundary> stepper(problem, options.path);
+    BranchStepper<Boundary> stepper(problem, options.branch);
     const auto start = stepper.start(problem.undeformed({0, 0, 1}), 1, 1);
     REQUIRE(start);
     Whirl y;

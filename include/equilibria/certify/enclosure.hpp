@@ -4,8 +4,9 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <numeric>
 #include <vector>
+
+#include <boost/pending/disjoint_sets.hpp>
 
 #include <equilibria/certify/krawczyk.hpp>
 #include <equilibria/core/random.hpp>
@@ -106,20 +107,19 @@ std::vector<std::size_t> groups_of_enclosures(const std::vector<Enclosure<M, dou
     }
     std::sort(entries.begin(), entries.end(),
               [](const Entry& a, const Entry& b) { return std::pair(a.low, a.k) < std::pair(b.low, b.k); });
-    std::vector<std::size_t> parent(enclosures.size());
-    std::iota(parent.begin(), parent.end(), std::size_t{0});
-    const auto first = [&](std::size_t k) {
-        while (parent[k] != k) k = parent[k] = parent[parent[k]];
-        return k;
-    };
+    boost::disjoint_sets_with_storage<> groups(enclosures.size());
     for (std::size_t i = 0; i < entries.size(); ++i)
         for (std::size_t j = i + 1; j < entries.size() && entries[j].low <= entries[i].high; ++j) {
-            if (disjoint(enclosures[entries[i].k], enclosures[entries[j].k])) continue;
-            const std::size_t a = first(entries[i].k), b = first(entries[j].k);
-            parent[std::max(a, b)] = std::min(a, b);
+            if (!disjoint(enclosures[entries[i].k], enclosures[entries[j].k]))
+                groups.union_set(entries[i].k, entries[j].k);
         }
-    for (std::size_t k = 0; k < parent.size(); ++k) parent[k] = first(k);
-    return parent;
+    // each group goes by its first enclosure
+    std::vector<std::size_t> first(enclosures.size()), least(enclosures.size(), enclosures.size());
+    for (std::size_t k = 0; k < first.size(); ++k) {
+        std::size_t& here = least[groups.find_set(k)];
+        first[k] = here = std::min(here, k);
+    }
+    return first;
 }
 
 }  // namespace equilibria

@@ -72,15 +72,15 @@ struct ExactSystem {
 
 /// The system for all values of some parameters in intervals, and its derivatives by those parameters.
 template <class M, int N>
-struct ExactFamily {
+struct ExactSystems {
     ExactSystem<M> center;         ///< at the middle of the intervals, which are doubles
     ExactSystem<M> all;            ///< for all values at once
     ExactSystem<M> derivative[N];  ///< by the k-th varied parameter, for all values at once
     Array<double, N> half_width;   ///< of the intervals, from the middle
 
     /// Parameter varied[k] takes all values from low[k] to high[k], the others are those of p.
-    ExactFamily(const Parameters<M>& p, const Array<int, N>& varied, const Array<double, N>& low,
-                const Array<double, N>& high) {
+    ExactSystems(const Parameters<M>& p, const Array<int, N>& varied, const Array<double, N>& low,
+                 const Array<double, N>& high) {
         Parameters<M> middle = p;
         Parameters<M, ExactBall> wide;
         Parameters<M, Dual<ExactBall, N>> dual;

@@ -1,5 +1,5 @@
 /// \file
-/// Branch and prune over the torus of real angles: a proof that a family of systems has no real root beside those that
+/// Branch and prune over the torus of real angles: a proof that systems have no real root beside those that
 /// are known, for any parameters in their intervals. It needs no bound on the number of complex roots, and none of
 /// them.
 ///
@@ -20,7 +20,7 @@
 #include <optional>
 #include <vector>
 
-#include <equilibria/certify/krawczyk_family.hpp>
+#include <equilibria/certify/krawczyk_systems.hpp>
 
 namespace equilibria {
 
@@ -58,9 +58,9 @@ public:
     using Pack = Lanes<native_lanes>;
     using Box = AngleBox<n>;
 
-    RealSearch(const BallFamily<M, double, N>& family, const std::vector<Box>& roots, std::size_t most)
-        : family_(family), roots_(roots), most_(most) {
-        for (int k = 0; k < N; ++k) width_[k] = broadcast<Pack>(family.half_width[k]);
+    RealSearch(const BallSystems<M, double, N>& systems, const std::vector<Box>& roots, std::size_t most)
+        : systems_(systems), roots_(roots), most_(most) {
+        for (int k = 0; k < N; ++k) width_[k] = broadcast<Pack>(systems.half_width[k]);
     }
 
     RealSearchResult run() {
@@ -98,7 +98,7 @@ private:
     class Test {
     public:
         Test(const RealSearch& search, const std::vector<Box>& boxes) {
-            const auto& family = search.family_;
+            const auto& systems = search.systems_;
             Point<M, Pack> q;
             for (int u = 0; u < n; ++u)
                 for (int k = 0; k < native_lanes; ++k) {
@@ -109,11 +109,11 @@ private:
                     set_lane(q.s[u].im, k, 0.0);
                     set_lane(r_[u], k, rounded_up(box.radius[u] + Box::angle_rounding));
                 }
-            const FactorBalls<M, Pack> at(family.center, q, true), wide = at.widened(r_);
+            const FactorBalls<M, Pack> at(systems.center, q, true), wide = at.widened(r_);
             Ball<Pack> f[n], j[n][n], g[N][n];
-            ball_values(family.center, at, f);
-            ball_jacobian(family.all, wide, j);
-            for (int m = 0; m < N; ++m) ball_values(family.derivative[static_cast<std::size_t>(m)], wide, g[m]);
+            ball_values(systems.center, at, f);
+            ball_jacobian(systems.all, wide, j);
+            for (int m = 0; m < N; ++m) ball_values(systems.derivative[static_cast<std::size_t>(m)], wide, g[m]);
             const Pack zero = Pack{} + 0.0;
             excluded_ = zero > zero;
             hopeless_ = injective_ = zero == zero;
@@ -194,7 +194,7 @@ private:
         Array<int, n> pieces;
         Box first;
         for (int u = 0; u < n; ++u) {
-            pieces[u] = 8 * family_.all.highest[u];
+            pieces[u] = 8 * systems_.all.highest[u];
             first.radius[u] = rounded_up(std::numbers::pi / pieces[u]);
             first.center[u] = -std::numbers::pi + std::numbers::pi / pieces[u];
         }
@@ -246,7 +246,7 @@ private:
         }
     }
 
-    const BallFamily<M, double, N>& family_;
+    const BallSystems<M, double, N>& systems_;
     const std::vector<Box>& roots_;
     std::size_t most_;
     Pack width_[N];
@@ -255,13 +255,13 @@ private:
 
 }  // namespace detail
 
-/// Whether a family of systems in angles has no real roots but one in each of the given boxes, for all parameters of
-/// the family. The boxes hold proved roots and are disjoint; at most `most` boxes are examined.
+/// Whether systems in angles have no real roots but one in each of the given boxes, for all their
+/// parameters. The boxes hold proved roots and are disjoint; at most `most` boxes are examined.
 template <Model M, int N>
 requires(n_coordinates<M> == 0)
-RealSearchResult search_real_roots(const BallFamily<M, double, N>& family,
+RealSearchResult search_real_roots(const BallSystems<M, double, N>& systems,
                                    const std::vector<AngleBox<n_angles<M>>>& roots, std::size_t most) {
-    return detail::RealSearch<M, N>(family, roots, most).run();
+    return detail::RealSearch<M, N>(systems, roots, most).run();
 }
 
 }  // namespace equilibria

@@ -10,19 +10,20 @@
 #include <vector>
 
 #include <equilibria/continuation/events.hpp>
+#include <equilibria/core/window.hpp>
 
 namespace equilibria {
 
 struct ContinuationOptions {
-    PathOptions path{};
+    BranchOptions branch{};
     CriticalPointOptions critical{};
-    double low = -std::numeric_limits<double>::infinity();  ///< of p: the branch ends at the first point outside
-    double high = std::numeric_limits<double>::infinity();
+    /// Of p, in its own unit: the branch ends at the first point outside.
+    Interval range{-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
     int most_steps = 1000;
 
     void validate() const {
-        path.validate();
-        require(low < high, "low", low, "must be below high");
+        branch.validate();
+        require(range.low < range.high, "range.low", range.low, "must be below range.high");
         require(most_steps >= 1, "most_steps", most_steps, "must be at least 1");
     }
 };
@@ -64,18 +65,18 @@ struct Branch {
 
 /// The points of a branch, one after the other, for a driver of its own:
 ///
-///     PathStepper stepper(problem, options);
-///     for (const auto& point : Path(stepper, *stepper.start(q, p, 1))) if (enough(point)) break;
+///     BranchStepper stepper(problem, options);
+///     for (const auto& point : BranchPoints(stepper, *stepper.start(q, p, 1))) if (enough(point)) break;
 template <ContinuationProblem P>
-class Path {
+class BranchPoints {
 public:
-    Path(PathStepper<P>& stepper, BranchPoint<P> start) : stepper_(&stepper), start_(std::move(start)) {}
+    BranchPoints(BranchStepper<P>& stepper, BranchPoint<P> start) : stepper_(&stepper), start_(std::move(start)) {}
 
     class Iterator {
     public:
         using value_type = BranchPoint<P>;
         using difference_type = std::ptrdiff_t;
-        Iterator(PathStepper<P>* stepper, const BranchPoint<P>& start) : stepper_(stepper), point_(start) {}
+        Iterator(BranchStepper<P>* stepper, const BranchPoint<P>& start) : stepper_(stepper), point_(start) {}
         const BranchPoint<P>& operator*() const { return *point_; }
         const BranchPoint<P>* operator->() const { return &*point_; }
         Iterator& operator++() {
@@ -88,7 +89,7 @@ public:
         friend bool operator==(const Iterator& i, std::default_sentinel_t) { return !i.point_; }
 
     private:
-        PathStepper<P>* stepper_;
+        BranchStepper<P>* stepper_;
         std::optional<BranchPoint<P>> point_, before_;
     };
 
@@ -96,14 +97,14 @@ public:
     std::default_sentinel_t end() const { return {}; }
 
 private:
-    PathStepper<P>* stepper_;
+    BranchStepper<P>* stepper_;
     BranchPoint<P> start_;
 };
 
 /// Follows the branch from one of its points, in the direction of its tangent. functions: located where they change
 /// sign.
 template <ContinuationProblem P>
-Branch<P> follow(PathStepper<P>& stepper, const BranchPoint<P>& start, const ContinuationOptions& options,
+Branch<P> follow(BranchStepper<P>& stepper, const BranchPoint<P>& start, const ContinuationOptions& options,
                  const std::vector<EventFunction<P>>& functions = {}) {
     Branch<P> branch;
     branch.points.push_back(start);
@@ -131,7 +132,7 @@ Branch<P> follow(PathStepper<P>& stepper, const BranchPoint<P>& start, const Con
         before = from;
         branch.points.push_back(std::move(*next));
         const BranchPoint<P>& last = branch.points.back();
-        if (last.p < options.low || last.p > options.high) {
+        if (last.p < options.range.low || last.p > options.range.high) {
             branch.end = BranchEnd::window;
             return branch;
         }
@@ -160,7 +161,7 @@ Branch<P> continue_branch(const P& problem, const Configuration<P>& q, double p,
     options.validate();
     require(direction == 1 || direction == -1, "direction", direction, "must be 1 or -1");
     check_derivatives(problem, q, p);
-    PathStepper<P> stepper(problem, options.path);
+    BranchStepper<P> stepper(problem, options.branch);
     const auto start = stepper.start(q, p, direction);
     if (!start) {
         Branch<P> none;
@@ -172,7 +173,7 @@ Branch<P> continue_branch(const P& problem, const Configuration<P>& q, double p,
 
 /// Whether a point lies on a branch, between two of its points.
 template <ContinuationProblem P>
-bool lies_on(PathStepper<P>& stepper, const Branch<P>& branch, const BranchPoint<P>& point) {
+bool lies_on(BranchStepper<P>& stepper, const Branch<P>& branch, const BranchPoint<P>& point) {
     for (std::size_t k = 0; k + 1 < branch.points.size(); ++k) {
         const BranchPoint<P>& from = branch.points[k];
         const Direction chord = stepper.difference(from, branch.points[k + 1].q, branch.points[k + 1].p);
@@ -191,7 +192,7 @@ bool lies_on(PathStepper<P>& stepper, const Branch<P>& branch, const BranchPoint
 /// directions between them are tried all around, and the branches found are those that they lead to. Throws
 /// InvalidArgument unless the amplitude is positive and finite.
 template <ContinuationProblem P>
-std::vector<BranchPoint<P>> switch_branch(PathStepper<P>& stepper, const CriticalPoint<P>& point,
+std::vector<BranchPoint<P>> switch_branch(BranchStepper<P>& stepper, const CriticalPoint<P>& point,
                                           const Direction& incoming, double amplitude) {
     require(amplitude > 0 && std::isfinite(amplitude), "amplitude", amplitude, "must be positive and finite");
     std::vector<BranchPoint<P>> found;
@@ -201,18 +202,18 @@ std::vector<BranchPoint<P>> switch_branch(PathStepper<P>& stepper, const Critica
     };
     // amplitudes in turn until the corrector converges
     const auto attempt = [&](Direction t, double p_curvature, std::initializer_list<double> shares) {
-        PathStepper<P>::scale(t, 1 / stepper.length(t));
+        BranchStepper<P>::scale(t, 1 / stepper.length(t));
         // the plane's normal has no share of the branch that is left: the corrector cannot fall back onto it
         Direction normal = incoming;
-        PathStepper<P>::scale(normal, -stepper.dot(t, incoming) / stepper.dot(incoming, incoming));
+        BranchStepper<P>::scale(normal, -stepper.dot(t, incoming) / stepper.dot(incoming, incoming));
         normal.q += t.q;
         normal.p += t.p;
         for (const double sign : {1.0, -1.0})
             for (const double share : shares) {
                 const double s = share * amplitude;
                 Direction increment = t, along = t;
-                PathStepper<P>::scale(increment, sign * s);
-                PathStepper<P>::scale(along, sign);
+                BranchStepper<P>::scale(increment, sign * s);
+                BranchStepper<P>::scale(along, sign);
                 increment.p += p_curvature * s * s / 2;
                 auto start = stepper.onto(point.q, point.p, increment, normal, along);
                 if (!start) continue;

@@ -25,9 +25,9 @@ struct DiagramOptions {
         require(most_branches >= 1, "most_branches", most_branches, "must be at least 1");
         require(slices >= 0, "slices", slices, "must be 0 or positive");
         if (slices > 0) {
-            require(std::isfinite(continuation.low), "low", continuation.low,
+            require(std::isfinite(continuation.range.low), "range.low", continuation.range.low,
                     "must be finite where slices are asked for");
-            require(std::isfinite(continuation.high), "high", continuation.high,
+            require(std::isfinite(continuation.range.high), "range.high", continuation.range.high,
                     "must be finite where slices are asked for");
         }
     }
@@ -73,15 +73,15 @@ public:
     using Point = BranchPoint<P>;
 
     GraphBuilder(const P& problem, const DiagramOptions& options)
-        : problem_(problem), options_(options), stepper_(problem, options.continuation.path) {
-        if (options_.amplitude == 0) options_.amplitude = options.continuation.path.first_step;
+        : problem_(problem), options_(options), stepper_(problem, options.continuation.branch) {
+        if (options_.amplitude == 0) options_.amplitude = options.continuation.branch.first_step;
     }
 
     BranchGraph<P> run(const Configuration<P>& q, double p) {
         start(q, p, false);
         follow_all();
         for (int k = 0; k < options_.slices; ++k) {
-            const double low = options_.continuation.low, high = options_.continuation.high;
+            const double low = options_.continuation.range.low, high = options_.continuation.range.high;
             search(low + (high - low) * (k + 0.4713) / options_.slices);
             follow_all();
         }
@@ -99,7 +99,7 @@ private:
         auto point = stepper_.start(q, p, 1);
         if (!point) return;
         waiting_.push_back({*point, {}, deflated});
-        PathStepper<P>::flip(point->tangent);
+        BranchStepper<P>::flip(point->tangent);
         waiting_.push_back({std::move(*point), {}, deflated});
     }
 
@@ -155,7 +155,7 @@ private:
     }
     bool same(const CriticalPoint<P>& a, const CriticalPoint<P>& b) const {
         return stepper_.length(stepper_.difference(at(a.q, a.p), b.q, b.p)) <
-               1e-3 * options_.continuation.path.first_step;
+               1e-3 * options_.continuation.branch.first_step;
     }
     /// Whether a branch that was followed passes through the start or an image of it; not so of the two halves from one
     /// start.
@@ -214,7 +214,7 @@ private:
 
     const P& problem_;
     DiagramOptions options_;
-    PathStepper<P> stepper_;
+    BranchStepper<P> stepper_;
     BranchGraph<P> graph_;
     std::deque<Start> waiting_;
 };

@@ -17,7 +17,7 @@
 #include <array>
 #include <vector>
 
-#include <equilibria/continuation/path.hpp>
+#include <equilibria/continuation/branch_stepper.hpp>
 
 namespace equilibria {
 

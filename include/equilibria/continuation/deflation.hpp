@@ -9,7 +9,7 @@
 #include <optional>
 #include <vector>
 
-#include <equilibria/continuation/path.hpp>
+#include <equilibria/continuation/branch_stepper.hpp>
 
 namespace equilibria {
 

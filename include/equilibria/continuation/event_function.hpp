@@ -9,7 +9,7 @@
 
 #include <boost/math/tools/toms748_solve.hpp>
 
-#include <equilibria/continuation/path.hpp>
+#include <equilibria/continuation/branch_stepper.hpp>
 
 namespace equilibria {
 
@@ -23,7 +23,7 @@ struct EventFunction {
 /// Where the function vanishes between two neighbouring points at which its signs differ; nothing where the branch is
 /// lost or the function jumps.
 template <ContinuationProblem P>
-std::optional<BranchPoint<P>> zero_between(PathStepper<P>& stepper, const EventFunction<P>& function,
+std::optional<BranchPoint<P>> zero_between(BranchStepper<P>& stepper, const EventFunction<P>& function,
                                            const BranchPoint<P>& a, const BranchPoint<P>& b) {
     const double at_a = function.value(a), at_b = function.value(b), h = b.arc_length - a.arc_length;
     if (at_b == 0) return b;

@@ -33,7 +33,7 @@ class EventFinder {
 public:
     using Point = BranchPoint<P>;
 
-    explicit EventFinder(PathStepper<P>& stepper, const CriticalPointOptions& options = {})
+    explicit EventFinder(BranchStepper<P>& stepper, const CriticalPointOptions& options = {})
         : stepper_(&stepper), options_(options) {}
 
     StepEvents<P> between(const Point& a, const Point& b) {
@@ -227,7 +227,7 @@ private:
         return y;
     }
 
-    PathStepper<P>* stepper_;
+    BranchStepper<P>* stepper_;
     CriticalPointOptions options_;
     double resolution_ = 0;  ///< of the present step
 };

@@ -284,13 +284,12 @@ private:
             Endpoint<M>& end = *paths[k]->end;
             end.steps = segments[k].steps;
             if (segments[k].progress != Progress::arrived) continue;
-            Point<M, double> before, q;
-            copy_lane(paths[k]->q, 0, before, 0);
-            copy_lane(segments[k].q, 0, q, 0);
             paths[k]->q = segments[k].q;
+            Point<M, double> reached;
+            copy_lane(segments[k].q, 0, reached, 0);
+            Point<M, double> q = reached;
             polisher_->run(q, &end.evidence);
-            // beside a family Newton's method may go anywhere
-            if (!is_regular(end.evidence) || distance(q, before) > 1e-4) continue;
+            if (!is_regular(end.evidence) || distance(q, reached) > 1e-6) continue;
             end.q = q;
             end.status = PathStatus::finite;
             end.reason = FailureReason::none;

@@ -10,6 +10,8 @@
 #include <utility>
 #include <vector>
 
+#include <boost/pending/disjoint_sets.hpp>
+
 #include <equilibria/core/random.hpp>
 #include <equilibria/evaluation/point.hpp>
 
@@ -43,26 +45,21 @@ public:
             }
         std::sort(entries.begin(), entries.end(),
                   [](const Entry& a, const Entry& b) { return std::pair(a.key, a.k) < std::pair(b.key, b.k); });
-        std::vector<std::size_t> parent(entries.size());
+        boost::disjoint_sets_with_storage<> groups(entries.size());
         std::vector<std::uint8_t> joined(entries.size());
-        for (std::size_t i = 0; i < parent.size(); ++i) parent[i] = i;
-        const auto root = [&](std::size_t i) {
-            while (parent[i] != i) i = parent[i] = parent[parent[i]];
-            return i;
-        };
         for (std::size_t i = 0; i < entries.size(); ++i)
             for (std::size_t j = i + 1;
                  j < entries.size() && entries[j].key - entries[i].key <= 8 * tolerance * entries[i].size; ++j)
                 if (same(*point(entries[i].k), *point(entries[j].k), tolerance)) {
-                    parent[root(j)] = root(i);
+                    groups.union_set(i, j);
                     joined[i] = joined[j] = 1;
                 }
-        std::vector<std::size_t> least(entries.size(), size);  // of the numbers in a root's group
+        std::vector<std::size_t> least(entries.size(), size);  // of the numbers in a group
         for (std::size_t i = 0; i < entries.size(); ++i)
-            if (joined[i]) least[root(i)] = std::min(least[root(i)], entries[i].k);
+            if (joined[i]) least[groups.find_set(i)] = std::min(least[groups.find_set(i)], entries[i].k);
         std::vector<std::pair<std::size_t, std::size_t>> members;  // of groups: the least number, the number
         for (std::size_t i = 0; i < entries.size(); ++i)
-            if (joined[i]) members.push_back({least[root(i)], entries[i].k});
+            if (joined[i]) members.push_back({least[groups.find_set(i)], entries[i].k});
         std::sort(members.begin(), members.end());
         std::vector<std::vector<std::size_t>> found;
         for (std::size_t m = 0; m < members.size(); ++m) {

@@ -89,8 +89,8 @@ private:
                 for (const auto& z : q.x) numbers(z.re), numbers(z.im);
             }
             return {size, block(size), run_->checkpoint,
-                    checkpoint_header<M>(homotopy_->parameters(), run_->seed, start_->name(), numbers, options_, size,
-                                         block(size)),
+                    checkpoint_header<M>(homotopy_->parameters(),
+                                         {run_->seed, start_->name(), numbers, size, block(size)}, options_),
                     !streamed};
         } else {
             require(false, "checkpoint", run_->checkpoint, "must be empty: it keeps the enumeration of a model");

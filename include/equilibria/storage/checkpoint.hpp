@@ -45,21 +45,22 @@ void transfer(Archive& a, E& end) {
 class Writer {
 public:
     explicit Writer(Bytes& to) : to_(&to) {}
-    void operator()(double value) { put(std::bit_cast<std::uint64_t>(value), 8); }
+    void operator()(double value) { put<8>(std::bit_cast<std::uint64_t>(value)); }
     template <class T>
     requires std::is_integral_v<T>
     void operator()(T value) {
-        put(static_cast<std::make_unsigned_t<T>>(value), sizeof(T));
+        put<sizeof(T)>(static_cast<std::make_unsigned_t<T>>(value));
     }
     template <class E>
     void operator()(E value, E) {
-        put(static_cast<std::uint64_t>(value), 1);
+        put<1>(static_cast<std::uint64_t>(value));
     }
 
 private:
-    void put(std::uint64_t value, int bytes) {
-        to_->resize(to_->size() + static_cast<std::size_t>(bytes));
-        put_number(&*to_->end() - bytes, value, bytes);
+    template <int bytes>
+    void put(std::uint64_t value) {
+        to_->resize(to_->size() + bytes);
+        put_number<bytes>(to_->data() + to_->size() - bytes, value);
     }
     Bytes* to_;
 };
@@ -68,15 +69,15 @@ private:
 class Reader {
 public:
     explicit Reader(std::span<const std::uint8_t> from) : at_(from.data()) {}
-    void operator()(double& value) { value = std::bit_cast<double>(get(8)); }
+    void operator()(double& value) { value = std::bit_cast<double>(get<8>()); }
     template <class T>
     requires std::is_integral_v<T>
     void operator()(T& value) {
-        value = static_cast<T>(static_cast<std::make_unsigned_t<T>>(get(sizeof(T))));
+        value = static_cast<T>(static_cast<std::make_unsigned_t<T>>(get<sizeof(T)>()));
     }
     template <class E>
     void operator()(E& value, E largest) {
-        const std::uint64_t number = get(1);
+        const std::uint64_t number = get<1>();
         sound_ = sound_ && number <= static_cast<std::uint64_t>(largest);
         value = sound_ ? static_cast<E>(number) : largest;
     }
@@ -84,8 +85,9 @@ public:
     bool sound() const { return sound_; }
 
 private:
-    std::uint64_t get(int bytes) {
-        const std::uint64_t value = get_number(at_, bytes);
+    template <int bytes>
+    std::uint64_t get() {
+        const std::uint64_t value = get_number<bytes>(at_);
         at_ += bytes;
         return value;
     }
@@ -148,11 +150,18 @@ inline std::string build_name() {
     return name;
 }
 
-/// The header of a run: `numbers` stands for the coefficients of the homotopy and all start points.
+/// What is tracked in a run, beside the model and its parameters.
+struct CheckpointRun {
+    std::uint64_t seed;
+    std::string_view start;
+    Fingerprint numbers;  ///< the coefficients of the homotopy and all start points
+    std::uint64_t paths, block;
+};
+
 template <Model M>
-std::vector<CheckpointFile::Field> checkpoint_header(const Parameters<M>& p, std::uint64_t seed, std::string_view start,
-                                                     const Fingerprint& numbers, const TrackerOptions& tracker,
-                                                     std::uint64_t paths, std::uint64_t block) {
+std::vector<CheckpointFile::Field> checkpoint_header(const Parameters<M>& p, const CheckpointRun& run,
+                                                     const TrackerOptions& tracker) {
+    const auto& [seed, start, numbers, paths, block] = run;
     using F = Formulation<M>;
     Fingerprint support;
     for (const auto& term : F::support) {

@@ -22,6 +22,7 @@
 #include <algorithm>
 #include <array>
 #include <boost/crc.hpp>
+#include <boost/endian/conversion.hpp>
 #include <cerrno>
 #include <chrono>
 #include <cstdint>
@@ -34,13 +35,16 @@
 
 namespace equilibria::detail {
 
-inline void put_number(std::uint8_t* to, std::uint64_t value, int bytes = 8) {
-    for (int k = 0; k < bytes; ++k) to[k] = static_cast<std::uint8_t>(value >> (8 * k));
+/// The lowest `bytes` bytes of a number, little-endian.
+template <int bytes = 8>
+void put_number(std::uint8_t* to, std::uint64_t value) {
+    using namespace boost::endian;
+    endian_store<std::uint64_t, bytes, order::little>(to, value);
 }
-inline std::uint64_t get_number(const std::uint8_t* from, int bytes = 8) {
-    std::uint64_t value = 0;
-    for (int k = 0; k < bytes; ++k) value |= std::uint64_t{from[k]} << (8 * k);
-    return value;
+template <int bytes = 8>
+std::uint64_t get_number(const std::uint8_t* from) {
+    using namespace boost::endian;
+    return endian_load<std::uint64_t, bytes, order::little>(from);
 }
 
 class Crc64 {
@@ -119,8 +123,8 @@ private:
     bool create() {
         Bytes head(data_at());
         std::copy(magic.begin(), magic.end(), head.begin());
-        put_number(&head[8], format, 4);
-        put_number(&head[12], header_.size(), 4);
+        put_number<4>(&head[8], format);
+        put_number<4>(&head[12], header_.size());
         std::copy(header_.begin(), header_.end(), head.begin() + header_at);
         header_sum_ = head_sum(head);
         put_number(&head[16], header_sum_);
@@ -170,9 +174,9 @@ private:
             refuse("is not a checkpoint");
         if (size < header_at) refuse("is truncated: its head is incomplete");
         file_.read(0, prologue);
-        if (const auto version = get_number(&prologue[8], 4); version != format)
+        if (const auto version = get_number<4>(&prologue[8]); version != format)
             refuse("is of format " + std::to_string(version) + "; this program reads format " + std::to_string(format));
-        const std::uint64_t length = get_number(&prologue[12], 4);
+        const std::uint64_t length = get_number<4>(&prologue[12]);
         if (length > size - header_at) refuse("is truncated or damaged: its header is incomplete");
         Bytes head(header_at + length);
         file_.read(0, head);

@@ -4,11 +4,11 @@
 #include <equilibria/continuation/branch.hpp>
 #include <equilibria/fem/structure.hpp>
 
-#define INSTANCES_STRUCTURE_STEPPER class equilibria::PathStepper<equilibria::fem::Structure>
+#define INSTANCES_STRUCTURE_STEPPER class equilibria::BranchStepper<equilibria::fem::Structure>
 
 #define INSTANCES_STRUCTURE_FOLLOW                                                                          \
     equilibria::Branch<equilibria::fem::Structure> equilibria::follow(                                      \
-        equilibria::PathStepper<equilibria::fem::Structure>&,                                               \
+        equilibria::BranchStepper<equilibria::fem::Structure>&,                                             \
         const equilibria::BranchPoint<equilibria::fem::Structure>&, const equilibria::ContinuationOptions&, \
         const std::vector<equilibria::EventFunction<equilibria::fem::Structure>>&)
 

@@ -9,7 +9,7 @@
     equilibria::Locus<equilibria::mechanisms::TwoLinkChain>                                                    \
     equilibria::trace_locus<equilibria::mechanisms::TwoLinkChain, equilibria::mechanisms::TwoLinkChain::alpha, \
                             equilibria::mechanisms::TwoLinkChain::omega>(                                      \
-        const equilibria::Parameters<equilibria::mechanisms::TwoLinkChain>&, const equilibria::PlaneWindow&,   \
+        const equilibria::Parameters<equilibria::mechanisms::TwoLinkChain>&, const equilibria::Window&,        \
         const equilibria::RunOptions&, const equilibria::LocusOptions&,                                        \
         equilibria::MoreDigitsOf<equilibria::CriticalSystem<equilibria::mechanisms::TwoLinkChain,              \
                                                             equilibria::mechanisms::TwoLinkChain::alpha,       \

@@ -18,7 +18,7 @@
     equilibria::RegionProof                                                                                     \
     equilibria::prove_region<equilibria::mechanisms::TwoLinkChain, equilibria::mechanisms::TwoLinkChain::alpha, \
                              equilibria::mechanisms::TwoLinkChain::omega>(                                      \
-        const equilibria::Parameters<equilibria::mechanisms::TwoLinkChain>&, const equilibria::PlaneWindow&,    \
+        const equilibria::Parameters<equilibria::mechanisms::TwoLinkChain>&, const equilibria::Window&,         \
         const equilibria::RunOptions&, const equilibria::ProveRegionOptions&)
 
 #ifdef EQUILIBRIA_SHARED_INSTANCES

@@ -2,7 +2,7 @@
 /// Curves of critical points in two parameters, as continuation problems of their own: what follows a branch follows
 /// them, and folds of a fold curve are its cusps.
 ///
-/// A family gives for each value of the second parameter r a problem in the first, p.
+/// `problems`, a parametric problem, gives for each value of the second parameter r a problem in the first, p.
 ///
 /// Fold curve, unknowns (p, q):            Curve of bifurcation points, unknowns (p, gamma, q):
 ///     [ sigma(q, p; r) ]                      [ sigma(q, p; r)             ]
@@ -62,10 +62,10 @@ using MemberOf = std::remove_cvref_t<std::invoke_result_t<const F&, double>>;
 
 /// Gives a problem in p for each value of the second parameter.
 template <class F>
-concept ProblemFamily = std::invocable<const F&, double> && ContinuationProblem<detail::MemberOf<F>>;
+concept ParametricProblem = std::invocable<const F&, double> && ContinuationProblem<detail::MemberOf<F>>;
 
 /// Base of both curves: extra unknowns first, then q.
-template <ProblemFamily F, int extra>
+template <ParametricProblem F, int extra>
 class CriticalCurve {
 public:
     using Problem = detail::MemberOf<F>;
@@ -73,14 +73,14 @@ public:
     using Matrix = TangentMatrix<Problem>;
     static constexpr bool symmetric = false;
 
-    /// r: a value at which the family is defined; p_scale: a change of p that counts as much as one of 1 in the
+    /// r: a value at which a problem is defined; p_scale: a change of p that counts as much as one of 1 in the
     /// unknowns.
-    CriticalCurve(F family, double r, double p_scale)
-        : family_(std::move(family)), any_(family_(r)), p_scale_(p_scale) {
+    CriticalCurve(F problems, double r, double p_scale)
+        : problems_(std::move(problems)), any_(problems_(r)), p_scale_(p_scale) {
         require(p_scale > 0 && std::isfinite(p_scale), "p_scale", p_scale, "must be positive and finite");
     }
 
-    Problem problem(double r) const { return family_(r); }
+    Problem problem(double r) const { return problems_(r); }
     double p_scale() const { return p_scale_; }
 
     Configuration retract(const Configuration& y, const Eigen::VectorXd& d) const {
@@ -112,7 +112,7 @@ public:
         return w;
     }
 
-    Configuration rebase(const Configuration& y, double r) const { return with_best_border(family_(r), y); }
+    Configuration rebase(const Configuration& y, double r) const { return with_best_border(problems_(r), y); }
 
 protected:
     static Eigen::VectorXd not_a_number(Eigen::Index size) {
@@ -147,13 +147,13 @@ protected:
                                              1 / std::max(1e-3, std::abs(r)));
     }
 
-    F family_;
+    F problems_;
     Problem any_;  ///< for what does not depend on r
     double p_scale_;
 };
 
-/// The folds of a family; parameter r, unknowns (p, q).
-template <ProblemFamily F>
+/// The folds of a parametric problem; parameter r, unknowns (p, q).
+template <ParametricProblem F>
 class FoldCurve : public CriticalCurve<F, 1> {
     using Base = CriticalCurve<F, 1>;
 
@@ -164,7 +164,7 @@ public:
     using Base::Base;
 
     Eigen::VectorXd residual(const Configuration& y, double r) const {
-        const Problem problem = this->family_(r);
+        const Problem problem = this->problems_(r);
         const BorderedTangent<Problem> b(problem, y);
         if (!b.regular) return Base::not_a_number(b.g.size() + 1);
         Eigen::VectorXd f(b.g.size() + 1);
@@ -172,7 +172,7 @@ public:
         return f;
     }
     Matrix tangent(const Configuration& y, double r) const {
-        const Problem problem = this->family_(r);
+        const Problem problem = this->problems_(r);
         const BorderedTangent<Problem> b(problem, y);
         const Eigen::Index n = b.g.size();
         Eigen::MatrixXd row(1, n + 1);
@@ -193,9 +193,9 @@ public:
 template <class F>
 FoldCurve(F, double, double) -> FoldCurve<F>;
 
-/// The simple bifurcation points of a family; parameter r, unknowns (p, gamma, q). gamma, the load in row j that
-/// would keep the bifurcation perfect, is 0 along the whole curve where a symmetry does that.
-template <ProblemFamily F>
+/// The simple bifurcation points of a parametric problem; parameter r, unknowns (p, gamma, q). gamma, the load in row j
+/// that would keep the bifurcation perfect, is 0 along the whole curve where a symmetry does that.
+template <ParametricProblem F>
 class BifurcationCurve : public CriticalCurve<F, 2> {
     using Base = CriticalCurve<F, 2>;
 
@@ -206,7 +206,7 @@ public:
     using Base::Base;
 
     Eigen::VectorXd residual(const Configuration& y, double r) const {
-        const Problem problem = this->family_(r);
+        const Problem problem = this->problems_(r);
         const BorderedTangent<Problem> b(problem, y);
         if (!b.regular) return Base::not_a_number(b.g.size() + 2);
         Eigen::VectorXd f(b.g.size() + 2);
@@ -215,7 +215,7 @@ public:
         return f;
     }
     Matrix tangent(const Configuration& y, double r) const {
-        const Problem problem = this->family_(r);
+        const Problem problem = this->problems_(r);
         const BorderedTangent<Problem> b(problem, y);
         const Eigen::Index n = b.g.size();
         Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(2, n + 2), columns = Eigen::MatrixXd::Zero(n, 2);

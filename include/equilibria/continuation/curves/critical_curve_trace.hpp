@@ -2,7 +2,7 @@
 /// Curves of critical points followed in two parameters, with their special points:
 ///
 ///     const auto arches = [](double rise) { return ShallowArch{rise}; };
-///     const auto curve = continue_folds(arches, fold, 2.5, -1, {.low = 1, .high = 3});
+///     const auto curve = continue_folds(arches, fold, 2.5, -1, {.range = {1, 3}});
 ///     for (const auto& point : curve.branch.points) std::cout << point.p << ' ' << point.q.p << '\n';  // r, p
 #pragma once
 
@@ -109,15 +109,15 @@ void sort_special(CriticalCurveTrace<Curve>& trace) {
 
 }  // namespace detail
 
-/// Follows the folds of a family from one of them, found at the value r of the second parameter, towards larger r
-/// (direction 1) or smaller (-1), through cusps. options.low and high bound r. Cusps, points where r turns back in a
-/// bifurcation, and points with a second null vector are located. Without points where the curve cannot be started.
-/// Throws as continue_branch does.
-template <ProblemFamily F>
-CriticalCurveTrace<FoldCurve<F>> continue_folds(const F& family, const CriticalPoint<detail::MemberOf<F>>& fold,
+/// Follows the folds of a parametric problem from one of them, found at the value r of the second parameter, towards
+/// larger r (direction 1) or smaller (-1), through cusps. options.range.low and high bound r. Cusps, points where r
+/// turns back in a bifurcation, and points with a second null vector are located. Without points where the curve cannot
+/// be started. Throws as continue_branch does.
+template <ParametricProblem F>
+CriticalCurveTrace<FoldCurve<F>> continue_folds(const F& problems, const CriticalPoint<detail::MemberOf<F>>& fold,
                                                 double r, int direction, const ContinuationOptions& options = {}) {
     const auto start = detail::configuration_of(fold);
-    const FoldCurve<F> curve(family, r, detail::scale_of_parameter(family(r), start));
+    const FoldCurve<F> curve(problems, r, detail::scale_of_parameter(problems(r), start));
     auto trace = detail::trace_curve(curve, start, r, direction, options, {},
                                      [](std::size_t, const auto&) { return CriticalKind::hilltop; });
     for (const auto& [step, point] : trace.branch.events) {
@@ -126,7 +126,7 @@ CriticalCurveTrace<FoldCurve<F>> continue_folds(const F& family, const CriticalP
             // at a cusp p turns back with r
             const Eigen::VectorXd own = point.null_vector.tail(point.null_vector.size() - 1);
             const bool cusp = std::abs(point.null_vector(0)) / curve.p_scale() < 1e-5 * own.norm();
-            kind = cusp ? CriticalKind::cusp : detail::kind_of(family(point.p), point.q, options.critical);
+            kind = cusp ? CriticalKind::cusp : detail::kind_of(problems(point.p), point.q, options.critical);
         } else if (std::any_of(trace.special.begin(), trace.special.end(),
                                [at = step](const auto& other) { return other.step == at; })) {
             continue;  // a hilltop by its second eigenvalue
@@ -137,23 +137,23 @@ CriticalCurveTrace<FoldCurve<F>> continue_folds(const F& family, const CriticalP
     return trace;
 }
 
-/// Follows the bifurcation points of a family, as continue_folds does its folds. gamma stays 0 where a symmetry keeps
-/// the bifurcation; where none does, the member bifurcates where gamma passes 0, which is located.
-template <ProblemFamily F>
-CriticalCurveTrace<BifurcationCurve<F>> continue_bifurcations(const F& family,
+/// Follows the bifurcation points of a parametric problem, as continue_folds does its folds. gamma stays 0 where a
+/// symmetry keeps the bifurcation; where none does, the member bifurcates where gamma passes 0, which is located.
+template <ParametricProblem F>
+CriticalCurveTrace<BifurcationCurve<F>> continue_bifurcations(const F& problems,
                                                               const CriticalPoint<detail::MemberOf<F>>& point, double r,
                                                               int direction, const ContinuationOptions& options = {}) {
     using Curve = BifurcationCurve<F>;
     const auto start = detail::configuration_of(point);
-    const auto member = family(r);
-    const Curve curve(family, r, detail::scale_of_parameter(member, start));
+    const auto member = problems(r);
+    const Curve curve(problems, r, detail::scale_of_parameter(member, start));
     const double noise = 1e-10 * detail::largest_entry(member.tangent(point.q, point.p));
     auto trace = detail::trace_curve(
         curve, start, r, direction, options,
         {{"gamma", [noise](const BranchPoint<Curve>& at) { return std::abs(at.q.gamma) < noise ? 0.0 : at.q.gamma; }},
          {"dr/ds", [](const BranchPoint<Curve>& at) { return at.tangent.p; }}},
         [&](std::size_t function, const BranchPoint<Curve>& at) {
-            return function == 1 ? detail::kind_of(family(at.p), at.q, options.critical) : CriticalKind::hilltop;
+            return function == 1 ? detail::kind_of(problems(at.p), at.q, options.critical) : CriticalKind::hilltop;
         });
     detail::sort_special(trace);
     return trace;

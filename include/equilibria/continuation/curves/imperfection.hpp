@@ -54,9 +54,9 @@ private:
     double gamma_;
 };
 
-/// Imperfections gamma of one shape, as a family.
+/// Imperfections gamma of one shape, as a parametric problem.
 template <ContinuationProblem P>
-struct ImperfectFamily {
+struct ImperfectProblems {
     P perfect;
     Eigen::VectorXd shape;
     ImperfectProblem<P> operator()(double gamma) const { return {perfect, shape, gamma}; }
@@ -65,11 +65,11 @@ struct ImperfectFamily {
 /// Limit loads against the size gamma of an imperfection, on both sides of the perfect structure:
 /// points[k].p is gamma, points[k].q.p the limit load.
 template <ContinuationProblem P>
-using KnockDownCurve = Branch<FoldCurve<ImperfectFamily<P>>>;
+using KnockDownCurve = Branch<FoldCurve<ImperfectProblems<P>>>;
 
 /// The knock-down curve from a critical point of the perfect structure: a bifurcation with a simple null vector, or a
-/// fold. shape: the imperfection, by default the null vector, as a load. options.low and high bound gamma. Two half
-/// curves, which leave the critical point in opposite directions along the null vector: at a pitchfork gamma is of
+/// fold. shape: the imperfection, by default the null vector, as a load. options.range.low and high bound gamma. Two
+/// half curves, which leave the critical point in opposite directions along the null vector: at a pitchfork gamma is of
 /// opposite sign on them. Fewer where one cannot be started. Throws InvalidArgument where the shape has not the size of
 /// the unknowns or does no work along the null vector, and for options out of range.
 template <ContinuationProblem P>
@@ -85,19 +85,19 @@ std::vector<KnockDownCurve<P>> knock_down_curves(const P& perfect, const Critica
             "must do work along the null vector");
     // gamma as the displacement that its load would cause were K its largest entry: at the critical point itself it
     // causes an infinite one
-    if (options.path.parameter_weight == 0)
-        options.path.parameter_weight = shape.norm() / detail::largest_entry(perfect.tangent(point.q, point.p));
-    const ImperfectFamily<P> family{perfect, std::move(shape)};
+    if (options.branch.parameter_weight == 0)
+        options.branch.parameter_weight = shape.norm() / detail::largest_entry(perfect.tangent(point.q, point.p));
+    const ImperfectProblems<P> problems{perfect, std::move(shape)};
     const auto start = detail::configuration_of(point);
-    const FoldCurve<ImperfectFamily<P>> curve(family, 0.0, detail::scale_of_parameter(family(0.0), start));
+    const FoldCurve<ImperfectProblems<P>> curve(problems, 0.0, detail::scale_of_parameter(problems(0.0), start));
     std::vector<KnockDownCurve<P>> halves;
     for (const double side : {1.0, -1.0}) {
-        PathStepper<FoldCurve<ImperfectFamily<P>>> stepper(curve, options.path);
+        BranchStepper<FoldCurve<ImperfectProblems<P>>> stepper(curve, options.branch);
         Direction along{Eigen::VectorXd::Zero(point.null_vector.size() + 1), 0};
         along.q.tail(point.null_vector.size()) = side * point.null_vector;
         auto first = stepper.assess(start, 0, along);
         if (!first) continue;
-        first->proposed_step = options.path.first_step;
+        first->proposed_step = options.branch.first_step;
         halves.push_back(follow(stepper, *first, options));
     }
     return halves;

@@ -145,6 +145,8 @@ private:
     using Scalar = typename LaneTraits<Pack>::Scalar;
     /// Of points that are compared and averaged: one more, or three for all the digits.
     static constexpr int last_corrections = std::is_same_v<R, double> ? 1 : 3;
+    /// By which those may move it.
+    static constexpr double largest_correction = 0.1;
 
     static constexpr std::size_t at(int k) { return static_cast<std::size_t>(k); }
 
@@ -174,6 +176,8 @@ private:
     void hand_over(int k, Path& path) {
         Point<M, R> corrected;
         copy_lane(q_, k, corrected, 0);
+        // at a singular point Newton's method may go anywhere
+        if (!(distance(path.q, corrected) < largest_correction)) return leave(k, path, Progress::stuck);
         if (path.take(corrected)) return;
         path.progress = Progress::arrived;
         done_[k] = true;
@@ -195,6 +199,7 @@ private:
         if (path.may_leave && !was_far_[k] && static_cast<double>(lane(farthest2(q_), k)) > far_away2)
             return leave(k, path, Progress::far);
         if (!arrived) return;
+        copy_lane(q_, k, path.q, 0);
         if (path.advance()) begin_segment(k, path);
         corrections_[k] = last_corrections;
     }

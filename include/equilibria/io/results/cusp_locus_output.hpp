@@ -59,9 +59,9 @@ Json json_of(const CuspPlane<M>& plane, const AxisNames& names) {
 template <PotentialModel M>
 Json json_of(const CuspLocus<M>& locus, const AxisNames& names) {
     const auto& box = locus.box;
-    Json out{{names.z, json_range(box.z_low, box.z_high)},
-             {names.x, json_range(box.x_low, box.x_high)},
-             {names.y, json_range(box.y_low, box.y_high)}};
+    Json out{{names.z, json_range(box.z.low, box.z.high)},
+             {names.x, json_range(box.x.low, box.x.high)},
+             {names.y, json_range(box.y.low, box.y.high)}};
     for (const char* key : {"cusp_curves", "transitions", "planes"}) out[key] = Json::array();
     for (const auto& curve : locus.curves) {
         out["cusp_curves"].push_back(json_of(curve, names));

@@ -34,7 +34,7 @@ Json json_of(const LineEvent<M>& e, const std::string& parameter) {
 
 /// "low", "high", "at", "count", "by_index", "clean".
 template <Model M>
-Json json_of(const LineInterval<M>& i) {
+Json json_of(const EventGap<M>& i) {
     return {{"low", i.low},     {"high", i.high},         {"at", i.at},
             {"count", i.count}, {"by_index", i.by_index}, {"clean", i.clean}};
 }
@@ -54,8 +54,8 @@ Json json_of(const LineEvents<M>& found, const std::string& parameter) {
     }
     for (const auto& i : found.intervals) intervals.push_back(json_of(i));
     paths["attempts"] = found.attempts;
-    return {{"low", found.low},
-            {"high", found.high},
+    return {{"low", found.range.low},
+            {"high", found.range.high},
             {"events", std::move(events)},
             {"intervals", std::move(intervals)},
             {"paths", std::move(paths)},

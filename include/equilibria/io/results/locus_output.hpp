@@ -74,7 +74,7 @@ Json evidence_json(const Locus<M>& locus) {
 template <Model M>
 Json json_of(const Locus<M>& locus, const AxisNames& names) {
     const auto& w = locus.window;
-    Json out{{names.x, json_range(w.x_low, w.x_high)}, {names.y, json_range(w.y_low, w.y_high)}};
+    Json out{{names.x, json_range(w.x.low, w.x.high)}, {names.y, json_range(w.y.low, w.y.high)}};
     for (const char* key : {"cusps", "degenerate_pitchforks", "curves", "regions", "borders", "extremal"})
         out[key] = Json::array();
     for (const auto& cusp : locus.of(SingularityKind::cusp)) out["cusps"].push_back(cusp_json(cusp, names));

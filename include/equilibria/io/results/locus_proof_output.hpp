@@ -33,8 +33,8 @@ inline Json json_of(const LocusProof& proof) {
 /// The ranges of both parameters by their names, "count", "by_index", "argument".
 inline Json json_of(const ProvedCell& cell, const AxisNames& names) {
     const auto& w = cell.window;
-    return {{names.x, json_range(w.x_low, w.x_high)},
-            {names.y, json_range(w.y_low, w.y_high)},
+    return {{names.x, json_range(w.x.low, w.x.high)},
+            {names.y, json_range(w.y.low, w.y.high)},
             {"count", cell.count},
             {"by_index", cell.by_index},
             {"argument", to_string(cell.argument)}};
@@ -44,8 +44,8 @@ inline Json json_of(const ProvedCell& cell, const AxisNames& names) {
 /// "enumerations", "seconds", "cells".
 inline Json json_of(const RegionProof& proof, const AxisNames& names) {
     const auto& w = proof.window;
-    Json out{{names.x, json_range(w.x_low, w.x_high)},
-             {names.y, json_range(w.y_low, w.y_high)},
+    Json out{{names.x, json_range(w.x.low, w.x.high)},
+             {names.y, json_range(w.y.low, w.y.high)},
              {"proved_area_share", proof.proved_area_share},
              {"undecided", proof.undecided.size()},
              {"tested", proof.tested},
@@ -68,10 +68,10 @@ inline CsvTable cells_csv(const RegionProof& proof, const AxisNames& names) {
     for (const auto& cell : proof.cells) {
         const auto& w = cell.window;
         table.add(CsvRow()
-                      .add(w.x_low)
-                      .add(w.x_high)
-                      .add(w.y_low)
-                      .add(w.y_high)
+                      .add(w.x.low)
+                      .add(w.x.high)
+                      .add(w.y.low)
+                      .add(w.y.high)
                       .add(cell.count)
                       .add(to_string(cell.argument))
                       .add_all(cell.by_index));

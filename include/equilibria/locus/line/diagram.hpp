@@ -8,7 +8,7 @@
 #include <cmath>
 #include <vector>
 
-#include <equilibria/continuation/path.hpp>
+#include <equilibria/continuation/branch_stepper.hpp>
 #include <equilibria/enumerate/enumerate.hpp>
 #include <equilibria/locus/line/line_events.hpp>
 #include <equilibria/locus/line/model_problem.hpp>
@@ -38,12 +38,13 @@ struct BifurcationDiagram {
 ///
 /// Throws InvalidArgument as find_events does.
 template <Model M, int Active>
-BifurcationDiagram<M> trace_diagram(const Parameters<M>& p, double low, double high, const RunOptions& run = {},
-                                    PathOptions path = {.first_step = 1e-3, .largest_step = 0.02}) {
+BifurcationDiagram<M> trace_diagram(const Parameters<M>& p, const Interval& range, const RunOptions& run = {},
+                                    BranchOptions branch = {.first_step = 1e-3, .largest_step = 0.02}) {
     BifurcationDiagram<M> diagram;
-    auto found = find_events<M, Active>(p, low, high, run);
+    auto found = find_events<M, Active>(p, range, run);
     diagram.failed_paths = found.paths.failed;
     diagram.events = std::move(found.events);
+    const auto [low, high] = range;
     std::vector<double> ends{low};
     for (const auto& e : diagram.events)
         if (e.value - ends.back() > 1e-9 * (high - low)) ends.push_back(e.value);
@@ -52,8 +53,8 @@ BifurcationDiagram<M> trace_diagram(const Parameters<M>& p, double low, double h
     using Problem = ModelProblem<M, Active>;
     using Point = BranchPoint<Problem>;
     const Problem problem(p);
-    if (path.parameter_weight == 0) path.parameter_weight = 1 / (high - low);
-    PathStepper<Problem> stepper(problem, path);
+    if (branch.parameter_weight == 0) branch.parameter_weight = 1 / (high - low);
+    BranchStepper<Problem> stepper(problem, branch);
     for (std::size_t k = 0; k + 1 < ends.size(); ++k) {
         Parameters<M> middle = p;
         middle[Active] = 0.5 * (ends[k] + ends[k + 1]);

@@ -19,6 +19,7 @@
 #include <Eigen/Core>
 #include <Eigen/QR>
 
+#include <equilibria/core/window.hpp>
 #include <equilibria/enumerate/enumerate.hpp>
 #include <equilibria/locus/line/line_event.hpp>
 #include <equilibria/model/active_parameters.hpp>
@@ -33,8 +34,8 @@ namespace equilibria {
 
 /// Parameter values between neighbouring events.
 template <Model M>
-struct LineInterval {
-    double low = 0, high = 0, at = 0;  ///< at: where the equilibria were enumerated
+struct EventGap : Interval {
+    double at = 0;  ///< where the equilibria were enumerated
     std::uint64_t count = 0;
     std::vector<std::int64_t> by_index;
     bool clean = false;  ///< nothing speaks against the enumeration (RootSet::clean)
@@ -42,9 +43,9 @@ struct LineInterval {
 
 template <Model M>
 struct LineEvents {
-    double low = 0, high = 0;
-    std::vector<LineEvent<M>> events;        ///< by value
-    std::vector<LineInterval<M>> intervals;  ///< one more than there are different values of events
+    Interval range;
+    std::vector<LineEvent<M>> events;    ///< by value
+    std::vector<EventGap<M>> intervals;  ///< one more than there are different values of events
 
     PathCounts paths;                     ///< of the critical system, in the last attempt
     std::uint64_t attempts = 0;           ///< start systems tried until no path failed
@@ -90,16 +91,15 @@ public:
     using Problem = ModelProblem<M, Active>;
     static constexpr int n = n_unknowns<M>;
 
-    LineEventFinder(const Parameters<M>& p, double low, double high, const RunOptions& run) : p_(p), run_(run) {
-        found_.low = low;
-        found_.high = high;
+    LineEventFinder(const Parameters<M>& p, const Interval& range, const RunOptions& run) : p_(p), run_(run) {
+        found_.range = range;
     }
 
     LineEvents<M> run() {
         const auto begin = std::chrono::steady_clock::now();
         add_pitchforks();
         // the events' size is that of the segment, or, of a wide one, its root or 1
-        const double wide = std::max(std::abs(found_.low), std::abs(found_.high));
+        const double wide = std::max(std::abs(found_.range.low), std::abs(found_.range.high));
         std::vector<double> scales{wide};
         if (wide > 30) scales = {wide, std::sqrt(wide), 1};
         for (std::size_t k = 0; k < scales.size() && (k == 0 || !found_.complete()); ++k) {
@@ -118,7 +118,7 @@ public:
 private:
     static constexpr double same_value = 1e-9;
 
-    bool in_segment(double value) const { return value >= found_.low && value <= found_.high; }
+    bool in_segment(double value) const { return found_.range.contains(value); }
     Parameters<M> at(double value) const { return with_active<Active>(p_, value); }
 
     void add_pitchforks() {
@@ -128,8 +128,8 @@ private:
     void add_pitchforks(const Unknowns<M>& branch)
     requires(n_coordinates<M> == 0)
     {
-        const auto values =
-            singular_points_of_branch<M>(branch, p_, Active, System::entry().degree[0], found_.low, found_.high);
+        const auto values = singular_points_of_branch<M>(branch, p_, Active, System::entry().degree[0],
+                                                         found_.range.low, found_.range.high);
         for (std::size_t k = 0; k < values.size(); ++k) {
             LineEvent<M> event;
             event.q = branch;
@@ -191,14 +191,14 @@ private:
             if (singular) found_.other_singular += paths;
             return;
         }
-        if (System::entry().power[0] == 2 && value > 0 && found_.low < 0) take_at(q, -value, singular);
+        if (System::entry().power[0] == 2 && value > 0 && found_.range.low < 0) take_at(q, -value, singular);
         take_at(q, value, singular);
     }
 
     /// A real solution next to q and value.
     void take_at(const Unknowns<M>& q, double value, bool singular) {
         const double around = 1e-3 * scale_[0];
-        if (value < found_.low - around || value > found_.high + around) return;
+        if (value < found_.range.low - around || value > found_.range.high + around) return;
         LineEvent<M> event;
         const auto refined = refine_singularity<M, SingularityKind::fold, Active>(q, at(value));
         // a singular endpoint is exact to 1e-7 and better: what is further off is another point
@@ -287,7 +287,7 @@ private:
         found_.intervals.clear();
         found_.unclean = found_.compared = found_.wrong_tables = 0;
         const auto add_interval = [&](double low, double high) {
-            LineInterval<M> interval{low, high, 0.5 * (low + high), 0, {}, false};
+            EventGap<M> interval{{low, high}, 0.5 * (low + high), 0, {}, false};
             const auto set = enumerate<M>(at(interval.at), run_);
             interval.count = set.real();
             interval.by_index = set.by_index();
@@ -295,7 +295,7 @@ private:
             found_.unclean += !interval.clean;
             found_.intervals.push_back(std::move(interval));
         };
-        double from = found_.low;
+        double from = found_.range.low;
         for (std::size_t first = 0; first < found_.events.size();) {
             const double value = found_.events[first].value;
             std::size_t last = first;
@@ -309,8 +309,8 @@ private:
             first = last;
         }
         // an event at the end of the segment has nothing above it
-        if (found_.high - from > same_value * (1 + std::abs(found_.high)) || found_.intervals.empty())
-            add_interval(from, found_.high);
+        if (found_.range.high - from > same_value * (1 + std::abs(found_.range.high)) || found_.intervals.empty())
+            add_interval(from, found_.range.high);
         compare();
     }
     void compare() {
@@ -335,18 +335,17 @@ private:
 
 }  // namespace detail
 
-/// All events with the parameter number Active in [low, high], the others those of p. The model must be polynomial in
+/// All events with the parameter number Active in `range`, the others those of p. The model must be polynomial in
 /// that parameter.
 ///
 /// Throws InvalidArgument for an interval that is empty, reversed or not finite, for parameters that are not finite,
 /// and for a run with a checkpoint or a cancel: these are of one enumeration, and here are many.
 template <Model M, int Active>
-LineEvents<M> find_events(const Parameters<M>& p, double low, double high, const RunOptions& run = {}) {
+LineEvents<M> find_events(const Parameters<M>& p, const Interval& range, const RunOptions& run = {}) {
     require_finite(p, "parameters");
-    require(std::isfinite(low) && std::isfinite(high) && low < high, "interval", to_text(low) + ":" + to_text(high),
-            "must be finite and run from the smaller to the larger value");
+    range.validate("interval");
     run.require_whole("a search for events");
-    return detail::LineEventFinder<M, Active>(p, low, high, run).run();
+    return detail::LineEventFinder<M, Active>(p, range, run).run();
 }
 
 }  // namespace equilibria

@@ -59,7 +59,7 @@ private:
 
 /// The same for each value of the parameter number Y.
 template <Model M, int X, int Y>
-struct ModelFamily {
+struct ModelProblems {
     Parameters<M> parameters;  ///< entries X and Y are not read
     ModelProblem<M, X> operator()(double y) const {
         Parameters<M> values = parameters;

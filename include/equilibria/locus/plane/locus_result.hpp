@@ -38,7 +38,7 @@ struct LocusRegion {
 
 template <Model M>
 struct Locus {
-    PlaneWindow window;
+    Window window;
     Parameters<M> parameters;
     std::vector<LocusCurve<M>> curves;
     /// The special points of the curves, in the order in which they were found: cusps (with the derivatives phi''' and

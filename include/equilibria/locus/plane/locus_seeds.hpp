@@ -13,7 +13,7 @@
 
 #include <equilibria/core/random.hpp>
 #include <equilibria/locus/plane/locus_result.hpp>
-#include <equilibria/locus/plane/plane_family.hpp>
+#include <equilibria/locus/plane/plane_problems.hpp>
 #include <equilibria/locus/plane/plane_solver.hpp>
 #include <equilibria/model/torus.hpp>
 #include <equilibria/singularity/null_vector.hpp>
@@ -46,12 +46,12 @@ public:
     using Evidence = typename Locus<M>::Evidence;
 
     /// inner_lines: in each direction, beside the borders.
-    LocusSeeds(const Parameters<M>& p, const PlaneWindow& window, int inner_lines, const RunOptions& run,
+    LocusSeeds(const Parameters<M>& p, const Window& window, int inner_lines, const RunOptions& run,
                MoreDigitsOf<CriticalSystem<M, X, Y>> more_digits)
         : parameters_(p), window_(window), inner_lines_(inner_lines), seed_(run.seed),
           solver_(p, run,
-                  {std::max(std::abs(window.x_low), std::abs(window.x_high)),
-                   std::max(std::abs(window.y_low), std::abs(window.y_high))},
+                  {std::max(std::abs(window.x.low), std::abs(window.x.high)),
+                   std::max(std::abs(window.y.low), std::abs(window.y.high))},
                   more_digits) {}
 
     void solve(Evidence& evidence) {
@@ -90,7 +90,7 @@ public:
 
 private:
     using Solver = PlaneSolver<M, X, Y>;
-    using Family = PlaneFamily<M, X, Y>;
+    using Problems = PlaneProblems<M, X, Y>;
 
     void add_seed(const LocusSeed<M>& seed) {
         if (!window_.contains(seed.at.x(), seed.at.y()) || is_family(seed.at)) return;
@@ -111,10 +111,10 @@ private:
 
     template <int Active, int Fixed>
     void solve_lines(Evidence& evidence) {
-        const double low = Fixed == X ? window_.x_low : window_.y_low;
+        const double low = Fixed == X ? window_.x.low : window_.y.low;
         const double size = Fixed == X ? window_.width() : window_.height();
-        const double active_low = Active == X ? window_.x_low : window_.y_low;
-        const double active_high = Active == X ? window_.x_high : window_.y_high;
+        const double active_low = Active == X ? window_.x.low : window_.y.low;
+        const double active_high = Active == X ? window_.x.high : window_.y.high;
         const int degree = Solver::System::entry().degree[Active == X ? 0 : 1];
         Generator generator(seed_);
         const typename Solver::Lines lines(solver_, Fixed == X ? 0 : 1, low + size * uniform(generator));
@@ -129,7 +129,7 @@ private:
             for (const Unknowns<M>& branch : symmetric_branches<M>()) {
                 const auto determinant = [&](double value) {
                     p[Active] = value;
-                    return Family{p}(p[Y]).tangent(PlaneProblem<M, X, Y>::vector(branch), p[X]).determinant();
+                    return Problems{p}(p[Y]).tangent(PlaneProblem<M, X, Y>::vector(branch), p[X]).determinant();
                 };
                 for (const double value : polynomial_roots(determinant, n * degree, active_low, active_high)) {
                     p[Active] = value;
@@ -194,7 +194,7 @@ private:
     }
 
     Parameters<M> parameters_;
-    PlaneWindow window_;
+    Window window_;
     int inner_lines_;
     std::uint64_t seed_;
     Solver solver_;

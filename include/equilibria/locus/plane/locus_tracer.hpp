@@ -30,14 +30,14 @@ struct LocusOptions {
     int lines = 12;   ///< lines in each direction that are solved beside the borders of the window, at least 2
     int checks = 20;  ///< points in each direction whose count is compared with their region's; 0: none
     /// Of the curves, in angles and in parts of the window; parameter_weight is set by it.
-    PathOptions path{.first_step = 1e-3, .largest_step = 0.006, .largest_angle = 0.15};
+    BranchOptions branch{.first_step = 1e-3, .largest_step = 0.006, .largest_angle = 0.15};
     int most_points = 20000;  ///< of one curve
 
     void validate() const {
         require(lines >= 2 && lines <= 10000, "lines", lines, "must be 2 to 10000");
         require(checks >= 0 && checks <= 10000, "checks", checks, "must be 0 to 10000");
         require(most_points > 1, "most_points", most_points, "must be more than 1");
-        path.validate();
+        branch.validate();
     }
 };
 
@@ -48,7 +48,7 @@ class LocusTracer {
 public:
     static constexpr int n = n_unknowns<M>;
 
-    LocusTracer(const Parameters<M>& p, const PlaneWindow& window, const RunOptions& run, const LocusOptions& options,
+    LocusTracer(const Parameters<M>& p, const Window& window, const RunOptions& run, const LocusOptions& options,
                 MoreDigitsOf<CriticalSystem<M, X, Y>> more_digits)
         : run_(run), options_(options), seeds_(p, window, options.lines, run, more_digits) {
         locus_.window = window;
@@ -69,16 +69,16 @@ public:
 
 private:
     using Seed = LocusSeed<M>;
-    using Family = PlaneFamily<M, X, Y>;
+    using Problems = PlaneProblems<M, X, Y>;
 
-    using Folds = FoldCurve<Family>;
+    using Folds = FoldCurve<Problems>;
     using Pitchforks = PitchforkCurve<M, X, Y>;
     /// Of both kinds of curves: q, x and the border.
     using At = Configuration<Folds>;
 
     /// A point of a curve with its unit null vector, that of the divided equations; 0 where they are not defined.
     Singularity<M> point_of(const At& at, double y, SingularityKind kind) const {
-        const UnknownMatrix<M> tangent = Family{locus_.parameters}(y).tangent(at.q, at.p);
+        const UnknownMatrix<M> tangent = Problems{locus_.parameters}(y).tangent(at.q, at.p);
         return singularity_at<M, X, Y>(kind, PlaneProblem<M, X, Y>::unknowns(at.q),
                                        with_active<X, Y>(locus_.parameters, at.p, y),
                                        tangent.allFinite() ? null_vector<M>(tangent) : Unknowns<M>{});
@@ -90,30 +90,30 @@ private:
         at.p = seed.at.x();
         PlaneProblem<M, X, Y>::vector(seed.at.v).cwiseAbs().maxCoeff(&at.border.column);
         at.border.row = at.border.column;  // about: J is symmetric but for scales of its rows
-        const Family family{locus_.parameters};
-        at = with_best_border(family(seed.at.y()), at);
+        const Problems problems{locus_.parameters};
+        at = with_best_border(problems(seed.at.y()), at);
         if (seed.curve() == SingularityKind::fold)
-            trace(Folds(family, seed.at.y(), locus_.window.width()), at, seed);
+            trace(Folds(problems, seed.at.y(), locus_.window.width()), at, seed);
         else if constexpr (Formulation<M>::reflection_symmetric)
-            trace(Pitchforks(family, locus_.window.width()), at, seed);
+            trace(Pitchforks(problems, locus_.window.width()), at, seed);
     }
 
     template <class Curve>
     void trace(const Curve& system, const At& at, const Seed& seed) {
-        PathOptions path = options_.path;
-        path.parameter_weight = 1 / locus_.window.height();
-        PathStepper<Curve> stepper(system, path);
+        BranchOptions branch = options_.branch;
+        branch.parameter_weight = 1 / locus_.window.height();
+        BranchStepper<Curve> stepper(system, branch);
         auto start = stepper.start(at, seed.at.y(), 1);
         if (!start) {
             // where y turns back Newton's method at a fixed y fails, and the seed is exact
             start = stepper.assess(at, seed.at.y(), std::nullopt);
             if (!start) return;
-            start->proposed_step = path.first_step;
+            start->proposed_step = branch.first_step;
         }
         LocusCurve<M> curve{seed.curve(), {}, {CurveEnd::step, CurveEnd::step}};
         std::vector<BranchPoint<Curve>> whole;
         for (int side = 0; side < 2; ++side) {
-            PathStepper<Curve>::flip(start->tangent);
+            BranchStepper<Curve>::flip(start->tangent);
             std::vector<BranchPoint<Curve>> half{*start};
             curve.ends[static_cast<std::size_t>(side)] = follow(stepper, half);
             if (side == 0) {
@@ -143,7 +143,7 @@ private:
 
     /// Follows a curve from its only point, appending to it, to the border of the window or where it ends within.
     template <class Curve>
-    CurveEnd follow(PathStepper<Curve>& stepper, std::vector<BranchPoint<Curve>>& points) {
+    CurveEnd follow(BranchStepper<Curve>& stepper, std::vector<BranchPoint<Curve>>& points) {
         constexpr bool folds = std::is_same_v<Curve, Folds>;
         const BranchPoint<Curve> first = points.front();
         BranchPoint<Curve> last = first;
@@ -185,16 +185,16 @@ private:
 
     /// Back at the first point, in the same direction; angles modulo 2 pi.
     template <class Curve>
-    bool closes(const PathStepper<Curve>& stepper, const BranchPoint<Curve>& first,
+    bool closes(const BranchStepper<Curve>& stepper, const BranchPoint<Curve>& first,
                 const BranchPoint<Curve>& now) const {
         Direction d = stepper.difference(first, now.q, now.p);
         for (int i = 0; i + 1 < d.q.size() && i < n_angles<M>; ++i) d.q(i + 1) = wrap(d.q(i + 1));
-        return stepper.length(d) < 1.5 * options_.path.largest_step && stepper.dot(first.tangent, now.tangent) > 0.95;
+        return stepper.length(d) < 1.5 * options_.branch.largest_step && stepper.dot(first.tangent, now.tangent) > 0.95;
     }
 
     /// The point of the curve near `from` (+) chord at which x (axis 0) or y (axis 1) is that of the chord's end.
     template <class Curve>
-    std::optional<BranchPoint<Curve>> where(PathStepper<Curve>& stepper, const BranchPoint<Curve>& from,
+    std::optional<BranchPoint<Curve>> where(BranchStepper<Curve>& stepper, const BranchPoint<Curve>& from,
                                             const Direction& chord, int axis) const {
         Direction normal{Eigen::VectorXd::Zero(chord.q.size()), axis == 1 ? 1.0 : 0.0};
         if (axis == 0) normal.q(0) = 1;
@@ -205,9 +205,9 @@ private:
     /// Where the segment from a (inside) to b (outside) leaves the window: on the curve if Newton's method finds it
     /// there, else on the chord.
     template <class Curve>
-    BranchPoint<Curve> at_border(PathStepper<Curve>& stepper, const BranchPoint<Curve>& a,
+    BranchPoint<Curve> at_border(BranchStepper<Curve>& stepper, const BranchPoint<Curve>& a,
                                  const BranchPoint<Curve>& b) const {
-        const PlaneWindow& w = locus_.window;
+        const Window& w = locus_.window;
         const double from[] = {a.q.p, a.p}, to[] = {b.q.p, b.p};
         double part = 1;
         int axis = 0;
@@ -218,12 +218,12 @@ private:
                 if (s < part) part = s, axis = k, value = bound;
             }
         };
-        clip(0, w.x_low);
-        clip(0, w.x_high);
-        clip(1, w.y_low);
-        clip(1, w.y_high);
+        clip(0, w.x.low);
+        clip(0, w.x.high);
+        clip(1, w.y.low);
+        clip(1, w.y.high);
         Direction chord = stepper.difference(a, b.q, b.p);
-        PathStepper<Curve>::scale(chord, part);
+        BranchStepper<Curve>::scale(chord, part);
         entry(chord, axis) = value - from[axis];
         const auto exactly = [&](BranchPoint<Curve> point) {
             (axis == 0 ? point.q.p : point.p) = value;
@@ -244,7 +244,7 @@ private:
         const auto at = [&](const BranchPoint<Curve>& point) { return axis == 0 ? point.q.p : point.p; };
         const auto ahead = [&](double share) {
             Direction d = y.tangent;
-            PathStepper<Curve>::scale(d, share * (value - at(y)) / entry(d, axis));
+            BranchStepper<Curve>::scale(d, share * (value - at(y)) / entry(d, axis));
             return d;
         };
         while (std::abs(at(y) - value) > 1e-6 * size) {
@@ -286,7 +286,7 @@ private:
 
     /// The points at which one of x, y turns back and the other does not.
     template <class Curve>
-    void note_extremal_points(PathStepper<Curve>& stepper, const std::vector<BranchPoint<Curve>>& curve) {
+    void note_extremal_points(BranchStepper<Curve>& stepper, const std::vector<BranchPoint<Curve>>& curve) {
         constexpr auto kind =
             std::is_same_v<Curve, Folds> ? SingularityKind::extremal_fold : SingularityKind::extremal_pitchfork;
         const EventFunction<Curve> slopes[] = {{"dx/ds", [](const BranchPoint<Curve>& at) { return at.tangent.q(0); }},
@@ -310,7 +310,7 @@ private:
 
     /// Marks the points of a kind that a traced curve passes.
     template <class Curve>
-    void claim_near(PathStepper<Curve>& stepper, const std::vector<BranchPoint<Curve>>& curve, SingularityKind kind) {
+    void claim_near(BranchStepper<Curve>& stepper, const std::vector<BranchPoint<Curve>>& curve, SingularityKind kind) {
         const auto position = [&](const BranchPoint<Curve>& at) {
             Eigen::VectorXd y(n + 2);
             y << at.q.p / locus_.window.width(), at.p / locus_.window.height(), at.q.q;
@@ -340,7 +340,7 @@ private:
                     if constexpr (std::is_same_v<Curve, Folds>) target.q.tail(n) = to.tail(n);
                     const double reach = stepper.dot(target, step) / (along * along);
                     const Direction normal = step;
-                    PathStepper<Curve>::scale(step, reach);
+                    BranchStepper<Curve>::scale(step, reach);
                     const auto point = stepper.onto(curve[i].q, curve[i].p, step, normal, curve[i].tangent);
                     if (point) seed.traced = seeds_.same(seed.at, point_of(point->q, point->p, kind));
                 }
@@ -350,8 +350,9 @@ private:
 
     /// Marks the seeds that a traced curve passes, and counts its crossings of lines that are no seed.
     template <class Curve>
-    void claim_seeds(PathStepper<Curve>& stepper, const std::vector<BranchPoint<Curve>>& curve, SingularityKind kind) {
-        const PlaneWindow& w = locus_.window;
+    void claim_seeds(BranchStepper<Curve>& stepper, const std::vector<BranchPoint<Curve>>& curve,
+                     SingularityKind kind) {
+        const Window& w = locus_.window;
         for (const int axis : {0, 1}) {
             const auto value = [&](std::size_t i) { return axis == 0 ? curve[i].q.p : curve[i].p; };
             for (const double line : seeds_.lines(axis)) {
@@ -359,7 +360,7 @@ private:
                     const double before = value(i) - line, after = value(i + 1) - line;
                     if (!(before * after < 0) && before != 0) continue;
                     Direction chord = stepper.difference(curve[i], curve[i + 1].q, curve[i + 1].p);
-                    PathStepper<Curve>::scale(chord, before == 0 ? 0 : before / (before - after));
+                    BranchStepper<Curve>::scale(chord, before == 0 ? 0 : before / (before - after));
                     entry(chord, axis) = -before;
                     const auto point = where(stepper, curve[i], chord, axis);
                     if (!point || !w.contains(point->q.p, point->p)) continue;

@@ -7,7 +7,7 @@
 #include <Eigen/Core>
 
 #include <equilibria/continuation/bordered_tangent.hpp>
-#include <equilibria/locus/plane/plane_family.hpp>
+#include <equilibria/locus/plane/plane_problems.hpp>
 
 namespace equilibria {
 
@@ -17,16 +17,16 @@ namespace equilibria {
 template <Model M, int X, int Y>
 class PitchforkCurve {
 public:
-    using Family = PlaneFamily<M, X, Y>;
+    using Problems = PlaneProblems<M, X, Y>;
     using Problem = PlaneProblem<M, X, Y>;
     using Configuration = CriticalConfiguration<equilibria::Configuration<Problem>>;
     static constexpr bool symmetric = false;
 
     /// x_scale: a change of x that counts as much as one of 1.
-    PitchforkCurve(const Family& family, double x_scale) : family_(family), x_scale_(x_scale) {}
+    PitchforkCurve(const Problems& problems, double x_scale) : problems_(problems), x_scale_(x_scale) {}
 
     Eigen::VectorXd residual(const Configuration& at, double y) const {
-        const BorderedTangent<Problem> b(family_(y), at);
+        const BorderedTangent<Problem> b(problems_(y), at);
         return Eigen::VectorXd::Constant(1, b.regular ? b.sigma() : std::numeric_limits<double>::quiet_NaN());
     }
     Eigen::MatrixXd tangent(const Configuration& at, double y) const {
@@ -43,7 +43,7 @@ public:
     Eigen::VectorXd difference(const Configuration& at, const Configuration& near) const {
         return Eigen::VectorXd::Constant(1, near.p - at.p);
     }
-    Configuration rebase(const Configuration& at, double y) const { return with_best_border(family_(y), at); }
+    Configuration rebase(const Configuration& at, double y) const { return with_best_border(problems_(y), at); }
     Eigen::VectorXd weights(const Configuration&) const {
         return Eigen::VectorXd::Constant(1, 1 / (x_scale_ * x_scale_));
     }
@@ -52,13 +52,13 @@ private:
     /// d sigma = -psi^T dK r.
     template <int Parameter>
     double derivative(const Configuration& at, double y) const {
-        const Problem problem = family_(y);
+        const Problem problem = problems_(y);
         const BorderedTangent<Problem> b(problem, at);
         if (!b.regular) return std::numeric_limits<double>::quiet_NaN();
         return -b.left.x.dot(problem.template tangent_by_parameter<Parameter>(at.q, at.p, b.null.x));
     }
 
-    Family family_;
+    Problems problems_;
     double x_scale_;
 };
 

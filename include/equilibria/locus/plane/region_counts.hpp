@@ -17,12 +17,12 @@ namespace equilibria::detail {
 /// A point of each region, as far from the curves and the border as a search over the cells and a grid finds.
 template <Model M>
 void place_points(Locus<M>& locus, const PlaneDecomposition& plane) {
-    const PlaneWindow& w = locus.window;
+    const Window& w = locus.window;
     std::vector<double> best(locus.regions.size(), -1);
     const auto consider = [&](double x, double y, int number) {
         if (number < 0) return;
         double clearance =
-            std::min(std::min(x - w.x_low, w.x_high - x) / w.width(), std::min(y - w.y_low, w.y_high - y) / w.height());
+            std::min(std::min(x - w.x.low, w.x.high - x) / w.width(), std::min(y - w.y.low, w.y.high - y) / w.height());
         for (const auto& curve : locus.curves)
             for (const auto& p : curve.points)
                 clearance = std::min(clearance, std::hypot((p.x() - x) / w.width(), (p.y() - y) / w.height()));
@@ -31,14 +31,14 @@ void place_points(Locus<M>& locus, const PlaneDecomposition& plane) {
     };
     for (const auto& cell : plane.cells()) {
         LocusRegion& region = locus.regions[static_cast<std::size_t>(cell.region)];
-        region.area += (cell.x_high - cell.x_low) * cell.height;
+        region.area += (cell.x.high - cell.x.low) * cell.height;
         region.polygons.push_back(plane.polygon(cell));
         consider(cell.center.x, cell.center.y, cell.region);
     }
     constexpr int grid = 32;
     for (int i = 0; i < grid; ++i)
         for (int j = 0; j < grid; ++j) {
-            const double x = w.x_low + w.width() * (i + 0.5) / grid, y = w.y_low + w.height() * (j + 0.5) / grid;
+            const double x = w.x.low + w.width() * (i + 0.5) / grid, y = w.y.low + w.height() * (j + 0.5) / grid;
             consider(x, y, plane.region_of(x, y));
         }
 }
@@ -56,7 +56,7 @@ inline bool differ_by_pairs(const std::vector<std::int64_t>& a, const std::vecto
 /// 1e-6, which is less than the 4e-6 that a chord of the largest step by default, 0.006, is off a curve of radius 1. A
 /// region that is thinner than that everywhere is left out. The outline is that of all its polygons, so never too
 /// short.
-inline bool is_resolved(const LocusRegion& region, const PlaneWindow& window) {
+inline bool is_resolved(const LocusRegion& region, const Window& window) {
     const double area = region.area / (window.width() * window.height());
     double outline = 0;
     for (const auto& polygon : region.polygons)
@@ -102,10 +102,10 @@ void count_regions(Locus<M>& locus, int checks, const RunOptions& run) {
     };
     for (const auto& cell : plane.cells())
         if (plane.clearance(cell) > 1e-4) check(cell.center.x, cell.center.y);
-    const PlaneWindow& w = locus.window;
+    const Window& w = locus.window;
     for (int i = 0; i < checks; ++i)
         for (int j = 0; j < checks; ++j)
-            check(w.x_low + w.width() * (i + 0.5) / checks, w.y_low + w.height() * (j + 0.5) / checks);
+            check(w.x.low + w.width() * (i + 0.5) / checks, w.y.low + w.height() * (j + 0.5) / checks);
     // without the slivers, numbered anew
     std::vector<int> number(locus.regions.size(), -1);
     int kept = 0;

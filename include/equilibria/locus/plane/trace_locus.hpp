@@ -22,7 +22,7 @@ namespace equilibria {
 /// Throws InvalidArgument for a window that is empty, reversed or not finite, for parameters that are not finite for
 /// options out of range, and for a run with a checkpoint or a cancel.
 template <Model M, int X, int Y>
-Locus<M> trace_locus(const Parameters<M>& p, const PlaneWindow& window, const RunOptions& run = {},
+Locus<M> trace_locus(const Parameters<M>& p, const Window& window, const RunOptions& run = {},
                      const LocusOptions& options = {}, MoreDigitsOf<CriticalSystem<M, X, Y>> more_digits = nullptr) {
     static_assert(X != Y, "equilibria: a plane needs two different parameters");
     require_finite(p, "parameters");

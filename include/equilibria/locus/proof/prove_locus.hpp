@@ -62,8 +62,8 @@ public:
     static constexpr int n = n_unknowns<M>;
 
     LocusProver(const Locus<M>& locus, const RunOptions& run) : locus_(&locus), run_(run) {
-        const PlaneWindow& w = locus.window;
-        scales_ = {std::max(std::abs(w.x_low), std::abs(w.x_high)), std::max(std::abs(w.y_low), std::abs(w.y_high))};
+        const Window& w = locus.window;
+        scales_ = {std::max(std::abs(w.x.low), std::abs(w.x.high)), std::max(std::abs(w.y.low), std::abs(w.y.high))};
     }
 
     LocusProof run() {

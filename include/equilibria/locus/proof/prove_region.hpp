@@ -21,7 +21,7 @@
 #include <vector>
 
 #include <equilibria/certify/enclosure.hpp>
-#include <equilibria/certify/krawczyk_family.hpp>
+#include <equilibria/certify/krawczyk_systems.hpp>
 #include <equilibria/certify/newton.hpp>
 #include <equilibria/certify/proved_bound.hpp>
 #include <equilibria/certify/proved_index.hpp>
@@ -51,16 +51,16 @@ constexpr const char* to_string(CountArgument argument) {
 
 /// A rectangle of the plane, proved: the same equilibria for each of its points.
 struct ProvedCell {
-    PlaneWindow window;
+    Window window;
     CountArgument argument = CountArgument::root_bound;
     std::int64_t count = 0;              ///< real equilibria
     std::vector<std::int64_t> by_index;  ///< of index 0, 1, .. n
 };
 
 struct RegionProof {
-    PlaneWindow window;
+    Window window;
     std::vector<ProvedCell> cells;
-    std::vector<PlaneWindow> undecided;
+    std::vector<Window> undecided;
     double proved_area_share = 0;    ///< area of the cells over the area of the window
     std::uint64_t tested = 0;        ///< cells tested, those that were cut included
     std::uint64_t enumerations = 0;  ///< runs of the tracker for candidates
@@ -77,8 +77,7 @@ public:
     using Pack = Lanes<native_lanes>;
     using Candidates = std::vector<ComplexUnknowns<M, double>>;
 
-    RegionProver(const Parameters<M>& p, const PlaneWindow& window, const RunOptions& run,
-                 const ProveRegionOptions& options)
+    RegionProver(const Parameters<M>& p, const Window& window, const RunOptions& run, const ProveRegionOptions& options)
         : parameters_(p), window_(window), run_(run), options_(options) {}
 
     RegionProof run() {
@@ -95,7 +94,7 @@ public:
             });
             std::vector<Cell> next;
             for (std::size_t k = 0; k < generation.size(); ++k) {
-                const PlaneWindow& w = generation[k].window;
+                const Window& w = generation[k].window;
                 ++proof.tested;
                 proof.enumerations += outcomes[k].enumerated;
                 if (outcomes[k].proved) {
@@ -108,7 +107,7 @@ public:
                     proof.undecided.push_back(w);
                     decided += w.width() * w.height();
                 } else {
-                    for (const PlaneWindow& half : halves(w)) next.push_back({half, outcomes[k].candidates});
+                    for (const Window& half : halves(w)) next.push_back({half, outcomes[k].candidates});
                 }
             }
             generation = std::move(next);
@@ -123,7 +122,7 @@ public:
 
 private:
     struct Cell {
-        PlaneWindow window;
+        Window window;
         std::shared_ptr<const Candidates>
             candidates;  ///< the roots at the middle of the cell that this one is a half of
     };
@@ -134,28 +133,28 @@ private:
         std::shared_ptr<const Candidates> candidates;  ///< the roots at this cell's middle
     };
 
-    static std::array<PlaneWindow, 2> halves(PlaneWindow w) {
-        PlaneWindow a = w, b = w;
+    static std::array<Window, 2> halves(Window w) {
+        Window a = w, b = w;
         if (w.width() > w.height())
-            a.x_high = b.x_low = w.x_low + w.width() / 2;
+            a.x.high = b.x.low = w.x.low + w.width() / 2;
         else
-            a.y_high = b.y_low = w.y_low + w.height() / 2;
+            a.y.high = b.y.low = w.y.low + w.height() / 2;
         return {a, b};
     }
 
     Outcome test(const Cell& cell) const {
         Outcome out;
-        const PlaneWindow& w = cell.window;
-        const ExactFamily<M, 2> exact(parameters_, {{X, Y}}, {{w.x_low, w.y_low}}, {{w.x_high, w.y_high}});
+        const Window& w = cell.window;
+        const ExactSystems<M, 2> exact(parameters_, {{X, Y}}, {{w.x.low, w.y.low}}, {{w.x.high, w.y.high}});
         const auto bound = total_degree_bound<M>(exact.all);
-        const BallFamily<M, double, 2> family(exact);
+        const BallSystems<M, double, 2> systems(exact);
         Candidates roots;
-        if (cell.candidates) roots = moved(*cell.candidates, family.center);
+        if (cell.candidates) roots = moved(*cell.candidates, systems.center);
         if (!bound || roots.size() != bound->value || !all_different(roots)) {
             out.enumerated = true;
             Parameters<M> p = parameters_;
-            p[X] = w.x_low + w.width() / 2;
-            p[Y] = w.y_low + w.height() / 2;
+            p[X] = w.x.low + w.width() / 2;
+            p[Y] = w.y.low + w.height() / 2;
             roots.clear();
             for (const auto& root : enumerate<M>(p, {.seed = run_.seed}).roots) {
                 ComplexUnknowns<M, double> q;
@@ -163,7 +162,7 @@ private:
                 roots.push_back(q);
             }
         }
-        prove(family, roots, bound && roots.size() == bound->value, out);
+        prove(systems, roots, bound && roots.size() == bound->value, out);
         out.candidates = std::make_shared<const Candidates>(std::move(roots));
         return out;
     }
@@ -199,22 +198,22 @@ private:
         }
     };
 
-    void prove(const BallFamily<M, double, 2>& family, const Candidates& roots, bool bound_reached,
+    void prove(const BallSystems<M, double, 2>& systems, const Candidates& roots, bool bound_reached,
                Outcome& out) const {
         ProvedRoots proved;
-        if (!prove_roots(family, roots, true, proved) || !proved.distinct()) return;
+        if (!prove_roots(systems, roots, true, proved) || !proved.distinct()) return;
         const auto boxes = proved.boxes;
-        out.proved = bound_reached && prove_roots(family, roots, false, proved) && proved.distinct();
+        out.proved = bound_reached && prove_roots(systems, roots, false, proved) && proved.distinct();
         if constexpr (n_coordinates<M> == 0)
             if (!out.proved) {
                 out.argument = CountArgument::real_search;
-                out.proved = search_real_roots<M>(family, boxes, most_boxes).complete;
+                out.proved = search_real_roots<M>(systems, boxes, most_boxes).complete;
             }
         out.by_index = std::move(proved.by_index);
     }
 
     /// The roots of one kind: that each exists, is real or not, and the index of real ones. False where one fails.
-    static bool prove_roots(const BallFamily<M, double, 2>& family, const Candidates& roots, bool real,
+    static bool prove_roots(const BallSystems<M, double, 2>& systems, const Candidates& roots, bool real,
                             ProvedRoots& out) {
         std::vector<std::size_t> members;
         for (std::size_t k = 0; k < roots.size(); ++k) {
@@ -230,7 +229,7 @@ private:
                     for (auto& z : root) z.im = 0;
                 copy_lane(point_of<M, double>(root), 0, q, l);
             }
-            const auto proof = krawczyk<M, Pack>(family, q, real);
+            const auto proof = krawczyk<M, Pack>(systems, q, real);
             for (int l = 0; l < native_lanes && at + static_cast<std::size_t>(l) < members.size(); ++l) {
                 if (!mask_lane(proof.proved, l)) return false;
                 out.enclosures.push_back(Enclosure<M, double>::of(proof, l));
@@ -251,7 +250,7 @@ private:
     static constexpr std::size_t most_boxes = std::size_t{50} << (3 * std::min(n, 16));
 
     Parameters<M> parameters_;
-    PlaneWindow window_;
+    Window window_;
     RunOptions run_;
     ProveRegionOptions options_;
 };
@@ -263,7 +262,7 @@ private:
 /// Throws InvalidArgument for a window that is empty, reversed or not finite, for parameters that are not finite and
 /// for options out of range, and for a run with a checkpoint or a cancel.
 template <Model M, int X, int Y>
-RegionProof prove_region(const Parameters<M>& p, const PlaneWindow& window, const RunOptions& run = {},
+RegionProof prove_region(const Parameters<M>& p, const Window& window, const RunOptions& run = {},
                          const ProveRegionOptions& options = {}) {
     static_assert(X != Y, "equilibria: a plane needs two different parameters");
     require_finite(p, "parameters");

@@ -9,30 +9,17 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <numeric>
+#include <utility>
 #include <vector>
 
-#include <equilibria/core/error.hpp>
+#include <boost/pending/disjoint_sets.hpp>
+
+#include <equilibria/core/window.hpp>
 
 namespace equilibria {
 
 struct PlanePoint {
     double x = 0, y = 0;
-};
-
-/// A rectangle of the plane of two parameters.
-struct PlaneWindow {
-    double x_low = 0, x_high = 1, y_low = 0, y_high = 1;
-
-    double width() const { return x_high - x_low; }
-    double height() const { return y_high - y_low; }
-    bool contains(double x, double y) const { return x >= x_low && x <= x_high && y >= y_low && y <= y_high; }
-    void validate() const {
-        require(std::isfinite(x_low) && std::isfinite(x_high) && x_low < x_high, "window x",
-                to_text(x_low) + ":" + to_text(x_high), "must be finite and run from the smaller to the larger value");
-        require(std::isfinite(y_low) && std::isfinite(y_high) && y_low < y_high, "window y",
-                to_text(y_low) + ":" + to_text(y_high), "must be finite and run from the smaller to the larger value");
-    }
 };
 
 /// Two regions with a common piece of a curve between them.
@@ -44,17 +31,16 @@ struct RegionBorder {
 
 class PlaneDecomposition {
 public:
-    /// A cell: bounded left and right by x_low and x_high, below and above by pieces, or the window.
+    /// A cell: bounded left and right by the interval x, below and above by pieces, or the window.
     struct Cell {
-        double x_low, x_high;
+        Interval x;
         PlanePoint center;
         double height;  ///< at the centre
         int region;
         int lower, upper;  ///< pieces
     };
 
-    PlaneDecomposition(const PlaneWindow& window, const std::vector<std::vector<PlanePoint>>& curves)
-        : window_(window) {
+    PlaneDecomposition(const Window& window, const std::vector<std::vector<PlanePoint>>& curves) : window_(window) {
         for (std::size_t k = 0; k < curves.size(); ++k) {
             split(curves[k]);
             curve_of_.resize(pieces_.size(), k);
@@ -84,11 +70,11 @@ public:
     std::vector<PlanePoint> polygon(const Cell& cell) const {
         std::vector<PlanePoint> y;
         const auto edge = [&](int piece, bool forward) {
-            std::vector<PlanePoint> points{{cell.x_low, clamped(height_at(piece, cell.x_low))}};
+            std::vector<PlanePoint> points{{cell.x.low, clamped(height_at(piece, cell.x.low))}};
             if (piece >= 0)
                 for (const PlanePoint& p : pieces_[static_cast<std::size_t>(piece)])
-                    if (p.x > cell.x_low && p.x < cell.x_high) points.push_back({p.x, clamped(p.y)});
-            points.push_back({cell.x_high, clamped(height_at(piece, cell.x_high))});
+                    if (p.x > cell.x.low && p.x < cell.x.high) points.push_back({p.x, clamped(p.y)});
+            points.push_back({cell.x.high, clamped(height_at(piece, cell.x.high))});
             if (!forward) std::reverse(points.begin(), points.end());
             y.insert(y.end(), points.begin(), points.end());
         };
@@ -98,7 +84,7 @@ public:
     }
     /// The distance from a point to the boundary of its cell, in units of the window.
     double clearance(const Cell& cell) const {
-        return std::min(0.5 * cell.height / window_.height(), 0.5 * (cell.x_high - cell.x_low) / window_.width());
+        return std::min(0.5 * cell.height / window_.height(), 0.5 * cell.x.width() / window_.width());
     }
 
 private:
@@ -137,10 +123,10 @@ private:
         flush();
     }
 
-    double clamped(double y) const { return std::clamp(y, window_.y_low, window_.y_high); }
+    double clamped(double y) const { return std::clamp(y, window_.y.low, window_.y.high); }
     double height_at(int piece, double x) const {
-        if (piece == -1) return window_.y_low;
-        if (piece == -2) return window_.y_high;
+        if (piece == -1) return window_.y.low;
+        if (piece == -2) return window_.y.high;
         const Piece& p = pieces_[static_cast<std::size_t>(piece)];
         auto right = std::upper_bound(p.begin(), p.end(), x, [](double v, const PlanePoint& q) { return v < q.x; });
         if (right == p.begin()) return p.front().y;
@@ -150,7 +136,7 @@ private:
     }
 
     void find_abscissae() {
-        abscissae_ = {window_.x_low, window_.x_high};
+        abscissae_ = {window_.x.low, window_.x.high};
         for (const Piece& p : pieces_) abscissae_.insert(abscissae_.end(), {p.front().x, p.back().x});
         for (std::size_t a = 0; a < pieces_.size(); ++a)
             for (std::size_t b = a + 1; b < pieces_.size(); ++b) crossings(static_cast<int>(a), static_cast<int>(b));
@@ -158,7 +144,7 @@ private:
         const double same = 1e-9 * window_.width();
         std::vector<double> kept;
         for (const double x : abscissae_)
-            if (x >= window_.x_low && x <= window_.x_high && (kept.empty() || x - kept.back() > same))
+            if (x >= window_.x.low && x <= window_.x.high && (kept.empty() || x - kept.back() > same))
                 kept.push_back(x);
         abscissae_ = kept;
     }
@@ -183,11 +169,7 @@ private:
     }
 
     void build_cells() {
-        std::vector<int> parent;
-        const auto root = [&](int c) {
-            while (parent[static_cast<std::size_t>(c)] != c) c = parent[static_cast<std::size_t>(c)];
-            return c;
-        };
+        std::vector<std::pair<int, int>> neighbours;  // cells of one region
         const double thin = 1e-10 * window_.height();
         for (std::size_t k = 0; k + 1 < abscissae_.size(); ++k) {
             Slab slab{abscissae_[k], abscissae_[k + 1], {}};
@@ -200,14 +182,13 @@ private:
             order.insert(order.begin(), -1);
             order.push_back(-2);
             for (std::size_t i = 0; i + 1 < order.size(); ++i) {
-                const double low = std::max(height_at(order[i], middle), window_.y_low);
-                const double high = std::min(height_at(order[i + 1], middle), window_.y_high);
+                const double low = std::max(height_at(order[i], middle), window_.y.low);
+                const double high = std::min(height_at(order[i + 1], middle), window_.y.high);
                 if (!(high - low > thin)) continue;
                 const int cell = static_cast<int>(cells_.size());
                 slab.cells.push_back({order[i], order[i + 1], cell});
                 cells_.push_back(
-                    {slab.low, slab.high, {middle, 0.5 * (low + high)}, high - low, cell, order[i], order[i + 1]});
-                parent.push_back(cell);
+                    {{slab.low, slab.high}, {middle, 0.5 * (low + high)}, high - low, cell, order[i], order[i + 1]});
             }
             if (!slabs_.empty())
                 for (const Bounds& a : slabs_.back().cells)
@@ -215,14 +196,15 @@ private:
                         const double x = slab.low;
                         const double low = std::max(height_at(a.lower, x), height_at(b.lower, x));
                         const double high = std::min(height_at(a.upper, x), height_at(b.upper, x));
-                        if (high - low > 1e-6 * window_.height())
-                            parent[static_cast<std::size_t>(root(b.cell))] = root(a.cell);
+                        if (high - low > 1e-6 * window_.height()) neighbours.push_back({a.cell, b.cell});
                     }
             slabs_.push_back(slab);
         }
+        boost::disjoint_sets_with_storage<> regions(cells_.size());
+        for (const auto& [a, b] : neighbours) regions.union_set(a, b);
         std::vector<int> number(cells_.size(), -1);
         for (Cell& cell : cells_) {
-            int& n = number[static_cast<std::size_t>(root(cell.region))];
+            int& n = number[regions.find_set(cell.region)];
             if (n < 0) n = regions_++;
             cell.region = n;
         }
@@ -239,7 +221,7 @@ private:
             }
     }
 
-    PlaneWindow window_;
+    Window window_;
     std::vector<Piece> pieces_;
     std::vector<std::size_t> curve_of_;  ///< of each piece
     std::vector<RegionBorder> borders_;

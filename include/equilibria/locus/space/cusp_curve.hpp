@@ -25,8 +25,8 @@
 #include <Eigen/Core>
 #include <Eigen/LU>
 
+#include <equilibria/continuation/branch_stepper.hpp>
 #include <equilibria/continuation/event_function.hpp>
-#include <equilibria/continuation/path.hpp>
 #include <equilibria/core/error.hpp>
 #include <equilibria/core/random.hpp>
 #include <equilibria/locus/space/cusp_curve_result.hpp>
@@ -52,16 +52,16 @@ public:
     using Point = BranchPoint<Problem>;
     static constexpr int n = n_unknowns<M>;
 
-    CuspTracer(const Parameters<M>& p, const CuspBox& box, const CuspCurveOptions& options)
-        : box_(box), options_(options), problem_(p, box.x_high - box.x_low, box.y_high - box.y_low),
-          stepper_(problem_, path_options(box, options)), symmetric_(is_symmetric(p)) {}
+    CuspTracer(const Parameters<M>& p, const Box& box, const CuspCurveOptions& options)
+        : box_(box), options_(options), problem_(p, box.x.high - box.x.low, box.y.high - box.y.low),
+          stepper_(problem_, branch_options(box, options)), symmetric_(is_symmetric(p)) {}
 
     CuspCurve<M> run(const Unknowns<M>& q, const Parameters<M>& p) {
         CuspCurve<M> curve;
         auto start = start_at(q, p);
         if (!start) return curve;
         for (std::size_t side = 0; side < 2; ++side) {
-            PathStepper<Problem>::flip(start->tangent);
+            BranchStepper<Problem>::flip(start->tangent);
             Half half;
             half.points.push_back(*start);
             curve.ends[side] = follow(half);
@@ -80,10 +80,10 @@ private:
         std::vector<CuspTransition<M>> transitions;
     };
 
-    static PathOptions path_options(const CuspBox& box, const CuspCurveOptions& options) {
-        PathOptions path = options.path;
-        path.parameter_weight = 1 / (box.z_high - box.z_low);
-        return path;
+    static BranchOptions branch_options(const Box& box, const CuspCurveOptions& options) {
+        BranchOptions branch = options.branch;
+        branch.parameter_weight = 1 / (box.z.high - box.z.low);
+        return branch;
     }
 
     /// Whether F(-theta) = -F(theta) whatever x, y and z are, at points and parameters without a pattern.
@@ -91,9 +91,9 @@ private:
         if (n_coordinates<M> != 0) return false;
         Generator generator(1);
         for (int trial = 0; trial < 3; ++trial) {
-            p[X] = uniform(generator, box_.x_low, box_.x_high);
-            p[Y] = uniform(generator, box_.y_low, box_.y_high);
-            p[Z] = uniform(generator, box_.z_low, box_.z_high);
+            p[X] = uniform(generator, box_.x.low, box_.x.high);
+            p[Y] = uniform(generator, box_.y.low, box_.y.high);
+            p[Z] = uniform(generator, box_.z.low, box_.z.high);
             Unknowns<M> q, mirrored;
             for (int i = 0; i < n; ++i) q[i] = uniform(generator, 0.3, 2.8), mirrored[i] = -q[i];
             const auto f = equations<M>(q, p), g = equations<M>(mirrored, p);
@@ -114,7 +114,7 @@ private:
             // where z turns back Newton's method at a fixed z fails
             start = stepper_.assess(at, p[Z], std::nullopt);
             if (!start || !(start->residual < 1e-6)) return std::nullopt;
-            start->proposed_step = options_.path.first_step;
+            start->proposed_step = options_.branch.first_step;
         }
         if (!contains(*start)) return std::nullopt;
         return start;
@@ -127,8 +127,8 @@ private:
         const auto near = [](double value, double low, double high) {
             return std::min(value - low, high - value) < 1e-6 * (high - low);
         };
-        return near(x(at), box_.x_low, box_.x_high) || near(y(at), box_.y_low, box_.y_high) ||
-               near(at.p, box_.z_low, box_.z_high);
+        return near(x(at), box_.x.low, box_.x.high) || near(y(at), box_.y.low, box_.y.high) ||
+               near(at.p, box_.z.low, box_.z.high);
     }
     bool contains(const Singularity<M>& at) const { return box_.contains(at.p[X], at.p[Y], at.p[Z]); }
     Parameters<M> parameters(const Point& at) const { return problem_.parameters(at.q, at.p); }
@@ -168,7 +168,7 @@ private:
     /// Next to a face the last points, taken in ever smaller steps, are rounding.
     CurveEnd given_up(Half& half) const {
         if (!at_face(half.points.back())) return CurveEnd::step;
-        const auto is_noise = [&](const Point& at) { return at_face(at) && at.step < options_.path.first_step; };
+        const auto is_noise = [&](const Point& at) { return at_face(at) && at.step < options_.branch.first_step; };
         while (half.points.size() > 1 && is_noise(half.points.back())) half.points.pop_back();
         std::erase_if(half.transitions, [&](const auto& t) { return t.step + 1 >= half.points.size(); });
         return CurveEnd::degenerate;
@@ -182,14 +182,14 @@ private:
             d.q.segment(n, n) = -now.q.segment(n, n) - first.q.segment(n, n);
             along.q.segment(n, n) *= -1;
         }
-        return stepper_.length(d) < 1.5 * options_.path.largest_step && stepper_.dot(first.tangent, along) > 0.95;
+        return stepper_.length(d) < 1.5 * options_.branch.largest_step && stepper_.dot(first.tangent, along) > 0.95;
     }
 
     /// `at`: what Newton's method found from `near`, a point of the curve.
     void note(Half& half, const Point& near, Singularity<M> at) {
-        const double x_off = (at.p[X] - x(near)) / (box_.x_high - box_.x_low);
-        const double y_off = (at.p[Y] - y(near)) / (box_.y_high - box_.y_low);
-        const double z_off = (at.p[Z] - near.p) / (box_.z_high - box_.z_low);
+        const double x_off = (at.p[X] - x(near)) / (box_.x.high - box_.x.low);
+        const double y_off = (at.p[Y] - y(near)) / (box_.y.high - box_.y.low);
+        const double z_off = (at.p[Z] - near.p) / (box_.z.high - box_.z.low);
         double off = std::max({std::abs(x_off), std::abs(y_off), std::abs(z_off)});
         for (int i = 0; i < n; ++i) off = std::max(off, std::abs(at.q[i] - near.q(i)));
         if (!at.converged || !(off < 1e-4)) {
@@ -264,7 +264,7 @@ private:
             const auto at = refine_singularity<M, SingularityKind::tetracritical_pitchfork, X, Y, Z>(
                 Problem::unknowns(near.q), parameters(near), Problem::null_vector(near.q));
             if (at.kind != SingularityKind::tetracritical_pitchfork || !contains(at)) return false;
-            const double scales[] = {box_.x_high - box_.x_low, box_.y_high - box_.y_low, box_.z_high - box_.z_low};
+            const double scales[] = {box_.x.high - box_.x.low, box_.y.high - box_.y.low, box_.z.high - box_.z.low};
             const double there[] = {at.p[X], at.p[Y], at.p[Z]}, here[] = {x(near), y(near), near.p};
             const Point& other =
                 passes ? half.points[half.points.size() - std::min<std::size_t>(2, half.points.size())] : last;
@@ -304,7 +304,7 @@ private:
     /// else on the chord.
     Point at_border(const Point& a, const Point& b) {
         const double from[] = {x(a), y(a), a.p}, to[] = {x(b), y(b), b.p};
-        const double low[] = {box_.x_low, box_.y_low, box_.z_low}, high[] = {box_.x_high, box_.y_high, box_.z_high};
+        const double low[] = {box_.x.low, box_.y.low, box_.z.low}, high[] = {box_.x.high, box_.y.high, box_.z.high};
         double part = 1, value = 0;
         int axis = 0;
         for (int k = 0; k < 3; ++k)
@@ -314,7 +314,7 @@ private:
                 if (share <= part && (bound == low[k]) == (to[k] < from[k])) part = share, axis = k, value = bound;
             }
         Direction chord = stepper_.difference(a, b.q, b.p);
-        PathStepper<Problem>::scale(chord, part);
+        BranchStepper<Problem>::scale(chord, part);
         (axis < 2 ? chord.q(2 * n + axis) : chord.p) = value - from[axis];
         auto found = where(a, chord, axis);
         if (found) {
@@ -357,10 +357,10 @@ private:
         }
     }
 
-    CuspBox box_;
+    Box box_;
     CuspCurveOptions options_;
     Problem problem_;
-    PathStepper<Problem> stepper_;
+    BranchStepper<Problem> stepper_;
     bool symmetric_;
 };
 
@@ -372,7 +372,7 @@ private:
 /// Throws InvalidArgument for a box that is empty or not finite, for arguments that are not finite and for options out
 /// of range.
 template <PotentialModel M, int X, int Y, int Z>
-CuspCurve<M> trace_cusp_curve(const Parameters<M>& p, const Unknowns<M>& q, const CuspBox& box,
+CuspCurve<M> trace_cusp_curve(const Parameters<M>& p, const Unknowns<M>& q, const Box& box,
                               const CuspCurveOptions& options = {}) {
     detail::check_active<M, X, Y, Z>();
     require_finite(p, "p");

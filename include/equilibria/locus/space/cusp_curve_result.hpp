@@ -7,42 +7,24 @@
 #include <cstddef>
 #include <vector>
 
-#include <equilibria/continuation/path_options.hpp>
+#include <equilibria/continuation/branch_options.hpp>
 #include <equilibria/core/error.hpp>
+#include <equilibria/core/window.hpp>
 #include <equilibria/locus/plane/curve_end.hpp>
 #include <equilibria/model/derivatives.hpp>
 #include <equilibria/singularity/singularity.hpp>
 
 namespace equilibria {
 
-/// Where a curve of cusps is followed.
-struct CuspBox {
-    double x_low, x_high, y_low, y_high, z_low, z_high;
-
-    bool contains(double x, double y, double z) const {
-        return x >= x_low && x <= x_high && y >= y_low && y <= y_high && z >= z_low && z <= z_high;
-    }
-    /// Throws InvalidArgument unless every range is finite and not empty.
-    void validate() const {
-        const auto check = [](double low, double high, const char* name) {
-            require(std::isfinite(low), name, low, "must be finite");
-            require(std::isfinite(high) && high > low, name, high, "must be finite and above the lower bound");
-        };
-        check(x_low, x_high, "box.x");
-        check(y_low, y_high, "box.y");
-        check(z_low, z_high, "box.z");
-    }
-};
-
 struct CuspCurveOptions {
     /// In radians, units of the coordinates and of the unit null vector, and parts of the box; parameter_weight is set
     /// by it.
-    PathOptions path{.first_step = 1e-3, .largest_step = 0.01, .largest_angle = 0.15};
+    BranchOptions branch{.first_step = 1e-3, .largest_step = 0.01, .largest_angle = 0.15};
     int most_points = 20000;  ///< of each way
 
     void validate() const {
         require(most_points > 1, "most_points", most_points, "must be more than 1");
-        path.validate();
+        branch.validate();
     }
 };
 

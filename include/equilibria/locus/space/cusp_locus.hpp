@@ -1,8 +1,8 @@
 /// \file
 /// The curves of cusps in a box of three parameters x, y, z of a model:
 ///
-///     const auto locus = find_cusp_locus<Chain, Chain::alpha, Chain::omega, Chain::ratio>(p, {0, 1, 0, 20, 1, 3});
-///     std::cout << locus.curves.size() << " curves; " << locus.argument() << '\n';
+///     const auto locus = find_cusp_locus<Chain, Chain::alpha, Chain::omega, Chain::ratio>(p, {{0, 1}, {0, 20}, {1,
+///     3}}); std::cout << locus.curves.size() << " curves; " << locus.argument() << '\n';
 ///
 /// Completeness. All cusps of planes z = const are solved for, as the complex solutions of a polynomial system
 /// (plane_solver.hpp): the two ends of the range and planes between them, off round values. Every cusp is a seed that
@@ -52,7 +52,7 @@ class CuspLocusFinder {
 public:
     static constexpr int n = n_unknowns<M>;
 
-    CuspLocusFinder(const Parameters<M>& p, const CuspBox& box, const RunOptions& run, const CuspLocusOptions& options)
+    CuspLocusFinder(const Parameters<M>& p, const Box& box, const RunOptions& run, const CuspLocusOptions& options)
         : run_(run), options_(options) {
         locus_.box = box;
         locus_.parameters = p;
@@ -80,20 +80,20 @@ public:
     }
 
 private:
-    double range() const { return locus_.box.z_high - locus_.box.z_low; }
+    double range() const { return locus_.box.z.high - locus_.box.z.low; }
 
     /// All planes where they are wanted; then those that are degenerate a little way off, and once more.
     void solve_planes() {
-        const CuspBox& box = locus_.box;
+        const Box& box = locus_.box;
         Generator generator(run_.seed);
         const std::size_t last = static_cast<std::size_t>(options_.planes) - 1;
         const double spacing = range() / static_cast<double>(last);
         std::vector<std::array<double, 3>> at;
         auto& planes = locus_.planes;
         for (std::size_t k = 0; k <= last; ++k) {
-            double z = k == 0 ? box.z_low : box.z_high, step = k == 0 ? range() / 16 : -range() / 16;
+            double z = k == 0 ? box.z.low : box.z.high, step = k == 0 ? range() / 16 : -range() / 16;
             if (k > 0 && k < last) {
-                z = box.z_low + spacing * (static_cast<double>(k) + uniform(generator, -0.1, 0.1));
+                z = box.z.low + spacing * (static_cast<double>(k) + uniform(generator, -0.1, 0.1));
                 step = 0.05 * spacing;
             }
             at.push_back({z, z + step, k > 0 && k < last ? z - step : z + 2 * step});
@@ -111,7 +111,7 @@ private:
                 planes[k].given_up = std::move(given_up);
             }
         }
-        locus_.evidence.beyond = {(planes.front().z - box.z_low) / range(), (box.z_high - planes.back().z) / range()};
+        locus_.evidence.beyond = {(planes.front().z - box.z.low) / range(), (box.z.high - planes.back().z) / range()};
         for (const auto& plane : planes) {
             locus_.evidence.solved.add(plane.counts);
             locus_.evidence.cusps += plane.cusps.size();
@@ -142,18 +142,18 @@ private:
     }
     /// Parts of the box, beyond which x or y is off the range; below 0 inside.
     double beyond(const Singularity<M>& at) const {
-        const CuspBox& b = locus_.box;
-        return std::max(std::max(b.x_low - at.x(), at.x() - b.x_high) / (b.x_high - b.x_low),
-                        std::max(b.y_low - at.y(), at.y() - b.y_high) / (b.y_high - b.y_low));
+        const Box& b = locus_.box;
+        return std::max(std::max(b.x.low - at.x(), at.x() - b.x.high) / (b.x.high - b.x.low),
+                        std::max(b.y.low - at.y(), at.y() - b.y.high) / (b.y.high - b.y.low));
     }
     bool within(const Singularity<M>& at) const { return beyond(at) < 1e-9; }
     bool at_face(const Singularity<M>& at) const { return std::abs(beyond(at)) < 1e-9; }
 
     /// The same cusp, or its mirror image.
     bool same(const Singularity<M>& a, const Singularity<M>& b, double tolerance) const {
-        const CuspBox& box = locus_.box;
-        if (!(std::abs(a.x() - b.x()) <= tolerance * (box.x_high - box.x_low))) return false;
-        if (!(std::abs(a.y() - b.y()) <= tolerance * (box.y_high - box.y_low))) return false;
+        const Box& box = locus_.box;
+        if (!(std::abs(a.x() - b.x()) <= tolerance * (box.x.high - box.x.low))) return false;
+        if (!(std::abs(a.y() - b.y()) <= tolerance * (box.y.high - box.y.low))) return false;
         return same_unknowns<M>(a.q, b.q, tolerance) ||
                (Formulation<M>::reflection_symmetric && same_unknowns<M>(a.q, mirrored<M>(b.q), tolerance));
     }
@@ -216,7 +216,7 @@ private:
 /// Throws InvalidArgument for a box that is empty or not finite, for parameters that are not finite and for options out
 /// of range, and for a run with a checkpoint or a cancel.
 template <PotentialModel M, int X, int Y, int Z>
-CuspLocus<M> find_cusp_locus(const Parameters<M>& p, const CuspBox& box, const RunOptions& run = {},
+CuspLocus<M> find_cusp_locus(const Parameters<M>& p, const Box& box, const RunOptions& run = {},
                              const CuspLocusOptions& options = {}) {
     detail::check_active<M, X, Y, Z>();
     require_finite(p, "p");

@@ -37,7 +37,7 @@ struct CuspPlane {
 /// The curves of cusps in a box of three parameters.
 template <PotentialModel M>
 struct CuspLocus {
-    CuspBox box;
+    Box box;
     Parameters<M> parameters;
     std::vector<CuspCurve<M>> curves;  ///< one of a mirror pair
     std::vector<CuspPlane<M>> planes;  ///< ascending

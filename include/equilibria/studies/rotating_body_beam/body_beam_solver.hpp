@@ -3,13 +3,13 @@
 /// momentum, by homotopy continuation.
 ///
 /// \code
-/// BodyBeamFamily<1, BeamControl::speed>::Values p{2, 1.2, 1.3, 0.8, 0, 0, 0, 1, 1, 1.2, 100, 6};
+/// BodyBeamEitherStrain<1, BeamControl::speed>::Values p{2, 1.2, 1.3, 0.8, 0, 0, 0, 1, 1, 1.2, 100, 6};
 /// const BodyBeamSolver<1, BeamControl::speed> solver(p, {.executor = threads(4)});
 /// for (const auto& e : solver(p).equilibria) std::cout << e.axis.transpose() << (e.stable() ? " stable\n" : "\n");
 /// \endcode
 ///
-/// The systems of BodyBeamFamily are solved twice. A member at generic stiffnesses, moments and speed or momentum is
-/// enumerated from a total-degree start, once; any member of the same masses, centre and length is reached from its
+/// The systems of BodyBeamEitherStrain are solved twice. A member at generic stiffnesses, moments and speed or momentum
+/// is enumerated from a total-degree start, once; any member of the same masses, centre and length is reached from its
 /// roots, with hundreds of paths instead of thousands (the coefficient-parameter theory of Morgan and Sommese, Appl.
 /// Math. Comput. 29, 1989). A second generic member must have as many roots. What is enumerated are the rotations of
 /// section 2, (2.6) and (2.7), of Baillieul, "Parametric dependence in the equilibrium dynamics of rotating
@@ -36,8 +36,8 @@
 #include <equilibria/enumerate/more_digits.hpp>
 #include <equilibria/enumerate/prove.hpp>
 #include <equilibria/run/run_options.hpp>
+#include <equilibria/studies/rotating_body_beam/body_beam_either_strain.hpp>
 #include <equilibria/studies/rotating_body_beam/body_beam_equilibria.hpp>
-#include <equilibria/studies/rotating_body_beam/body_beam_family.hpp>
 #include <equilibria/studies/rotating_body_beam/detail/body_beam_equilibrium.hpp>
 #include <equilibria/studies/rotating_body_beam/rotating_body_beam.hpp>
 
@@ -48,7 +48,7 @@ namespace equilibria::mechanisms {
 template <int K, BeamControl Control>
 class BodyBeamSolver {
 public:
-    using Model = BodyBeamFamily<K, Control>;
+    using Model = BodyBeamEitherStrain<K, Control>;
     using Values = typename Model::Values;
     using Base = typename Model::Base;
 
@@ -136,7 +136,7 @@ typename BodyBeamSolver<K, Control>::Values BodyBeamSolver<K, Control>::target(c
 }
 
 template <int K, BeamControl Control>
-RootSet<BodyBeamFamily<K, Control>> BodyBeamSolver<K, Control>::enumerated(const Values& p) const {
+RootSet<BodyBeamEitherStrain<K, Control>> BodyBeamSolver<K, Control>::enumerated(const Values& p) const {
     validate(p);
     constexpr auto given = Model::at_speed ? Base::speed : Base::momentum;
     require(p[given] > 0, Model::at_speed ? "speed" : "momentum", p[given], "must be positive");

@@ -67,7 +67,7 @@ struct RotatingBodyBeamBase {
         speed,
         momentum,
         coupling,     ///< of BeamStrain::either
-        second_axis,  ///< of BodyBeamFamily
+        second_axis,  ///< of BodyBeamEitherStrain
         n_parameters
     };
     using Values = Array<double, n_parameters>;

@@ -1,6 +1,6 @@
 /// \file
-/// A root of BodyBeamFamily as the relative equilibrium that it is: which of several points stands for it, and its
-/// index at fixed momentum. See body_beam_solver.hpp.
+/// A root of BodyBeamEitherStrain as the relative equilibrium that it is: which of several points stands for it, and
+/// its index at fixed momentum. See body_beam_solver.hpp.
 #pragma once
 
 #include <algorithm>

@@ -21,7 +21,7 @@ enum class StepConstraint {
 
 enum class Predictor { tangent, secant, quadratic };
 
-struct PathOptions {
+struct BranchOptions {
     double first_step = 0.05;  ///< length of the first step; see the file for the norm
     double smallest_step = 1e-9;
     double largest_step = 0.2;

@@ -17,14 +17,14 @@
 
 namespace equilibria {
 
-/// A family of systems over S, see ExactFamily.
+/// Systems at all parameters in intervals, over S; see ExactSystems.
 template <class M, class S, int N>
-struct BallFamily {
+struct BallSystems {
     BallSystem<M, S> center, all;
     std::vector<BallSystem<M, S>> derivative;
     Array<S, N> half_width;
 
-    explicit BallFamily(const ExactFamily<M, N>& exact) : center(exact.center), all(exact.all) {
+    explicit BallSystems(const ExactSystems<M, N>& exact) : center(exact.center), all(exact.all) {
         // one table of factors serves them all
         for (int u = 0; u < n_unknowns<M>; ++u) center.highest[u] = std::max(all.highest[u], center.highest[u]);
         for (int k = 0; k < N; ++k) {
@@ -69,13 +69,13 @@ BallMatrix<R, N> times(const Ball<R> (&a)[N][N], const Complex<R> (&b)[N][N]) {
     return y;
 }
 
-/// The test of a family, step by step; see `krawczyk`.
+/// The test, step by step; see `krawczyk`.
 template <class M, class R, class S, int N>
-class FamilyTest {
+class SystemsTest {
 public:
-    FamilyTest(const BallFamily<M, S, N>& family, const Point<M, R>& q, bool real)
-        : family_(family), at_(family.center, q, real) {
-        for (int m = 0; m < N; ++m) width_[m] = broadcast<R>(family.half_width[m]);
+    SystemsTest(const BallSystems<M, S, N>& systems, const Point<M, R>& q, bool real)
+        : systems_(systems), at_(systems.center, q, real) {
+        for (int m = 0; m < N; ++m) width_[m] = broadcast<R>(systems.half_width[m]);
     }
 
     KrawczykResult<M, R> run() {
@@ -115,14 +115,14 @@ private:
     static Ball<R>& entry(Matrix& m, int r, int c) {
         return m[static_cast<std::size_t>(r)][static_cast<std::size_t>(c)];
     }
-    const BallSystem<M, S>& derivative(int m) const { return family_.derivative[static_cast<std::size_t>(m)]; }
+    const BallSystem<M, S>& derivative(int m) const { return systems_.derivative[static_cast<std::size_t>(m)]; }
     /// |Y v|
     void bound(const Ball<R> (&v)[n], R (&z)[n]) const { product_bound(out_.inverse, size_y_, v, z); }
 
     /// The basis B, J B and the inverse Y of its middle.
     void precondition() {
         Ball<R> j[n][n];
-        ball_jacobian(family_.center, at_, j);
+        ball_jacobian(systems_.center, at_, j);
         Complex<R> y[n][n], middle[n][n];
         for (int r = 0; r < n; ++r)
             for (int c = 0; c < n; ++c) out_.jacobian[r][c] = j[r][c].mid;
@@ -141,7 +141,7 @@ private:
     /// What does not depend on the radii: the values at the middle and |1 - Y J B| there.
     void bound_middle() {
         Ball<R> f[n];
-        ball_values(family_.center, at_, f);
+        ball_values(systems_.center, at_, f);
         bound(f, fixed_);
         for (int c = 0; c < n; ++c) {
             Ball<R> column[n];
@@ -205,7 +205,7 @@ private:
         }
         // the derivatives of J B along the basis, and along the moving centre
         Ball<R> by_unknown[n][n][n], f[n], g[n][n];
-        for (int u = 0; u < n; ++u) ball_jacobian_derivative(family_.all, wide, u, by_unknown[u]);
+        for (int u = 0; u < n; ++u) ball_jacobian_derivative(systems_.all, wide, u, by_unknown[u]);
         Matrix along_basis[n], along_center[N], own[N];
         for (int k = 0; k < n; ++k) {
             for (int r = 0; r < n; ++r)
@@ -251,7 +251,7 @@ private:
         return holds;
     }
 
-    const BallFamily<M, S, N>& family_;
+    const BallSystems<M, S, N>& systems_;
     FactorBalls<M, R> at_;
     R width_[N];
     KrawczykResult<M, R> out_;
@@ -265,10 +265,10 @@ private:
 }  // namespace detail
 
 /// The test at the points q, one a lane; see krawczyk for one system. The radii and the enclosures hold the roots of
-/// all parameters of the family, and E the Jacobians at all of them.
+/// all parameters, and E the Jacobians at all of them.
 template <class M, class R, class S, int N>
-KrawczykResult<M, R> krawczyk(const BallFamily<M, S, N>& family, const Point<M, R>& q, bool real) {
-    return detail::FamilyTest<M, R, S, N>(family, q, real).run();
+KrawczykResult<M, R> krawczyk(const BallSystems<M, S, N>& systems, const Point<M, R>& q, bool real) {
+    return detail::SystemsTest<M, R, S, N>(systems, q, real).run();
 }
 
 }  // namespace equilibria

@@ -1,5 +1,5 @@
 /// \file
-/// A model as a family of continuation problems in a plane of two of its parameters, for the curves of a locus.
+/// A model as a parametric continuation problem in a plane of two of its parameters, for the curves of a locus.
 #pragma once
 
 #include <cmath>
@@ -77,7 +77,7 @@ private:
 
 /// The same for each value of the parameter number Y.
 template <Model M, int X, int Y>
-struct PlaneFamily {
+struct PlaneProblems {
     Parameters<M> parameters;  ///< entries X and Y are not read
     PlaneProblem<M, X, Y> operator()(double y) const { return PlaneProblem<M, X, Y>(with_active<Y>(parameters, y)); }
 };

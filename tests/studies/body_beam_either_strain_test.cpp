@@ -10,19 +10,19 @@
 #include <equilibria/enumerate/enumerate.hpp>
 #include <equilibria/enumerate/prove.hpp>
 #include <equilibria/stability/inertia.hpp>
-#include <equilibria/studies/rotating_body_beam/body_beam_family.hpp>
+#include <equilibria/studies/rotating_body_beam/body_beam_either_strain.hpp>
 #include <equilibria/studies/rotating_body_beam/momentum_hessian.hpp>
 #include <equilibria/studies/rotating_body_beam/rotating_body_beam.hpp>
 
 #include "support/catch.hpp"
 
 using namespace equilibria;
-using mechanisms::BeamControl, mechanisms::BeamStrain, mechanisms::BodyBeamFamily, mechanisms::momentum_hessian,
+using mechanisms::BeamControl, mechanisms::BeamStrain, mechanisms::BodyBeamEitherStrain, mechanisms::momentum_hessian,
     mechanisms::RotatingBodyBeam;
 
 namespace {
 
-using Momentum = BodyBeamFamily<1, BeamControl::momentum>;
+using Momentum = BodyBeamEitherStrain<1, BeamControl::momentum>;
 using Values = Momentum::Values;
 
 Values body(double momentum, double coupling) {

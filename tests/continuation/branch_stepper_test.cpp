@@ -53,7 +53,7 @@ TEST_CASE("predictors: the error falls with h^2 for tangent and secant, with h^3
         double errors[2];
         for (int k = 0; k < 2; ++k) {
             const double h = 0.02 / (1 << k);
-            PathStepper<ShallowArch> stepper(arch, {.predictor = predictor, .parameter_weight = 1});
+            BranchStepper<ShallowArch> stepper(arch, {.predictor = predictor, .parameter_weight = 1});
             const auto start = stepper.start(Eigen::Vector2d(2.3, 0), 0.5, 1);
             REQUIRE(start);
             const auto first = stepper.step(*start, h);
@@ -73,11 +73,11 @@ TEST_CASE("predictors: the error falls with h^2 for tangent and secant, with h^3
 
 TEST_CASE("the tangent solves K q' + dg/dp p' = 0, also next to a fold, and has length 1") {
     const auto truss = von_mises_truss(1.2);
-    PathStepper<Truss> stepper(truss, {});
+    BranchStepper<Truss> stepper(truss, {});
     const auto start = stepper.start(truss.unloaded(), 0, 1);
     REQUIRE(start);
     int k = 0;
-    for (const auto& point : Path(stepper, *start)) {
+    for (const auto& point : BranchPoints(stepper, *start)) {
         const VectorXd rest = truss.tangent(point.q, point.p) * point.tangent.q +
                               truss.parameter_derivative(point.q, point.p) * point.tangent.p;
         CHECK(rest.norm() < 1e-12);
@@ -90,8 +90,8 @@ TEST_CASE("the tangent solves K q' + dg/dp p' = 0, also next to a fold, and has 
 
 TEST_CASE("control by one unknown and by the parameter") {
     const ShallowArch arch{2.5};
-    PathOptions options{.constraint = StepConstraint::unknown, .controlled = 0};
-    PathStepper<ShallowArch> stepper(arch, options);
+    BranchOptions options{.constraint = StepConstraint::unknown, .controlled = 0};
+    BranchStepper<ShallowArch> stepper(arch, options);
     auto point = stepper.start(Eigen::Vector2d(2.5, 0), 0, 1);
     REQUIRE(point);
     // the first unknown falls steadily, through both folds
@@ -105,7 +105,7 @@ TEST_CASE("control by one unknown and by the parameter") {
     // load control stops at the limit load
     options.constraint = StepConstraint::parameter;
     ContinuationOptions loads;
-    loads.path = options;
+    loads.branch = options;
     const auto branch = continue_branch(arch, VectorXd(Eigen::Vector2d(2.5, 0)), 0, 1, loads);
     CHECK(branch.end == BranchEnd::stopped);
     CHECK(branch.points.back().p == Approx(arch.fold()).epsilon(1e-3));
@@ -114,8 +114,8 @@ TEST_CASE("control by one unknown and by the parameter") {
 TEST_CASE("unsymmetric K: folds by the left null vector") {
     const Unsymmetric problem;
     ContinuationOptions options;
-    options.low = -5;
-    options.high = 5;
+    options.range.low = -5;
+    options.range.high = 5;
     options.most_steps = 400;
     const auto branch = continue_branch(problem, VectorXd(Eigen::Vector2d(0, 0)), 0, 1, options);
     CHECK(branch.unexplained.empty());
@@ -133,7 +133,7 @@ TEST_CASE("unsymmetric K: folds by the left null vector") {
 TEST_CASE("a curved configuration space: folds where the branch turns, many turns of the parameter") {
     const OnCircle problem;
     ContinuationOptions options;
-    options.high = 20;
+    options.range.high = 20;
     options.most_steps = 600;
     const auto branch = continue_branch(problem, Eigen::Vector2d(1, 0), 0, 1, options);
     // the spring towards p is the stronger one: no fold, and the point follows all the turns
@@ -147,9 +147,9 @@ TEST_CASE("a curved configuration space: folds where the branch turns, many turn
 
 TEST_CASE("paths are refused for options out of range") {
     const ShallowArch arch{2.5};
-    const auto refusal = [&](const PathOptions& options) {
+    const auto refusal = [&](const BranchOptions& options) {
         try {
-            PathStepper<ShallowArch> stepper(arch, options);
+            BranchStepper<ShallowArch> stepper(arch, options);
         } catch (const InvalidArgument& error) {
             return std::string(error.what());
         }
@@ -171,9 +171,9 @@ struct ArchByHeight : ShallowArch {
 
 TEST_CASE("control by a scalar of the problem, which falls all along the branch") {
     const ArchByHeight arch{{1.9}};
-    PathOptions options;
+    BranchOptions options;
     options.constraint = StepConstraint::scalar;
-    PathStepper<ArchByHeight> stepper(arch, options);
+    BranchStepper<ArchByHeight> stepper(arch, options);
     auto point = stepper.start(Eigen::Vector2d(1.9, 0), 0.0, 1);
     REQUIRE(point);
     // through both folds
@@ -189,5 +189,5 @@ TEST_CASE("control by a scalar of the problem, which falls all along the branch"
     }
     CHECK(point->q(0) < 0);
     const ShallowArch uncontrolled{2};
-    CHECK_THROWS_WITH(PathStepper<ShallowArch>(uncontrolled, options), Catch::Contains("constraint"));
+    CHECK_THROWS_WITH(BranchStepper<ShallowArch>(uncontrolled, options), Catch::Contains("constraint"));
 }

@@ -1,5 +1,5 @@
 /// \file
-/// The relative equilibria of a body with a beam as one family of polynomial systems, for homotopies in its parameters.
+/// The relative equilibria of a body with a beam as one parametric polynomial system, for homotopies in its parameters.
 /// See rotating_body_beam.hpp for the body, and body_beam_solver.hpp for what follows its members.
 #pragma once
 
@@ -12,7 +12,7 @@
 
 namespace equilibria::mechanisms {
 
-/// Relative equilibria at a given speed or a given momentum, as members of one family of polynomial systems: what is
+/// Relative equilibria at a given speed or a given momentum, as members of one parametric polynomial system: what is
 /// solved once, at generic parameters, is followed to the others. The strain energy is BeamStrain::either.
 ///
 /// At a given momentum A: critical points of V(u) - w^T J(u) w / 2 + lambda (|w|^2 - omega^2) / 2 + A omega over the
@@ -27,7 +27,7 @@ namespace equilibria::mechanisms {
 /// only solutions with J n = lambda n are equilibria: the second component of that equation has been left out, and
 /// follows from the others elsewhere.)
 template <int K, BeamControl Control>
-struct BodyBeamFamily : RotatingBodyBeamBase<K, BeamStrain::either> {
+struct BodyBeamEitherStrain : RotatingBodyBeamBase<K, BeamStrain::either> {
     using Base = RotatingBodyBeamBase<K, BeamStrain::either>;
     static constexpr bool at_speed = Control == BeamControl::speed;
     static constexpr int n_angles = 0, n_coordinates = at_speed ? 4 + 3 * K : 5 + 3 * K;

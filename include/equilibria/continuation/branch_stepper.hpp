@@ -15,31 +15,31 @@
 #include <utility>
 
 #include <equilibria/continuation/bordered.hpp>
+#include <equilibria/continuation/branch_options.hpp>
 #include <equilibria/continuation/branch_point.hpp>
 #include <equilibria/continuation/corrector.hpp>
-#include <equilibria/continuation/path_options.hpp>
 #include <equilibria/continuation/problem.hpp>
 
 namespace equilibria {
 
 template <ContinuationProblem P>
-class PathStepper {
+class BranchStepper {
 public:
     using Matrix = TangentMatrix<P>;
     using Point = BranchPoint<P>;
 
     /// The problem must outlive the stepper. Throws InvalidArgument for options out of range.
-    PathStepper(const P& problem, const PathOptions& options)
+    BranchStepper(const P& problem, const BranchOptions& options)
         : problem_(&problem), options_(options), solver_(symmetric_tangent<P>, equilibria::multipliers(problem)),
           theta_(options.parameter_weight) {
         options.validate();
         require(options.constraint != StepConstraint::scalar || Controlled<P>, "constraint", "scalar",
                 "must not be asked of a problem without control(q, p)");
     }
-    PathStepper(P&&, const PathOptions&) = delete;
+    BranchStepper(P&&, const BranchOptions&) = delete;
 
     const P& problem() const { return *problem_; }
-    const PathOptions& options() const { return options_; }
+    const BranchOptions& options() const { return options_; }
     double parameter_weight() const { return theta_; }
 
     /// The equilibrium near q at the parameter p, with the tangent along which the parameter grows (direction 1) or
@@ -329,7 +329,7 @@ private:
     }
 
     const P* problem_;
-    PathOptions options_;
+    BranchOptions options_;
     BorderedSolver<Matrix> solver_;
     double theta_;
     Eigen::VectorXd weights_;

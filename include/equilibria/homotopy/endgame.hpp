@@ -284,7 +284,10 @@ private:
             Endpoint<M>& end = *paths[k]->end;
             end.steps = segments[k].steps;
             if (segments[k].progress != Progress::arrived) continue;
+            // rounding may have led it along a family
+            const bool strayed = distance(paths[k]->q, segments[k].q) > 1;
             paths[k]->q = segments[k].q;
+            if (strayed) continue;
             Point<M, double> reached;
             copy_lane(segments[k].q, 0, reached, 0);
             Point<M, double> q = reached;

@@ -54,6 +54,13 @@ Section argyris_section(const CaseData& data) {
     return section_of(data, Section{18 * e, 18 * g, 18 * g, 2.16 * g, .54 * e, 1350 * e});
 }
 
+/// What a case is followed by.
+struct Load {
+    const char* name;  ///< of the parameter, with its unit
+    equilibria::Interval range;
+    double first_step;
+};
+
 /// A straight planar beam that makes a share of the structure's length; all nodes.
 std::vector<int> planar_beam(Model& model, const PlanarSection& section, int first, int last, const CaseData& data,
                              double share = 1) {
@@ -62,15 +69,20 @@ std::vector<int> planar_beam(Model& model, const PlanarSection& section, int fir
     });
 }
 /// The same in space.
-std::vector<int> beam(Model& model, const Section& section, int first, int last, const Vector3d& second,
+std::vector<int> beam(Model& model, const Section& section, std::array<int, 2> ends, const Vector3d& second,
                       const CaseData& data, double share = 1) {
     return with_beam_nodes(data.nodes, [&](auto n) {
-        return add_straight_beam<n>(model, section, first, last, second, elements_of(data, share));
+        return add_straight_beam<n>(model, section, ends[0], ends[1], second, elements_of(data, share));
     });
 }
-/// A planar arc of radius r around the origin, from angle `from` to `to`.
-std::vector<int> arc(Model& model, const PlanarSection& section, double r, double from, double to, const CaseData& data,
+/// Around the origin, angles in radians.
+struct ArcLine {
+    double radius, from, to;
+};
+/// A planar arc.
+std::vector<int> arc(Model& model, const PlanarSection& section, const ArcLine& line, const CaseData& data,
                      int elements) {
+    const double r = line.radius, from = line.from, to = line.to;
     const auto frame = [=](double t) {
         const double angle = from + (to - from) * t;
         return PlanarSectionFrame{{r * std::cos(angle), r * std::sin(angle), 0}, angle + (to > from ? pi : -pi) / 2};
@@ -86,30 +98,31 @@ CasePoint at_parameter(double at) {
     return {"at " + equilibria::to_text(at), [=](const StructureState&, double p) { return p - at; }};
 }
 
-BucklingCase make(Model model, const CaseData& data, int tip, const char* parameter, double low, double high,
-                  double first_step) {
+BucklingCase make(Model model, const CaseData& data, int tip, const Load& load) {
     BucklingCase y{.structure = Structure(std::move(model), {.executor = equilibria::threads(data.threads)}),
                    .tip = tip,
-                   .parameter = parameter,
-                   .options = {.range = {low, high}, .most_steps = 2000}};
-    y.options.branch.first_step = first_step;
+                   .parameter = load.name,
+                   .options = {.range = load.range, .most_steps = 2000}};
+    y.options.branch.first_step = load.first_step;
     y.options.branch.largest_step = 0.1;
     return y;
 }
 
 /// A circular arch with a load on its crown, its ends held by these components.
-BucklingCase crown_loaded_arch(const CaseData& data, double radius, double degrees, double ei,
-                               std::initializer_list<Component> left, std::initializer_list<Component> right,
-                               const char* parameter, double low, double high) {
-    const double half = data.angle.value_or(degrees) * pi / 360;
+struct Arch {
+    double radius, degrees, ei;
+    std::initializer_list<Component> left, right;
+};
+BucklingCase crown_loaded_arch(const CaseData& data, const Arch& arch, const Load& load) {
+    const double half = data.angle.value_or(arch.degrees) * pi / 360;
     Model model;
-    const auto nodes = arc(model, section_of(data, PlanarSection{rigid, rigid, ei}), radius, pi / 2 + half,
-                           pi / 2 - half, data, 2 * ((data.elements + 1) / 2));
+    const auto nodes = arc(model, section_of(data, PlanarSection{rigid, rigid, arch.ei}),
+                           {arch.radius, pi / 2 + half, pi / 2 - half}, data, 2 * ((data.elements + 1) / 2));
     const int crown = nodes[nodes.size() / 2];
-    model.fix(nodes.front(), left);
-    model.fix(nodes.back(), right);
+    model.fix(nodes.front(), arch.left);
+    model.fix(nodes.back(), arch.right);
     model.load(crown, {0, -1, 0});
-    return make(std::move(model), data, crown, parameter, low, high, 0.01);
+    return make(std::move(model), data, crown, load);
 }
 
 /// The energy of a shallow arch of two modes, A1 and A2 being the coordinates of a node: an element of its own.
@@ -139,7 +152,7 @@ BucklingCase euler_column(const CaseData& data) {
     const int watched = cantilever ? b : nodes[nodes.size() / 2];
     // the first three critical loads of the chosen ends
     const double most = cantilever ? 25 : clamped ? 90 : 45;
-    BucklingCase y = make(std::move(model), data, watched, "P L^2 / EI", -1, most, 0.05);
+    BucklingCase y = make(std::move(model), data, watched, {"P L^2 / EI", {-1, most}, 0.05});
     y.options.branch.parameter_weight = 0.1;
     if (cantilever)
         for (const double degrees : {20, 60, 120})
@@ -156,7 +169,7 @@ BucklingCase roll_up(const CaseData& data) {
     planar_beam(model, section, a, b, data);
     model.fix(a, planar);
     model.load(b, {0, 0, 0}, {0, 0, 2 * pi * section.ei});
-    BucklingCase y = make(std::move(model), data, b, "M L / (2 pi EI)", -0.01, 4.2, 0.02);
+    BucklingCase y = make(std::move(model), data, b, {"M L / (2 pi EI)", {-0.01, 4.2}, 0.02});
     for (const int n : {1, 2, 3, 4}) y.points.push_back(at_parameter(n));
     return y;
 }
@@ -164,10 +177,10 @@ BucklingCase roll_up(const CaseData& data) {
 BucklingCase lateral_cantilever(const CaseData& data) {
     Model model;
     const int a = model.add_node({0, 0, 0}), b = model.add_node({1, 0, 0});
-    beam(model, section_of(data, Section{rigid, rigid, rigid, 1.343, 1, 25}), a, b, Vector3d::UnitY(), data);
+    beam(model, section_of(data, Section{rigid, rigid, rigid, 1.343, 1, 25}), {a, b}, Vector3d::UnitY(), data);
     model.fix(a, spatial);
     model.load(b, {0, -1, 0});
-    BucklingCase y = make(std::move(model), data, b, "P L^2 (EI2 = 1)", -0.1, 7, 0.02);
+    BucklingCase y = make(std::move(model), data, b, {"P L^2 (EI2 = 1)", {-0.1, 7}, 0.02});
     for (const double z : {.1, .2, .4}) y.points.push_back(at_coordinate(b, 2, z));
     return y;
 }
@@ -177,26 +190,26 @@ BucklingCase lateral_strip(const CaseData& data) {
     const int a = model.add_node({0, 0, 0}), b = model.add_node({1, 0, 0}), fork_a = model.add_node({0, 0, 0}),
               fork_b = model.add_node({1, 0, 0});
     const Section section = section_of(data, Section{rigid, rigid, rigid, 1.343, 1, 25});
-    const auto nodes = beam(model, section, a, b, Vector3d::UnitY(), data);
+    const auto nodes = beam(model, section, {a, b}, Vector3d::UnitY(), data);
     model.fix(fork_a, {ux, uy, uz, rx, ry});
     model.fix(fork_b, {uy, uz, rx, ry});
     model.add(RevoluteJoint(Vector3d::UnitY()), {fork_a, a});
     model.add(RevoluteJoint(Vector3d::UnitY()), {fork_b, b});
     model.load(fork_a, {0, 0, 0}, {0, 0, -1});
     model.load(fork_b, {0, 0, 0}, {0, 0, 1});
-    return make(std::move(model), data, nodes[nodes.size() / 2], "M L (EI2 = 1)", -0.1, 8, 0.02);
+    return make(std::move(model), data, nodes[nodes.size() / 2], {"M L (EI2 = 1)", {-0.1, 8}, 0.02});
 }
 
 BucklingCase right_angle_frame(const CaseData& data) {
     const Section section = argyris_section(data);
     Model model;
     const int a = model.add_node({0, 0, 0}), b = model.add_node({240, 0, 0}), c = model.add_node({240, -240, 0});
-    beam(model, section, a, b, Vector3d::UnitY(), data, 0.5);
-    beam(model, section, b, c, Vector3d::UnitX(), data, 0.5);
+    beam(model, section, {a, b}, Vector3d::UnitY(), data, 0.5);
+    beam(model, section, {b, c}, Vector3d::UnitX(), data, 0.5);
     model.fix(a, spatial);
     const double sign = data.load_direction[0] == '-' ? -1 : 1;
     model.load(c, data.load_direction[1] == 'x' ? Vector3d(sign, 0, 0) : Vector3d(0, sign, 0));
-    BucklingCase y = make(std::move(model), data, c, "P", -0.05, 2, 0.005);
+    BucklingCase y = make(std::move(model), data, c, {"P", {-0.05, 2}, 0.005});
     for (const double z : {10, 20, 40, 60}) y.points.push_back(at_coordinate(c, 2, z));
     return y;
 }
@@ -206,23 +219,23 @@ BucklingCase hinged_frame(const CaseData& data) {
     const double h = 240 / std::sqrt(2.0);
     Model model;
     const int a = model.add_node({-h, 0, 0}), b = model.add_node({0, h, 0}), c = model.add_node({h, 0, 0});
-    beam(model, section, a, b, Vector3d(-1, 1, 0), data, 0.5);
-    beam(model, section, b, c, Vector3d(1, 1, 0), data, 0.5);
+    beam(model, section, {a, b}, Vector3d(-1, 1, 0), data, 0.5);
+    beam(model, section, {b, c}, Vector3d(1, 1, 0), data, 0.5);
     model.fix(a, {ux, uy, uz, rx, ry});
     model.fix(c, {uy, uz, rx, ry});
     model.load(a, {0, 0, 0}, {0, 0, 1});
     model.load(c, {0, 0, 0}, {0, 0, -1});
-    BucklingCase y = make(std::move(model), data, b, "M", -700, 700, 0.002);
+    BucklingCase y = make(std::move(model), data, b, {"M", {-700, 700}, 0.002});
     y.both_ways = true;
     return y;
 }
 
 BucklingCase deep_arch(const CaseData& data) {
-    return crown_loaded_arch(data, 100, 215, 1e6, {ux, uy, rz}, {ux, uy}, "P", -200, 2000);
+    return crown_loaded_arch(data, {100, 215, 1e6, {ux, uy, rz}, {ux, uy}}, {"P", {-200, 2000}, 0.01});
 }
 
 BucklingCase hinged_arch(const CaseData& data) {
-    return crown_loaded_arch(data, 1, 180, 1, {ux, uy}, {ux, uy}, "P R^2 / EI", -2, 20);
+    return crown_loaded_arch(data, {1, 180, 1, {ux, uy}, {ux, uy}}, {"P R^2 / EI", {-2, 20}, 0.01});
 }
 
 BucklingCase lee_frame(const CaseData& data) {
@@ -236,7 +249,7 @@ BucklingCase lee_frame(const CaseData& data) {
     model.fix(foot, {ux, uy});
     model.fix(end, {ux, uy});
     model.load(loaded, {0, -1, 0});
-    return make(std::move(model), data, loaded, "P", -1.5, 5, 0.01);
+    return make(std::move(model), data, loaded, {"P", {-1.5, 5}, 0.01});
 }
 
 BucklingCase williams_toggle(const CaseData& data) {
@@ -249,7 +262,7 @@ BucklingCase williams_toggle(const CaseData& data) {
     model.fix(a, planar);
     model.fix(b, planar);
     model.load(apex, {0, -1, 0});
-    BucklingCase y = make(std::move(model), data, apex, "P", -5, 80, 0.001);
+    BucklingCase y = make(std::move(model), data, apex, {"P", {-5, 80}, 0.001});
     y.options.branch.largest_step = 0.01;
     return y;
 }
@@ -264,7 +277,7 @@ BucklingCase von_mises_truss(const CaseData& data) {
     model.fix(a, planar_positions);
     model.fix(b, planar_positions);
     model.load(apex, {0, -ea, 0});
-    return make(std::move(model), data, apex, "P / EA", -1, 1, 0.01);
+    return make(std::move(model), data, apex, {"P / EA", {-1, 1}, 0.01});
 }
 
 BucklingCase star_dome(const CaseData& data) {
@@ -288,7 +301,7 @@ BucklingCase star_dome(const CaseData& data) {
     const bool all = data.load != "apex";
     model.load(apex, {0, 0, all ? -0.5 * ea : -ea});
     for (int k = 1; all && k < 7; ++k) model.load(k, {0, 0, -ea});
-    BucklingCase y = make(std::move(model), data, apex, "P / EA", -1e-3, all ? 2e-3 : 1e-3, 0.001);
+    BucklingCase y = make(std::move(model), data, apex, {"P / EA", {-1e-3, all ? 2e-3 : 1e-3}, 0.001});
     y.options.branch.largest_step = 0.005;
     y.amplitude = 0.003;
     return y;
@@ -296,7 +309,7 @@ BucklingCase star_dome(const CaseData& data) {
 
 BucklingCase pressed_ring(const CaseData& data) {
     Model model;
-    const auto nodes = arc(model, section_of(data), 1, 0, pi / 2, data, data.elements);
+    const auto nodes = arc(model, section_of(data), {1, 0, pi / 2}, data, data.elements);
     model.fix(nodes.front(), {uy, rz});
     model.fix(nodes.back(), {ux, rz});
     const int each = data.nodes - 1;
@@ -322,7 +335,7 @@ BucklingCase pressed_ring(const CaseData& data) {
             });
         }
     }
-    BucklingCase y = make(std::move(model), data, nodes.front(), "q R^3 / EI", -0.5, 10, 0.05);
+    BucklingCase y = make(std::move(model), data, nodes.front(), {"q R^3 / EI", {-0.5, 10}, 0.05});
     y.options.branch.parameter_weight = 0.2;
     return y;
 }
@@ -332,12 +345,13 @@ BucklingCase twisted_rod(const CaseData& data) {
     const int a = model.add_node({0, 0, 0}), b = model.add_node({1, 0, 0});
     const double ei = data.ei2.value_or(1);
     const Section section = section_of(data, Section{rigid, rigid, rigid, 1, ei, ei});
-    const auto nodes = beam(model, section, a, b, Vector3d::UnitY(), data);
+    const auto nodes = beam(model, section, {a, b}, Vector3d::UnitY(), data);
     model.fix(a, spatial);
     model.fix(b, {uy, uz});
     model.add(PrescribedRotation(Vector3d::UnitX()), {b});
     if (data.tension) model.load(b, {*data.tension, 0, 0}, {0, 0, 0}, LoadKind::constant);
-    BucklingCase y = make(std::move(model), data, nodes[nodes.size() / 2], "M L / EI2", -0.2, 20 / section.gj, 0.05);
+    BucklingCase y =
+        make(std::move(model), data, nodes[nodes.size() / 2], {"M L / EI2", {-0.2, 20 / section.gj}, 0.05});
     // the last element added is the drive: its moment about x
     const double k = y.structure.scale().multiplier;
     const int drive = y.structure.multipliers() - 3;
@@ -358,7 +372,7 @@ BucklingCase bend(const CaseData& data) {
         with_beam_nodes(data.nodes, [&](auto n) { return add_beam<n>(model, section, frame, data.elements); });
     model.fix(nodes.front(), spatial);
     model.load(nodes.back(), {0, 0, 1});
-    BucklingCase y = make(std::move(model), data, nodes.back(), "P", -1, 620, 0.02);
+    BucklingCase y = make(std::move(model), data, nodes.back(), {"P", {-1, 620}, 0.02});
     for (const double p : {300, 450, 600}) y.points.push_back(at_parameter(p));
     return y;
 }
@@ -378,7 +392,7 @@ BucklingCase rigid_link_chain(const CaseData& data) {
     }
     model.share_rotation(joint, before);
     model.load(joint, {0, -1, 0});
-    BucklingCase y = make(std::move(model), data, joint, "P l / c", -0.5, 4.5, 0.05);
+    BucklingCase y = make(std::move(model), data, joint, {"P l / c", {-0.5, 4.5}, 0.05});
     y.options.branch.parameter_weight = 1;
     return y;
 }
@@ -389,7 +403,7 @@ BucklingCase shallow_arch(const CaseData& data) {
     const int node = model.add_node({l, 0, 0});
     model.add(TwoModeArch{l}, {node});
     const double fold = l + (l > 1 ? 2 * std::pow(l * l - 1, 1.5) / (3 * std::sqrt(3.0)) : 0);
-    return make(std::move(model), data, node, "q", 2 * l - fold - 3, fold + 3, 0.02);
+    return make(std::move(model), data, node, {"q", {2 * l - fold - 3, fold + 3}, 0.02});
 }
 
 const std::vector<CaseEntry>& buckling_cases() {

@@ -72,17 +72,24 @@ double second_eigenvalue(const Curve& curve, const BranchPoint<Curve>& point) {
     return v.dot(b.k * v);
 }
 
+template <class Curve>
+struct CurveStart {
+    Configuration<Curve> at;
+    double r;
+    int direction;  ///< 1: towards larger r, -1: smaller
+};
+
 /// Follows a curve from a point, with event functions, the first of which is the second eigenvalue; the points where
 /// one of them vanishes are special, `kind_at` of its number.
 template <class Curve, class KindAt>
-CriticalCurveTrace<Curve> trace_curve(const Curve& curve, const Configuration<Curve>& start, double r, int direction,
+CriticalCurveTrace<Curve> trace_curve(const Curve& curve, const CurveStart<Curve>& start,
                                       const ContinuationOptions& options, std::vector<EventFunction<Curve>> functions,
                                       const KindAt& kind_at) {
     functions.insert(functions.begin(), {"second eigenvalue", [&curve](const BranchPoint<Curve>& point) {
                                              return second_eigenvalue(curve, point);
                                          }});
     CriticalCurveTrace<Curve> trace;
-    trace.branch = continue_branch(curve, start, r, direction, options, functions);
+    trace.branch = continue_branch(curve, start.at, start.r, start.direction, options, functions);
     for (const auto& [step, function, point] : trace.branch.crossings) {
         trace.special.push_back(
             {function == 0 ? CriticalKind::hilltop : kind_at(function, point), step, point.q, point.p, point.residual});
@@ -118,7 +125,7 @@ CriticalCurveTrace<FoldCurve<F>> continue_folds(const F& problems, const Critica
                                                 double r, int direction, const ContinuationOptions& options = {}) {
     const auto start = detail::configuration_of(fold);
     const FoldCurve<F> curve(problems, r, detail::scale_of_parameter(problems(r), start));
-    auto trace = detail::trace_curve(curve, start, r, direction, options, {},
+    auto trace = detail::trace_curve(curve, {start, r, direction}, options, {},
                                      [](std::size_t, const auto&) { return CriticalKind::hilltop; });
     for (const auto& [step, point] : trace.branch.events) {
         CriticalKind kind = point.kind;
@@ -149,7 +156,7 @@ CriticalCurveTrace<BifurcationCurve<F>> continue_bifurcations(const F& problems,
     const Curve curve(problems, r, detail::scale_of_parameter(member, start));
     const double noise = 1e-10 * detail::largest_entry(member.tangent(point.q, point.p));
     auto trace = detail::trace_curve(
-        curve, start, r, direction, options,
+        curve, {start, r, direction}, options,
         {{"gamma", [noise](const BranchPoint<Curve>& at) { return std::abs(at.q.gamma) < noise ? 0.0 : at.q.gamma; }},
          {"dr/ds", [](const BranchPoint<Curve>& at) { return at.tangent.p; }}},
         [&](std::size_t function, const BranchPoint<Curve>& at) {

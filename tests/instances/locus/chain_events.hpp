@@ -7,7 +7,7 @@
 
 #define INSTANCES_EVENTS(Model)                                                 \
     equilibria::LineEvents<Model> equilibria::find_events<Model, Model::omega>( \
-        const equilibria::Parameters<Model>&, double, double, const equilibria::RunOptions&)
+        const equilibria::Parameters<Model>&, const equilibria::Interval&, const equilibria::RunOptions&)
 
 #ifdef EQUILIBRIA_SHARED_INSTANCES
 extern template INSTANCES_EVENTS(equilibria::mechanisms::TwoLinkChain);

@@ -2,5 +2,5 @@
 
 template equilibria::LineEvents<equilibria::mechanisms::HolonomicMechanism> equilibria::find_events<
     equilibria::mechanisms::HolonomicMechanism, equilibria::mechanisms::HolonomicMechanism::stiffness_2>(
-    const equilibria::Parameters<equilibria::mechanisms::HolonomicMechanism>&, double, double,
+    const equilibria::Parameters<equilibria::mechanisms::HolonomicMechanism>&, const equilibria::Interval&,
     const equilibria::RunOptions&);

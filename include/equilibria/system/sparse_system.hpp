@@ -6,11 +6,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 #include <equilibria/algebra/formulation.hpp>
+#include <equilibria/algebra/monomial.hpp>
+#include <equilibria/algebra/polynomial_system.hpp>
 #include <equilibria/algebra/trigonometric_polynomial.hpp>
 #include <equilibria/core/array.hpp>
 #include <equilibria/core/error.hpp>
@@ -99,6 +103,39 @@ auto sparse_system(const Parameters<M>& p) {
             equations[static_cast<std::size_t>(term.equation)] += typename System::Polynomial(term.monomial, own[k]);
     }
     return System(equations);
+}
+
+/// Polynomials in n plain coordinates, the variables of `system` in their order, for systems that come from a file or
+/// from terms. Throws InvalidArgument unless there are n equations in n variables with real, finite coefficients and
+/// exponents from 0 to Monomial's highest.
+template <int n, class C>
+SparseSystem<0, n> sparse_system(const PolynomialSystem<C>& system) {
+    using Polynomial = typename SparseSystem<0, n>::Polynomial;
+    const auto number = std::to_string(n);
+    require(system.variables.size() == n, "variables", system.variables.size(), "must be " + number);
+    require(system.equations.size() == n, "equations", system.equations.size(), "must be " + number);
+    std::vector<Polynomial> equations(n);
+    for (std::size_t i = 0; i < n; ++i)
+        for (const auto& t : system.equations[i]) {
+            const std::string in = " in equation " + std::to_string(i);
+            double coefficient{};
+            if constexpr (std::is_arithmetic_v<C>) {
+                coefficient = t.coefficient;
+            } else {
+                require(t.coefficient.imag() == 0, "coefficient" + in, t.coefficient, "must be real");
+                coefficient = t.coefficient.real();
+            }
+            Monomial<0, n> monomial;
+            for (int v = 0; v < n; ++v) {
+                const auto at = static_cast<std::size_t>(v);
+                require(t.exponents[at] >= 0 && t.exponents[at] <= Monomial<0, n>::highest,
+                        "exponent of " + system.variables[at] + in, t.exponents[at],
+                        "must be from 0 to " + std::to_string(Monomial<0, n>::highest));
+                monomial.set_code(v, t.exponents[at]);
+            }
+            equations[i] += Polynomial(monomial, coefficient);
+        }
+    return SparseSystem<0, n>(equations);
 }
 
 }  // namespace equilibria

@@ -53,6 +53,7 @@
 #include <string>
 #include <string_view>
 
+#include <equilibria/io/read_text.hpp>
 #include <equilibria/io/structure/detail/strict_json.hpp>
 #include <equilibria/io/structure/detail/structure_json_reader.hpp>
 #include <equilibria/io/structure/structure_input.hpp>
@@ -71,7 +72,7 @@ inline StructureInput parse_structure(std::string_view text, const ParseLimits& 
 /// The structure in a file. Throws InvalidArgument also where the file cannot be read.
 inline StructureInput read_structure(const std::string& path, const ParseLimits& limits = {}) {
     limits.validate();
-    return parse_structure(equilibria::detail::read_text(path, limits.bytes), limits);
+    return parse_structure(equilibria::read_text(path, limits.bytes), limits);
 }
 
 }  // namespace equilibria::fem

@@ -21,7 +21,7 @@
 #include <utility>
 #include <vector>
 
-#include <equilibria/continuation/bordered_tangent.hpp>
+#include <equilibria/continuation/curves/bordered_tangent.hpp>
 
 namespace equilibria {
 

@@ -6,7 +6,7 @@
 
 #include <Eigen/Core>
 
-#include <equilibria/continuation/bordered_tangent.hpp>
+#include <equilibria/continuation/curves/bordered_tangent.hpp>
 #include <equilibria/locus/plane/plane_problems.hpp>
 
 namespace equilibria {

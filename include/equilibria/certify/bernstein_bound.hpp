@@ -1,7 +1,7 @@
 /// \file
 /// Bernstein's bound for models of one or two angles: the mixed volume of the Newton polytopes of the Laurent system in
 /// z = exp(i theta), in exact arithmetic. Every complex angle is a z other than 0, so that it bounds the number of
-/// isolated equilibria. Source: Bernstein, The number of roots of a system of equations (1975).
+/// isolated equilibria. Source: Bernstein, The number of roots of a system of equations, Funct. Anal. Appl. 9 (1975).
 #pragma once
 
 #include <algorithm>

@@ -6,7 +6,9 @@
 /// E >= |1 - Y J(x + d)| for all those d, then |T(d)| <= |Y F(x)| + E r, and |T(d) - T(d')| <= E |d - d'|. So
 /// |Y F(x)| + E r <= r and E r < r make T a contraction of the polydisc into itself, in the norm weighted by r: one
 /// zero of F is in it, no other, and every matrix in the hull of the Jacobians is regular. Found by eps-inflation of r.
-/// Sources: Krawczyk 1969; Rump, Verification methods, 2010; Breiding, Rose, Timme.
+/// Sources: Krawczyk, Newton-Algorithmen zur Bestimmung von Nullstellen mit Fehlerschranken, Computing 4 (1969); Rump,
+/// Verification methods, Acta Numerica 19 (2010); Breiding, Rose, Timme, Certifying zeros of polynomial systems using
+/// interval arithmetic, ACM Trans. Math. Software 49 (2023).
 #pragma once
 
 #include <array>

@@ -12,8 +12,8 @@
 namespace equilibria {
 
 struct DiagramOptions {
-    ContinuationOptions continuation{};  ///< low and high: the window, both finite where slices are asked for
-    double amplitude = 0;                ///< of the first point on a new branch; 0: the first step of a path
+    ContinuationOptions continuation{};  ///< its range is finite where slices are asked for
+    double amplitude = 0;                ///< of the first point on a new branch, as a step; 0: the first step's length
     int most_branches = 200;
     int slices = 0;  ///< values of p at which deflated Newton looks for branches that no bifurcation joins
     DeflationOptions deflation{};

@@ -21,8 +21,10 @@ enum class StepConstraint {
 
 enum class Predictor { tangent, secant, quadratic };
 
+/// Lengths of steps are by the norm of branch_stepper.hpp: unknowns in their own units (angles in radians), weighted by
+/// the problem, and the parameter in its unit, weighted by parameter_weight.
 struct BranchOptions {
-    double first_step = 0.05;  ///< length of the first step; see the file for the norm
+    double first_step = 0.05;
     double smallest_step = 1e-9;
     double largest_step = 0.2;
     double largest_angle = 0.35;  ///< between neighbouring tangents, radians

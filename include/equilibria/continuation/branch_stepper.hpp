@@ -3,7 +3,9 @@
 /// point tells of the branch: tangent, inertia, and the test functions sigma and mu of bordered.hpp.
 ///
 /// Lengths are those of |(v, e)|^2 = sum w_i v_i^2 + theta^2 e^2, w the problem's weights and theta the parameter's.
-/// Sources: Keller 1977; Crisfield 1981 (sphere, cylinder); Seydel, Practical Bifurcation and Stability Analysis.
+/// Sources: Keller, Numerical solution of bifurcation and nonlinear eigenvalue problems (1977); Crisfield, A fast
+/// incremental/iterative solution procedure that handles snap-through, Comput. Struct. 13 (1981) (sphere, cylinder);
+/// Seydel, Practical Bifurcation and Stability Analysis.
 #pragma once
 
 #include <algorithm>

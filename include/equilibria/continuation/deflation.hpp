@@ -18,6 +18,7 @@ struct DeflationOptions {
     double shift = 1;
     int most_iterations = 100;
     double tolerance = 1e-11;  ///< of the last step, over the size of the unknowns
+    /// Of Newton's method, by the problem's weights.
     double longest_step = std::numeric_limits<double>::infinity();
 
     void validate() const {

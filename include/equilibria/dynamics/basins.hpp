@@ -20,7 +20,7 @@ namespace equilibria {
 
 struct BasinOptions {
     MotionOptions motion{1e-9, 1e-9, 0, 10'000'000};
-    double longest_time = 1000;
+    double longest_time = 1000;  ///< in the model's unit of time
     /// A motion has settled when the energy that it has left above an equilibrium is below this share of the barrier:
     /// the height of the lowest unstable equilibrium above it.
     double settled_share = 1e-8;

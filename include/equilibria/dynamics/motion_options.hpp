@@ -15,7 +15,7 @@ namespace equilibria {
 /// Of an integration: what a step may err by, and how far it may go.
 struct MotionOptions {
     double relative_tolerance = 1e-12, absolute_tolerance = 1e-12;  ///< of a step, for each number of the state
-    double largest_step = 0;                                        ///< in units of time; 0: no bound
+    double largest_step = 0;                                        ///< in the model's unit of time; 0: no bound
     std::uint64_t most_steps = 10'000'000;
 
     /// Throws InvalidArgument.

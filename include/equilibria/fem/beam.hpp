@@ -14,7 +14,8 @@
 /// equilibria are those of Beam, but stiffnesses may be infinite (fem::rigid), and where some are far above others
 /// Newton's method takes steps many times as long: a turned element's linear prediction has strains of second order,
 /// which throw forces off that follow from them, and leave forces that are unknowns where they are. (Magisano, Leonetti
-/// and Garcea 2017, mixed integration points.)
+/// and Garcea, How to improve efficiency and robustness of the Newton method in geometrically non-linear structural
+/// problem discretized via displacement-based finite elements, Comput. Methods Appl. Mech. Engrg. 313, 2017.)
 #pragma once
 
 #include <algorithm>

@@ -11,8 +11,10 @@
 ///     A^T x' = Im(Q^* x' Q) / |Q|^2,     kappa = 2 Im(Q^* Q') / |Q|^2
 ///
 /// Nodes may turn by up to 2 pi against each other.
-/// Sources: Simo 1985; Simo and Vu-Quoc 1986; for the interpolation, Zupan, Saje and Zupan 2009 (quaternions) and
-/// Sander 2016 (projection-based interpolation).
+/// Sources: Simo, A finite strain beam formulation, Comput. Methods Appl. Mech. Engrg. 49 (1985); Simo and Vu-Quoc, A
+/// three-dimensional finite-strain rod model. Part II, ibid. 58 (1986); for the interpolation, Zupan, Saje and Zupan,
+/// The quaternion-based three-dimensional beam theory, ibid. 198 (2009), and Grohs, Hardering, Sander and Sprecher,
+/// Projection-based finite elements for nonlinear function spaces, SIAM J. Numer. Anal. 57 (2019).
 #pragma once
 
 #include <array>

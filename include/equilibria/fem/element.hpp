@@ -26,7 +26,8 @@
 ///     void evaluate(at, multipliers, p, ConstraintScale, Need, ElementValues&)
 ///                                                      the same, with `static constexpr int n_multipliers`
 /// p is the load parameter. Derivatives are those by increments of the nodes at increment 0: x + dx, R exp(dPsi).
-/// Numbers in brackets: equations of Cardona and Huespe 1999.
+/// Numbers in brackets: equations of Cardona and Huespe, Evaluation of simple bifurcation points and post-critical path
+/// in large finite rotation problems, Comput. Methods Appl. Mech. Engrg. 175 (1999).
 #pragma once
 
 #include <array>

@@ -4,7 +4,7 @@
 ///     Gamma = A(theta)^T x' - its initial value,   kappa = theta' - its initial value
 ///
 /// theta is interpolated from the nodes' angles against the first node's, which may reach 2 pi.
-/// Source: Reissner 1972.
+/// Source: Reissner, On one-dimensional finite-strain beam theory: the plane problem, ZAMP 23 (1972).
 #pragma once
 
 #include <array>

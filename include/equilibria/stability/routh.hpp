@@ -1,7 +1,8 @@
 /// \file
 /// Routh's table of a real polynomial: how many of its roots lie right of the imaginary axis, and how many on it.
-/// Sources: Routh 1877; Gantmacher, The Theory of Matrices II, chapter XV; the first special case as of Benidir and
-/// Picinbono, Extended table for eliminating the singularities in Routh's array (1990).
+/// Sources: Routh, A Treatise on the Stability of a Given State of Motion (1877); Gantmacher, The Theory of Matrices
+/// II, chapter XV; the first special case as of Benidir and Picinbono, Extended table for eliminating the singularities
+/// in Routh's array, IEEE Trans. Automat. Control 35 (1990).
 #pragma once
 
 #include <cmath>

@@ -9,7 +9,8 @@
 ///
 /// Where it fails: an isolated root whose lowest term is of order eight or more is flatter than rounding at the largest
 /// distance, and passes for a family; so does a family that bends within the smallest distance for an isolated root.
-/// Source of the idea: Bates, Hauenstein, Peterson, Sommese, A numerical local dimension test.
+/// Source of the idea: Bates, Hauenstein, Peterson, Sommese, A numerical local dimension test for points on
+/// the solution set of a system of polynomial equations, SIAM J. Numer. Anal. 47 (2009).
 #pragma once
 
 #include <cmath>

@@ -12,7 +12,8 @@
 /// derivatives phi'', phi'''' and phi^(6) vanish together; the curve is taken to that point by its own equations, and
 /// ends: on the other side it is its mirror image.
 /// Two transitions of one kind within one step of the curve are not seen.
-/// Source: Arnold, Catastrophe Theory, chapter 9 (metamorphoses); Poston and Stewart, 9.3 and 9.5.
+/// Source: Arnold, Catastrophe Theory, chapter 9 (metamorphoses); Poston and Stewart, Catastrophe Theory and Its
+/// Applications, 9.3 and 9.5.
 #pragma once
 
 #include <algorithm>

@@ -88,11 +88,11 @@ void check_accounts(const LineEvents<M>& found) {
     CHECK(found.complete());
     CHECK(found.paths.accounted_for());
     REQUIRE(!found.intervals.empty());
-    CHECK(found.intervals.front().low == found.low);
-    CHECK(found.intervals.back().high == found.high);
+    CHECK(found.intervals.front().low == found.range.low);
+    CHECK(found.intervals.back().high == found.range.high);
     for (std::size_t k = 1; k < found.intervals.size(); ++k)
         CHECK(std::abs(found.intervals[k].low - found.intervals[k - 1].high) <= 1e-8);
-    double before = found.low;
+    double before = found.range.low;
     for (const auto& e : found.events) {
         CHECK(e.value >= before);
         before = e.value;

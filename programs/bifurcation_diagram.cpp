@@ -100,8 +100,8 @@ void print(const Diagram& diagram) {
 int main(int argc, char** argv) {
     const Command c = read(argc, argv);
     try {
-        const Diagram diagram = equilibria::trace_diagram<Chain, Chain::omega>({c.alpha, c.ratio, 1}, c.omega.low,
-                                                                               c.omega.high, {.seed = c.seed});
+        const Diagram diagram = equilibria::trace_diagram<Chain, Chain::omega>(
+            {c.alpha, c.ratio, 1}, {c.omega.low, c.omega.high}, {.seed = c.seed});
         if (c.pictures.asked()) c.pictures.draw({1100, 560}, plotted(diagram, c), plots::bifurcation_diagram);
         if (c.json) {
             Json out{{"ratio", c.ratio}, {"alpha", c.alpha}};

@@ -1,0 +1,85 @@
+/// \file
+/// Polynomials in variables that become known while they are read, multiplied out.
+#pragma once
+
+#include <algorithm>
+#include <complex>
+#include <cstddef>
+#include <cstdlib>
+#include <map>
+#include <vector>
+
+namespace equilibria::detail::phcpack {
+
+using Coefficient = std::complex<double>;
+
+/// Exponents up to the last that is not 0: more variables may be still to come.
+using Exponents = std::vector<int>;
+
+/// A polynomial expanded, the coefficient of each product of powers.
+class Expansion {
+public:
+    Expansion() = default;
+    explicit Expansion(Coefficient constant) { add({}, constant); }
+    static Expansion variable(std::size_t v) {
+        Expansion y;
+        Exponents e(v + 1);
+        e[v] = 1;
+        y.add(e, 1.0);
+        return y;
+    }
+
+    const std::map<Exponents, Coefficient>& terms() const { return terms_; }
+    bool is_constant() const { return terms_.empty() || (terms_.size() == 1 && terms_.begin()->first.empty()); }
+    Coefficient constant() const { return terms_.empty() ? 0.0 : terms_.begin()->second; }
+
+    void add(const Expansion& other, double factor) {
+        for (const auto& [exponents, c] : other.terms_) add(exponents, factor * c);
+    }
+
+    /// The largest absolute value of an exponent.
+    int largest_exponent() const {
+        int largest = 0;
+        for (const auto& [exponents, c] : terms_)
+            for (int k : exponents) largest = std::max(largest, std::abs(k));
+        return largest;
+    }
+
+    Expansion times(const Expansion& other) const {
+        Expansion y;
+        for (const auto& [a, ca] : terms_)
+            for (const auto& [b, cb] : other.terms_) {
+                Exponents e = a;
+                e.resize(std::max(a.size(), b.size()));
+                for (std::size_t v = 0; v < b.size(); ++v) e[v] += b[v];
+                while (!e.empty() && e.back() == 0) e.pop_back();
+                y.add(e, ca * cb);
+            }
+        return y;
+    }
+
+    void divide_by(Coefficient divisor) {
+        for (auto& [exponents, c] : terms_) c = divisor.imag() == 0 ? c / divisor.real() : c / divisor;
+    }
+
+    /// Of a single term.
+    Expansion inverse() const {
+        Expansion y;
+        Exponents e = terms_.begin()->first;
+        for (int& k : e) k = -k;
+        y.add(e, 1.0);
+        y.divide_by(terms_.begin()->second);
+        return y;
+    }
+
+private:
+    void add(const Exponents& exponents, Coefficient c) {
+        if (c == 0.0) return;
+        const auto [at, is_new] = terms_.try_emplace(exponents, c);
+        if (!is_new && (at->second += c) == 0.0) terms_.erase(at);
+    }
+
+    std::map<Exponents, Coefficient> terms_;
+};
+
+}  // namespace equilibria::detail::phcpack

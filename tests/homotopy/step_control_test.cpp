@@ -1,6 +1,7 @@
 // The control of contractions: what it accepts, and how the next step follows from the last one.
 #include <cmath>
 #include <limits>
+#include <type_traits>
 
 #include <equilibria/core/lanes.hpp>
 #include <equilibria/homotopy/step_control.hpp>
@@ -37,15 +38,20 @@ TEST_CASE("A step is accepted where the correction contracts enough") {
 }
 
 TEST_CASE("The next step brings the contraction to its target") {
+    // with Theta by^order times the target it is 1 / by times as long
+    const auto check = [&]<int local_order>(std::integral_constant<int, local_order>) {
+        const ContractionControl<double, local_order> control(options);
+        for (const double by : {0.5, 1.0, 1.9}) {
+            const auto verdict = control.judge(trial(options.contraction * std::pow(by, local_order)));
+            CHECK(verdict.accepted);
+            CHECK(verdict.next_step == Approx(0.1 / by));
+        }
+    };
+    check(std::integral_constant<int, 1>());
+    check(std::integral_constant<int, 2>());
+    check(std::integral_constant<int, 3>());
+    check(std::integral_constant<int, 4>());
     const ContractionControl<double, 4> fourth(options);
-    const ContractionControl<double, 3> third(options);
-    const ContractionControl<double, 1> first(options);
-    // at the target it stays; with theta 2^order above it halves, below it doubles
-    CHECK(fourth.judge(trial(options.contraction)).next_step == Approx(0.1));
-    CHECK(fourth.judge(trial(16 * options.contraction)).next_step == Approx(0.05));
-    CHECK(fourth.judge(trial(options.contraction / 16)).next_step == Approx(0.2));
-    CHECK(third.judge(trial(8 * options.contraction)).next_step == Approx(0.05));
-    CHECK(first.judge(trial(2 * options.contraction)).next_step == Approx(0.05));
     // never beyond four times or, where it was refused, a half; at least a quarter
     CHECK(fourth.judge(trial(0)).next_step == Approx(0.4));
     CHECK(fourth.judge(trial(options.largest_contraction * 1.01)).next_step <= 0.05);

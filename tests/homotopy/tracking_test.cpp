@@ -53,66 +53,7 @@ struct Chain {
     H h{target, start};
 };
 
-/// What a predictor makes of q(h) = 1 / (2 - h), which has its pole at 2.
-template <template <class, int> class Predictor>
-double error_at(double h) {
-    using P = Predictor<double, 1>;
-    Complex<double> taylor[P::order][1];
-    for (int k = 0; k < P::order; ++k) taylor[k][0] = {std::pow(0.5, k + 2), 0};
-    return std::abs(P::change(taylor, 0, h).re - (1 / (2 - h) - 0.5));
-}
-
-/// That q is the sum of two poles: a Pade approximant has one.
-template <template <class, int> class Predictor>
-double error_of_two_poles(double h) {
-    using P = Predictor<double, 1>;
-    Complex<double> taylor[P::order][1];
-    for (int k = 0; k < P::order; ++k) taylor[k][0] = {std::pow(0.5, k + 2) + std::pow(1 / 3.0, k + 2), 0};
-    return std::abs(P::change(taylor, 0, h).re - (1 / (2 - h) - 1 / 2.0 + 1 / (3 - h) - 1 / 3.0));
-}
-
 }  // namespace
-
-TEST_CASE("a predictor's error grows with its local order of the step") {
-    const auto order = [](double at_h, double at_half) { return std::log2(at_h / at_half); };
-    CHECK(order(error_of_two_poles<PadePredictor>(0.02), error_of_two_poles<PadePredictor>(0.01)) ==
-          Approx(PadePredictor<double, 1>::local_order).margin(0.1));
-    CHECK(order(error_at<Euler>(0.02), error_at<Euler>(0.01)) == Approx(Euler<double, 1>::local_order).margin(0.1));
-    // one pole: exact, and found
-    CHECK(error_at<PadePredictor>(1) < 1e-15);
-    Complex<double> taylor[3][1]{{{0.25, 0}}, {{0.125, 0}}, {{0.0625, 0}}};
-    CHECK(PadePredictor<double, 1>::pole(taylor) == Approx(2));
-}
-
-TEST_CASE("a step control: the next step makes Theta its target") {
-    const TrackerOptions options;
-    const auto judge = [&]<int local_order>(std::integral_constant<int, local_order>, double theta, double turn = 0) {
-        return ContractionControl<double, local_order>(options).judge({.step = 0.1,
-                                                                       .asked = 0.1,
-                                                                       .turn2 = turn * turn,
-                                                                       .first2 = 1e-6,
-                                                                       .second2 = 1e-6 * theta * theta,
-                                                                       .noise2 = 0});
-    };
-    const auto check = [&]<int local_order>(std::integral_constant<int, local_order> order) {
-        for (const double by : {0.5, 1.0, 1.9}) {
-            const auto verdict = judge(order, options.contraction * std::pow(by, local_order));
-            CHECK(verdict.accepted);
-            CHECK(verdict.next_step == Approx(0.1 / by));
-        }
-    };
-    check(std::integral_constant<int, 1>());
-    check(std::integral_constant<int, 2>());
-    check(std::integral_constant<int, 3>());
-    check(std::integral_constant<int, 4>());
-    const std::integral_constant<int, 4> fourth;
-    CHECK_FALSE(judge(fourth, 1.1 * options.largest_contraction).accepted);
-    CHECK_FALSE(judge(fourth, 0, 1.1 * options.largest_turn).accepted);
-    const auto not_a_number = judge(fourth, std::nan(""));
-    CHECK_FALSE(not_a_number.accepted);
-    CHECK(not_a_number.next_step == Approx(0.025));
-    CHECK(ContractionControl<double, 4>(options).longest(2) == options.pole_fraction * 2);
-}
 
 TEST_CASE("a homotopy that names another predictor or step control is tracked by it, to the same roots") {
     const Chain chain;

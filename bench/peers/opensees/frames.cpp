@@ -32,11 +32,14 @@
 #include <StaticAnalysis.h>
 #include <elementAPI.h>
 
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <cmath>
+#include <cstddef>
 #include <cstdio>
 #include <cstdlib>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -49,105 +52,136 @@ extern "C" int OPS_SetDoubleDictListOutput(std::map<const char*, std::vector<dou
 extern "C" const char* OPS_GetStringFromAll(char*, int) { return nullptr; }
 extern "C" AnalysisModel** OPS_GetAnalysisModel(void) { return nullptr; }
 
-int main(int argc, char** argv) {
-    if (argc != 5) return 2;
-    const auto begin = std::chrono::steady_clock::now();
-    const std::string problem = argv[1];
-    const int n = std::atoi(argv[2]), steps = std::atoi(argv[3]), half = (n + 1) / 2;
-    const double side = std::atof(argv[4]), pi = std::acos(-1.0);
+namespace {
 
-    using Place = std::array<double, 3>;
-    std::vector<Place> places;
-    const auto line = [&](const Place& a, const Place& b, int count) {
+using Place = std::array<double, 3>;
+
+/// Nodes in a row, numbered from 1, clamped or hinged at both ends; which is loaded, and how the load goes on.
+struct Frame {
+    std::vector<Place> places{};
+    double e = 0, g = 0, area = 0, j = 1, out_of_plane = 0, in_plane = 0;
+    int loaded = 0;
+    Place force{0, -1, 0};
+    bool planar = true, hinged = false;
+    double arc = 0;   ///< length of a step of the arc-length integrator; 0: load control
+    double most = 0;  ///< the last load of load control
+    double tolerance = 1e-7;
+
+    int degrees_of_freedom() const { return planar ? 3 : 6; }  ///< of a node
+    int last() const { return static_cast<int>(places.size()); }
+
+    /// `count` elements from a to b; the number of the last node.
+    int line(const Place& a, const Place& b, int count) {
         for (int k = places.empty() ? 0 : 1; k <= count; ++k) {
             const double t = static_cast<double>(k) / count;
             places.push_back({a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1]), 0});
         }
-        return static_cast<int>(places.size());
-    };
-    double e = 0, g = 0, area = 0, j = 1, out_of_plane = 0, in_plane = 0, arc = 0, most = 0;
-    int loaded = 0;
-    Place force{0, -1, 0};
-    bool planar = true, hinged = false;
+        return last();
+    }
+};
+
+/// n elements; no places where the problem is unknown.
+Frame frame(const std::string& problem, int n, int steps, double side) {
+    Frame y;
+    const int half = (n + 1) / 2;
     if (problem == "lee_frame") {
         const int quick = std::max(1, static_cast<int>(std::lround(n / 10.0)));
-        line({0, 0, 0}, {0, 120, 0}, half);
-        loaded = line({0, 120, 0}, {24, 120, 0}, quick);
-        line({24, 120, 0}, {120, 120, 0}, n - half - quick);
-        e = 720, area = 6, in_plane = 2, hinged = true;
-        arc = 2.2 * std::sqrt(n) * 60 / steps;
+        y.line({0, 0, 0}, {0, 120, 0}, half);
+        y.loaded = y.line({0, 120, 0}, {24, 120, 0}, quick);
+        y.line({24, 120, 0}, {120, 120, 0}, n - half - quick);
+        y.e = 720, y.area = 6, y.in_plane = 2, y.hinged = true;
+        y.arc = 2.2 * std::sqrt(n) * 60 / steps;
     } else if (problem == "williams_toggle") {
-        loaded = line({-12.943, 0, 0}, {0, .386, 0}, half);
-        line({0, .386, 0}, {12.943, 0, 0}, half);
-        e = 1.03e7, area = 1.885e6 / e, in_plane = 9.27e3 / e;
-        arc = 0.007 * std::sqrt(n) * 60 / steps;
+        y.loaded = y.line({-12.943, 0, 0}, {0, .386, 0}, half);
+        y.line({0, .386, 0}, {12.943, 0, 0}, half);
+        y.e = 1.03e7, y.area = 1.885e6 / y.e, y.in_plane = 9.27e3 / y.e;
+        y.arc = 0.007 * std::sqrt(n) * 60 / steps;
+        y.tolerance = 1e-9;
     } else if (problem == "right_angle_frame") {
-        line({0, 0, 0}, {240, 0, 0}, half);
-        loaded = line({240, 0, 0}, {240, -240, 0}, half);
-        e = 71240, g = e / 2.62, area = 18, j = 2.16, out_of_plane = .54, in_plane = 1350, planar = false, most = 1.4;
-        force = {1, 0, side};
+        y.line({0, 0, 0}, {240, 0, 0}, half);
+        y.loaded = y.line({240, 0, 0}, {240, -240, 0}, half);
+        y.e = 71240, y.g = y.e / 2.62, y.area = 18, y.j = 2.16, y.out_of_plane = .54, y.in_plane = 1350;
+        y.planar = false, y.most = 1.4;
+        y.force = {1, 0, side};
     } else if (problem == "bend") {
         for (int k = 0; k <= n; ++k) {
-            const double angle = k * pi / 4 / n;
-            places.push_back({100 * std::sin(angle), 100 * (1 - std::cos(angle)), 0});
+            const double angle = k * std::acos(-1.0) / 4 / n;
+            y.places.push_back({100 * std::sin(angle), 100 * (1 - std::cos(angle)), 0});
         }
-        loaded = n + 1;
-        e = 1e7, g = 5e6, area = 1, j = 1 / 6.0, out_of_plane = in_plane = 1 / 12.0, planar = false, most = 600;
-        force = {0, 0, 1};
-    } else {
-        return 2;
+        y.loaded = n + 1;
+        y.e = 1e7, y.g = 5e6, y.area = 1, y.j = 1 / 6.0, y.out_of_plane = y.in_plane = 1 / 12.0;
+        y.planar = false, y.most = 600;
+        y.force = {0, 0, 1};
     }
+    return y;
+}
 
-    Domain domain;
-    const int last = static_cast<int>(places.size()), each = planar ? 3 : 6;
+/// Puts the frame into the domain; returns the number of unknowns.
+int build(const Frame& frame, Domain& domain) {
+    const int last = frame.last(), each = frame.degrees_of_freedom();
     for (int k = 1; k <= last; ++k) {
-        const Place& x = places[static_cast<std::size_t>(k - 1)];
-        domain.addNode(planar ? new Node(k, 3, x[0], x[1]) : new Node(k, 6, x[0], x[1], x[2]));
+        const Place& x = frame.places[static_cast<std::size_t>(k - 1)];
+        domain.addNode(frame.planar ? new Node(k, 3, x[0], x[1]) : new Node(k, 6, x[0], x[1], x[2]));
     }
     Vector offset2(2), offset3(3), z(3);
     z(2) = 1;  // in the local x-z plane: local z is out of the plane of the frame
-    int unknowns = each * last;
     for (int k = 1; k < last; ++k) {
-        if (planar) {
+        if (frame.planar) {
             CorotCrdTransf2d turned(k, offset2, offset2);
-            domain.addElement(new ElasticBeam2d(k, area, e, in_plane, k, k + 1, turned));
+            domain.addElement(new ElasticBeam2d(k, frame.area, frame.e, frame.in_plane, k, k + 1, turned));
         } else {
             CorotCrdTransf3d turned(k, z, offset3, offset3);
-            domain.addElement(
-                new ElasticBeam3d(k, area, e, g, j, out_of_plane, in_plane, area, area, k, k + 1, turned));
+            domain.addElement(new ElasticBeam3d(k, frame.area, frame.e, frame.g, frame.j, frame.out_of_plane,
+                                                frame.in_plane, frame.area, frame.area, k, k + 1, turned));
         }
     }
+    int unknowns = each * last;
     for (const int node : {1, last})
-        for (int k = 0; k < each - hinged && (node == 1 || planar); ++k, --unknowns)
+        for (int k = 0; k < each - frame.hinged && (node == 1 || frame.planar); ++k, --unknowns)
             domain.addSP_Constraint(new SP_Constraint(node, k, 0.0, true));
     auto* pattern = new LoadPattern(1);
     pattern->setTimeSeries(new LinearSeries());
     domain.addLoadPattern(pattern);
     Vector load(each);
-    for (int k = 0; k < (planar ? 2 : 3); ++k) load(k) = force[static_cast<std::size_t>(k)];
-    domain.addNodalLoad(new NodalLoad(1, loaded, load), 1);
+    for (int k = 0; k < (frame.planar ? 2 : 3); ++k) load(k) = frame.force[static_cast<std::size_t>(k)];
+    domain.addNodalLoad(new NodalLoad(1, frame.loaded, load), 1);
+    return unknowns;
+}
 
-    auto* test = new CTestNormDispIncr(problem == "williams_toggle" ? 1e-9 : 1e-7, 60, 0);
-    StaticIntegrator* integrator = arc > 0 ? static_cast<StaticIntegrator*>(new EQPath(arc, 4))
-                                           : new LoadControl(most / steps, 1, most / steps, most / steps);
+void print_point(const Frame& frame, Domain& domain) {
+    const Vector& u = domain.getNode(frame.loaded)->getDisp();
+    const Place& x = frame.places[static_cast<std::size_t>(frame.loaded - 1)];
+    std::printf("point %.15g %.15g %.15g %.15g\n", domain.getCurrentTime(), x[0] + u(0), x[1] + u(1),
+                frame.planar ? 0 : x[2] + u(2));
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    if (argc != 5) return 2;
+    const auto begin = std::chrono::steady_clock::now();
+    const int steps = std::atoi(argv[3]);
+    const Frame frame = ::frame(argv[1], std::atoi(argv[2]), steps, std::atof(argv[4]));
+    if (frame.places.empty()) return 2;
+    Domain domain;
+    const int unknowns = build(frame, domain);
+
+    auto* test = new CTestNormDispIncr(frame.tolerance, 60, 0);
+    const double part = frame.most / steps;
+    StaticIntegrator* integrator =
+        frame.arc > 0 ? static_cast<StaticIntegrator*>(new EQPath(frame.arc, 4)) : new LoadControl(part, 1, part, part);
     auto* numbering = new RCM();
     StaticAnalysis analysis(domain, *new PlainHandler(), *new DOF_Numberer(*numbering), *new AnalysisModel(),
                             *new NewtonRaphson(*test), *new BandGenLinSOE(*new BandGenLinLapackSolver()), *integrator,
                             test);
-    const auto print = [&] {
-        const Vector& u = domain.getNode(loaded)->getDisp();
-        const Place& x = places[static_cast<std::size_t>(loaded - 1)];
-        std::printf("point %.15g %.15g %.15g %.15g\n", domain.getCurrentTime(), x[0] + u(0), x[1] + u(1),
-                    planar ? 0 : x[2] + u(2));
-    };
-    print();
+    print_point(frame, domain);
     for (int k = 0; k < steps; ++k) {
         if (analysis.analyze(1) != 0) {
             std::fprintf(stderr, "OpenSees gave up in step %d of %d\n", k + 1, steps);
             std::fflush(stdout);
             std::_Exit(1);
         }
-        print();
+        print_point(frame, domain);
     }
     std::printf("seconds %.6g unknowns %d\n",
                 std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count(), unknowns);

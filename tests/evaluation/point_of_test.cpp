@@ -12,7 +12,8 @@ using namespace equilibria;
 namespace {
 
 struct Mixed {
-    static constexpr int n_angles = 2, n_coordinates = 1, n_parameters = 0;
+    static constexpr int n_angles = 2, n_coordinates = 1;
+    enum Parameter { n_parameters };
     constexpr auto potential(const auto& theta, const auto& x, const auto&) const {
         return cos(theta[0] - theta[1]) + x[0] * x[0];
     }

@@ -55,7 +55,7 @@ TEST_CASE("no cell that a known fold or pitchfork runs through is proved") {
                             {.1, 2.3179684357649}, {.4, .6960675016716},  {.4, 1.5143539252415}, {.4, 1.1695539717333},
                             {.4, .90127739195077}, {.4, 2.4293853881739}};
     for (const auto& [alpha, omega] : at) {
-        const auto proof = proved({alpha - 0.004, alpha + 0.004, omega - 0.004, omega + 0.004}, 1e-3);
+        const auto proof = proved({{alpha - 0.004, alpha + 0.004}, {omega - 0.004, omega + 0.004}}, 1e-3);
         for (const auto& cell : proof.cells) CHECK_FALSE(cell.window.contains(alpha, omega));
         // next to the curve something is proved, on both sides of it
         std::int64_t fewest = 100, most = 0;

@@ -29,14 +29,14 @@ std::map<int, double> areas(const PlaneDecomposition& plane) {
 }  // namespace
 
 TEST_CASE("No curve leaves one region, the window") {
-    const PlaneDecomposition plane({0, 1, 0, 5}, {});
+    const PlaneDecomposition plane({{0, 1}, {0, 5}}, {});
     CHECK(plane.regions() == 1);
     CHECK(plane.region_of(0.5, 2) == 0);
 }
 
 TEST_CASE("A circle has an inside and an outside, however small it is") {
     for (const double r : {0.3, 1e-2, 1e-5}) {
-        const PlaneDecomposition plane({0, 1, 0, 1}, {circle(0.4, 0.5, r)});
+        const PlaneDecomposition plane({{0, 1}, {0, 1}}, {circle(0.4, 0.5, r)});
         CHECK(plane.regions() == 2);
         CHECK(plane.region_of(0.4, 0.5) != plane.region_of(0.9, 0.9));
         CHECK(plane.region_of(0.1, 0.5) == plane.region_of(0.9, 0.5));
@@ -44,9 +44,9 @@ TEST_CASE("A circle has an inside and an outside, however small it is") {
 }
 
 TEST_CASE("Two crossing circles make four regions, two disjoint ones three, an annulus three") {
-    CHECK(PlaneDecomposition({0, 1, 0, 1}, {circle(0.4, 0.5, 0.2), circle(0.6, 0.5, 0.2)}).regions() == 4);
-    CHECK(PlaneDecomposition({0, 1, 0, 1}, {circle(0.2, 0.5, 0.1), circle(0.7, 0.5, 0.1)}).regions() == 3);
-    CHECK(PlaneDecomposition({0, 1, 0, 1}, {circle(0.5, 0.5, 0.1), circle(0.5, 0.5, 0.3)}).regions() == 3);
+    CHECK(PlaneDecomposition({{0, 1}, {0, 1}}, {circle(0.4, 0.5, 0.2), circle(0.6, 0.5, 0.2)}).regions() == 4);
+    CHECK(PlaneDecomposition({{0, 1}, {0, 1}}, {circle(0.2, 0.5, 0.1), circle(0.7, 0.5, 0.1)}).regions() == 3);
+    CHECK(PlaneDecomposition({{0, 1}, {0, 1}}, {circle(0.5, 0.5, 0.1), circle(0.5, 0.5, 0.3)}).regions() == 3);
 }
 
 TEST_CASE("The sliver of a cusp is a region, joined to nothing at its tip") {
@@ -55,7 +55,7 @@ TEST_CASE("The sliver of a cusp is a region, joined to nothing at its tip") {
         const double s = 0.8 * k / 200;
         cusp.push_back({0.3 + s * s, 0.5 + s * s * s});
     }
-    const PlaneDecomposition plane({0, 0.9, 0, 1}, {cusp});
+    const PlaneDecomposition plane({{0, 0.9}, {0, 1}}, {cusp});
     CHECK(plane.regions() == 2);
     CHECK(plane.region_of(0.301, 0.5) == plane.region_of(0.5, 0.5));
     CHECK(plane.region_of(0.299, 0.5) == plane.region_of(0.5, 0.9));
@@ -64,14 +64,14 @@ TEST_CASE("The sliver of a cusp is a region, joined to nothing at its tip") {
 }
 
 TEST_CASE("Cells cover the window: their areas add up to its own") {
-    const PlaneDecomposition plane({0, 1, 0, 1}, {circle(0.4, 0.5, 0.2, 20000), {{0, 0.1}, {1, 0.8}}});
+    const PlaneDecomposition plane({{0, 1}, {0, 1}}, {circle(0.4, 0.5, 0.2, 20000), {{0, 0.1}, {1, 0.8}}});
     double total = 0;
     for (const auto& [region, area] : areas(plane)) total += area;
     CHECK(total == Approx(1).epsilon(1e-9));
 }
 
 TEST_CASE("Polygons of the cells have the cells' areas, and borders name regions and curves") {
-    const PlaneDecomposition plane({0, 1, 0, 1}, {circle(0.4, 0.5, 0.2), circle(0.7, 0.5, 0.2)});
+    const PlaneDecomposition plane({{0, 1}, {0, 1}}, {circle(0.4, 0.5, 0.2), circle(0.7, 0.5, 0.2)});
     double total = 0;
     for (const auto& cell : plane.cells()) {
         const auto polygon = plane.polygon(cell);

@@ -38,7 +38,7 @@ LineEvents<M> two_intervals() {
     LineEvents<M> found;
     found.range = {0, 1};
     found.events = {an_event()};
-    found.intervals = {{0, 1.0 / 3, 0.1, 2, {1, 1, 0}, true}, {1.0 / 3, 1, 0.5, 4, {2, 1, 1}, false}};
+    found.intervals = {{{0, 1.0 / 3}, 0.1, 2, {1, 1, 0}, true}, {{1.0 / 3, 1}, 0.5, 4, {2, 1, 1}, false}};
     found.paths.total = 5, found.paths.finite = 3, found.paths.at_infinity = 2;
     found.attempts = 2, found.unclean = 1;
     return found;

@@ -22,7 +22,7 @@ TEST_CASE("locus proof: shares proved, and cells") {
 
     RegionProof cells;
     cells.window = {{0, 1}, {0, 3}};
-    cells.cells = {{{0, 0.5, 0, 3}, CountArgument::real_search, 4, {1, 2, 1}}};
+    cells.cells = {{{{0, 0.5}, {0, 3}}, CountArgument::real_search, 4, {1, 2, 1}}};
     cells.undecided.resize(2);
     cells.proved_area_share = 0.5;
     const Json again = Json::parse(json_text(json_of(cells, names), -1));

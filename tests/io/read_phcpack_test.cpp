@@ -90,6 +90,10 @@ TEST_CASE("Expressions of a polynomial system are multiplied out") {
     CHECK(terms(parse_phcpack("1\r\n (1 + 2*i)*(x - I) - (-1);")) == Terms{{{1}, {1, 2}}, {{0}, {3, -1}}});
     CHECK(terms(parse_phcpack("1\nx - x + 2*x^(-2) + 3*x^-1;")) == Terms{{{-1}, 3}, {{-2}, 2}});
     CHECK(parse_phcpack("1\nx - x;").equations[0].empty());
+    // what is rounding of cancelled terms adds no degree, and is no divisor
+    CHECK(terms(parse_phcpack("1\n0.1*x^2 + 0.2*x^2 - 0.3*x^2 + x;")) == Terms{{{1}, 1}});
+    CHECK(terms(parse_phcpack("1\n(0.1*x + 0.2)*(x - 2) + 0.3*x - 0.3*x - 0.1*x^2;")) == Terms{{{0}, -0.4}});
+    CHECK(refusal("1\nx/(0.1 + 0.2 - 0.3);").find("must be a number other than 0") != std::string::npos);
 }
 
 TEST_CASE("Variables of a polynomial system come as they appear, or as they are named") {

@@ -55,6 +55,9 @@ TEST_CASE("A model's sparse system has the terms that it has at its parameters")
 TEST_CASE("A sparse system refuses what it cannot hold") {
     CHECK(refusal<2>(PolynomialSystem<double>{{"x"}, {{{1, {1}}}}}) == "variables = 1: must be 2");
     CHECK(refusal<1>(PolynomialSystem<double>{{"x"}, {}}) == "equations = 0: must be 1");
+    CHECK(refusal<1>(PolynomialSystem<double>{{"x"}, {{{1, {1}}, {1, {1, 0}}}}}) ==
+          "exponents in equation 0 = 2: must be 1");
+    CHECK(refusal<1>(PolynomialSystem<double>{{"x"}, {{{1, {}}}}}) == "exponents in equation 0 = 0: must be 1");
     CHECK(refusal<1>(PolynomialSystem<double>{{"x"}, {{{1, {-1}}}}}) ==
           "exponent of x in equation 0 = -1: must be from 0 to 127");
     CHECK(refusal<1>(PolynomialSystem<double>{{"x"}, {{{1, {128}}}}}) ==

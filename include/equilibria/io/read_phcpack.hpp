@@ -78,7 +78,7 @@ inline PolynomialSystem<std::complex<double>> parse_phcpack(std::string_view tex
         for (const auto& [powers, c] : equation.terms()) {
             std::vector<int> exponents = powers;
             exponents.resize(system.variables.size());
-            sum.add(exponents, c);
+            sum.add(exponents, c.value);
         }
         system.equations.push_back(sum.terms());
     }

@@ -1,5 +1,6 @@
 /// \file
-/// Hurwitz's matrix of a real polynomial and its leading principal minors. Source: Hurwitz, Math. Ann. 46 (1895);
+/// Hurwitz's matrix of a real polynomial and its leading principal minors. Sources: Hurwitz, Ueber die
+/// Bedingungen, unter welchen eine Gleichung nur Wurzeln mit negativen reellen Theilen besitzt, Math. Ann. 46 (1895);
 /// Gantmacher, The Theory of Matrices II, chapter XV, sections 6 and 8.
 #pragma once
 

@@ -6,9 +6,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
+#include <concepts>
 #include <cstddef>
 #include <string>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -106,9 +107,10 @@ auto sparse_system(const Parameters<M>& p) {
 }
 
 /// Polynomials in n plain coordinates, the variables of `system` in their order, for systems that come from a file or
-/// from terms. Throws InvalidArgument unless there are n equations in n variables with real, finite coefficients and
-/// exponents from 0 to Monomial's highest.
+/// from terms. Throws InvalidArgument unless there are n equations in n variables with real, finite coefficients and,
+/// in each term, n exponents from 0 to Monomial's highest.
 template <int n, class C>
+requires std::same_as<C, double> || std::same_as<C, std::complex<double>>
 SparseSystem<0, n> sparse_system(const PolynomialSystem<C>& system) {
     using Polynomial = typename SparseSystem<0, n>::Polynomial;
     const auto number = std::to_string(n);
@@ -118,8 +120,9 @@ SparseSystem<0, n> sparse_system(const PolynomialSystem<C>& system) {
     for (std::size_t i = 0; i < n; ++i)
         for (const auto& t : system.equations[i]) {
             const std::string in = " in equation " + std::to_string(i);
+            require(t.exponents.size() == n, "exponents" + in, t.exponents.size(), "must be " + number);
             double coefficient{};
-            if constexpr (std::is_arithmetic_v<C>) {
+            if constexpr (std::same_as<C, double>) {
                 coefficient = t.coefficient;
             } else {
                 require(t.coefficient.imag() == 0, "coefficient" + in, t.coefficient, "must be real");

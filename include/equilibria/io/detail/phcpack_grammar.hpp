@@ -155,6 +155,7 @@ template <>
 struct Action<grammar::close> {
     static void apply0(Reading& r) {
         r.factor = std::move(r.frames.back().sum);
+        r.factor.prune();
         r.frames.pop_back();
     }
 };
@@ -216,8 +217,9 @@ template <>
 struct Action<grammar::equation> {
     template <class Input>
     static void apply(const Input& in, Reading& r) {
+        r.frames.back().sum.prune();
         for (const auto& [exponents, c] : r.frames.back().sum.terms())
-            if (!std::isfinite(c.real()) || !std::isfinite(c.imag()))
+            if (!std::isfinite(c.value.real()) || !std::isfinite(c.value.imag()))
                 refuse("has a coefficient that is not finite", in);
         r.equations.push_back(std::move(r.frames.back().sum));
         r.frames.assign(1, {});

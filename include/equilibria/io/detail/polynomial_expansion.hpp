@@ -3,9 +3,11 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <complex>
 #include <cstddef>
 #include <cstdlib>
+#include <limits>
 #include <map>
 #include <vector>
 
@@ -16,25 +18,41 @@ using Coefficient = std::complex<double>;
 /// Exponents up to the last that is not 0: more variables may be still to come.
 using Exponents = std::vector<int>;
 
+/// A coefficient, and the sum of the absolute values of its summands, which tells it from the rounding error of
+/// cancelled ones.
+struct ExpandedCoefficient {
+    Coefficient value;
+    double summands;
+
+    bool is_rounding() const { return std::abs(value) < 8 * std::numeric_limits<double>::epsilon() * summands; }
+};
+
 /// A polynomial expanded, the coefficient of each product of powers.
 class Expansion {
+    using Terms = std::map<Exponents, ExpandedCoefficient>;
+
 public:
     Expansion() = default;
-    explicit Expansion(Coefficient constant) { add({}, constant); }
+    explicit Expansion(Coefficient constant) { add({}, {constant, std::abs(constant)}); }
     static Expansion variable(std::size_t v) {
         Expansion y;
         Exponents e(v + 1);
         e[v] = 1;
-        y.add(e, 1.0);
+        y.add(e, {1.0, 1.0});
         return y;
     }
 
-    const std::map<Exponents, Coefficient>& terms() const { return terms_; }
+    const Terms& terms() const { return terms_; }
     bool is_constant() const { return terms_.empty() || (terms_.size() == 1 && terms_.begin()->first.empty()); }
-    Coefficient constant() const { return terms_.empty() ? 0.0 : terms_.begin()->second; }
+    Coefficient constant() const { return terms_.empty() ? 0.0 : terms_.begin()->second.value; }
 
     void add(const Expansion& other, double factor) {
-        for (const auto& [exponents, c] : other.terms_) add(exponents, factor * c);
+        for (const auto& [exponents, c] : other.terms_)
+            add(exponents, {factor * c.value, std::abs(factor) * c.summands});
+    }
+    /// Takes out what is rounding of a complete sum.
+    void prune() {
+        std::erase_if(terms_, [](const auto& term) { return term.second.is_rounding(); });
     }
 
     /// The largest absolute value of an exponent.
@@ -53,13 +71,16 @@ public:
                 e.resize(std::max(a.size(), b.size()));
                 for (std::size_t v = 0; v < b.size(); ++v) e[v] += b[v];
                 while (!e.empty() && e.back() == 0) e.pop_back();
-                y.add(e, ca * cb);
+                y.add(e, {ca.value * cb.value, ca.summands * cb.summands});
             }
         return y;
     }
 
     void divide_by(Coefficient divisor) {
-        for (auto& [exponents, c] : terms_) c = divisor.imag() == 0 ? c / divisor.real() : c / divisor;
+        for (auto& [exponents, c] : terms_) {
+            c.value = divisor.imag() == 0 ? c.value / divisor.real() : c.value / divisor;
+            c.summands /= std::abs(divisor);
+        }
     }
 
     /// Of a single term.
@@ -67,19 +88,21 @@ public:
         Expansion y;
         Exponents e = terms_.begin()->first;
         for (int& k : e) k = -k;
-        y.add(e, 1.0);
-        y.divide_by(terms_.begin()->second);
+        y.add(e, {1.0, 1.0});
+        y.divide_by(terms_.begin()->second.value);
         return y;
     }
 
 private:
-    void add(const Exponents& exponents, Coefficient c) {
-        if (c == 0.0) return;
+    void add(const Exponents& exponents, const ExpandedCoefficient& c) {
+        if (c.value == 0.0) return;
         const auto [at, is_new] = terms_.try_emplace(exponents, c);
-        if (!is_new && (at->second += c) == 0.0) terms_.erase(at);
+        if (is_new) return;
+        at->second.value += c.value;
+        at->second.summands += c.summands;
     }
 
-    std::map<Exponents, Coefficient> terms_;
+    Terms terms_;
 };
 
 }  // namespace equilibria::detail::phcpack

@@ -7,7 +7,8 @@
 /// Cauchy: on the circle |1-t| = r the path closes after m turns, m the winding number; the mean of its points is the
 /// endpoint, to the accuracy of the tracking even where Newton's method would crawl. It is accepted when two radii
 /// agree; on a path to infinity they agree on a pole instead, at radii where it is not far out yet. Sources: Morgan,
-/// Sommese, Wampler, power-series and Cauchy endgames; Timme (valuation test).
+/// Sommese, Wampler, Computing singular solutions to nonlinear analytic systems, Numer. Math. 58 (1991) (Cauchy), and
+/// those of divergence.hpp.
 ///
 /// Many paths are ended together: at each scale of 1-t all of those that are still open are expanded, looped and
 /// brought to their next scale, a path a lane.
@@ -19,12 +20,13 @@
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
-#include <numbers>
 #include <span>
 #include <utility>
 #include <vector>
 
+#include <equilibria/homotopy/detail/circle.hpp>
 #include <equilibria/homotopy/detail/closed_loop.hpp>
+#include <equilibria/homotopy/detail/divergence.hpp>
 #include <equilibria/homotopy/detail/segments.hpp>
 #include <equilibria/homotopy/polish.hpp>
 
@@ -34,58 +36,6 @@ namespace equilibria {
 inline constexpr double regular_condition = 1e8;
 
 namespace detail {
-
-/// A path around t = 1 at |1-t| = r, until it closes.
-template <class M, class R>
-struct Circle : Segment<M, R> {
-    using At = Point<M, R>;
-    using Loop = ClosedLoop<M, R>;
-    static constexpr int samples = Loop::samples;
-
-    /// Points as close as `closed` are the same.
-    Circle(const At& first, double radius, std::int32_t steps_before, double noise_there, double closed)
-        : points_{first}, radius_(radius), closed_(closed) {
-        this->q = first;
-        this->steps = steps_before;
-        this->noise = noise_there;
-        set_arc();
-    }
-    /// Without a winding number where the path was stuck, or did not close.
-    const Loop& loop() const { return loop_; }
-
-    bool advance() {
-        ++arc_;
-        if (arc_ == samples * Loop::most_turns) return false;
-        set_arc();
-        return true;
-    }
-    bool take(const At& at) {
-        const double away = distance(points_.front(), at);
-        excursion_ = std::max(excursion_, away);
-        if (arc_ % samples == 0 && away < 1e-3 * excursion_ + closed_) {
-            loop_ = Loop(points_, arc_ / samples);
-            return false;
-        }
-        points_.push_back(at);
-        return arc_ < samples * Loop::most_turns;
-    }
-
-private:
-    Complex<R> time(int arc) const {
-        const int m = arc % samples;
-        const auto z = m == 0 ? std::complex<double>(radius_) : std::polar(radius_, 2 * std::numbers::pi * m / samples);
-        return {1.0 - R(z.real()), -R(z.imag())};
-    }
-    void set_arc() {
-        this->from = time(arc_);
-        this->to = time(arc_ + 1);
-    }
-
-    std::vector<At> points_;
-    double radius_, closed_, excursion_ = 0;
-    int arc_ = 0;
-    Loop loop_;
-};
 
 /// R: double, or a multiprecision float, which tracks and closes loops with more digits; what is polished, and what
 /// counts as regular, is decided in double all the same.
@@ -162,8 +112,8 @@ private:
         Endpoint<M>* end;
         At q;  ///< at t = 1 - r
         double r;
-        double noise = 1e-7;          ///< Newton corrections up to this size may be rounding there
-        Array<double, n> nu, before;  ///< valuations there and at the last scale, -1 without one
+        double noise = 1e-7;       ///< Newton corrections up to this size may be rounding there
+        Valuations<M> nu, before;  ///< valuations there and at the last scale, -1 without one
         bool diverging = false;
         double excluded = 1;  ///< no finite solution has its branch point between this radius and r
         Loop now, last;
@@ -198,7 +148,7 @@ private:
             std::erase_if(open, [](Path* path) { return path->r <= smallest_radius; });
             if (open.empty()) break;
             find_valuations(open);
-            std::erase_if(open, [](Path* path) { return diverges(*path); });
+            std::erase_if(open, [](Path* path) { return is_believed_to_diverge(*path); });
             for (Path* path : open) path->last = std::exchange(path->now, Loop{});
             find_loops(select(open, [](const Path& path) { return !recedes(path) && !(size2(path.q) > far_away2); }));
             std::erase_if(open, [this](Path* path) { return closes(*path); });
@@ -214,8 +164,8 @@ private:
     }
 
     /// Whether the path is believed to diverge.
-    static bool diverges(Path& path) {
-        path.diverging = diverges(path.q, path.nu, path.before);
+    static bool is_believed_to_diverge(Path& path) {
+        path.diverging = detail::diverges(path.q, path.nu, path.before);
         const double size = size2(path.q);
         return path.diverging &&
                (size > far_away2 || path.r < (size > 1e10 ? diverging_radius : slowly_diverging_radius));
@@ -334,28 +284,8 @@ private:
             paths[k]->end->steps = circles[k].steps;
         }
     }
-    /// The unknown that is farthest out.
-    static int farthest(const At& q) {
-        int u = 0;
-        for (int k = 1; k < n; ++k)
-            if (unknown_size2(q, k) > unknown_size2(q, u)) u = k;
-        return u;
-    }
-    static bool is_far(const At& q) { return unknown_size2(q, farthest(q)) > 100; }
     /// The unknown that is farthest out is far, and on its way.
     static bool recedes(const Path& path) { return is_far(path.q) && path.nu[farthest(path.q)] > 0.1; }
-    /// Some unknown is far out, and its valuation is positive and the same on two scales; and that of the farthest one
-    /// does not fall, as it does near a finite solution that is merely far away.
-    static bool diverges(const At& q, const Array<double, n>& nu, const Array<double, n>& before) {
-        const int last = farthest(q);
-        if (!(nu[last] > 0.05 && nu[last] > 0.9 * before[last])) return false;
-        for (int u = 0; u < n; ++u)
-            if (unknown_size2(q, u) > 100 && nu[u] > 0.05 && before[u] > 0 &&
-                std::abs(nu[u] - before[u]) < 0.05 * nu[u])
-                return true;
-        return false;
-    }
-
     /// Of paths that rounding stops, those on their way to infinity as far as r and 10 r tell: loops there show a pole,
     /// or they are so far out that their valuations are enough.
     void find_receding(Paths& paths) {
@@ -386,24 +316,6 @@ private:
         }
         std::erase(paths, nullptr);
     }
-    /// Whether some unknown is very far out, and has grown since ten times the radius by a power of it between its
-    /// valuations on both scales, which do not fall.
-    static bool grows(const At& q, const Array<double, n>& nu, const At& back, const Array<double, n>& before) {
-        for (int u = 0; u < n; ++u) {
-            const double size2 = static_cast<double>(unknown_size2(q, u));
-            if (!(size2 > 1e8 && nu[u] > 0.05 && nu[u] > 0.9 * before[u])) continue;
-            const double growth = 0.5 * std::log10(size2 / static_cast<double>(unknown_size2(back, u)));
-            if (growth > 0.9 * std::min(nu[u], before[u]) && growth < 1.1 * nu[u]) return true;
-        }
-        return false;
-    }
-    /// Where loops at r and at a larger radius show the same pole: the radius down to which they exclude a finite
-    /// solution, whose branch point so close to t = 1 would add terms of lower orders. 1 where they do not.
-    static double excluded_radius(const Loop& at_r, double r, const Loop& wider) {
-        const bool same = at_r.winding == wider.winding && at_r.pole == wider.pole;
-        return same && at_r.pole > 0 ? at_r.beyond * r : 1;
-    }
-
     static bool is_regular(const PolishedEvidence& evidence) {
         return evidence.condition < regular_condition && evidence.correction < 1e-8;
     }

@@ -1,0 +1,69 @@
+/// \file
+/// What tells a path to infinity from one to a finite point: valuations on two scales of 1-t, growth between them, and
+/// poles that closed loops show. Sources: Morgan, Sommese, Wampler, A power series method for computing singular
+/// solutions to nonlinear analytic systems, Numer. Math. 63 (1992); Timme, Mixed precision path tracking for polynomial
+/// homotopy continuation, Adv. Comput. Math. 47 (2021) (valuation test).
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include <equilibria/core/array.hpp>
+#include <equilibria/evaluation/point.hpp>
+#include <equilibria/homotopy/detail/closed_loop.hpp>
+#include <equilibria/model/model.hpp>
+
+namespace equilibria::detail {
+
+/// |(1-t) q_u'(t)| of each angle, |(1-t) x'/x| of each coordinate; -1 without one.
+template <class M>
+using Valuations = Array<double, n_unknowns<M>>;
+
+/// The unknown that is farthest out.
+template <class M, class R>
+int farthest(const Point<M, R>& q) {
+    int u = 0;
+    for (int k = 1; k < n_unknowns<M>; ++k)
+        if (unknown_size2(q, k) > unknown_size2(q, u)) u = k;
+    return u;
+}
+/// Whether that one is more than 10 out.
+template <class M, class R>
+bool is_far(const Point<M, R>& q) {
+    return unknown_size2(q, farthest(q)) > 100;
+}
+
+/// Some unknown is far out, and its valuation is positive and the same on two scales; and that of the farthest one
+/// does not fall, as it does near a finite solution that is merely far away.
+template <class M, class R>
+bool diverges(const Point<M, R>& q, const Valuations<M>& nu, const Valuations<M>& before) {
+    const int last = farthest(q);
+    if (!(nu[last] > 0.05 && nu[last] > 0.9 * before[last])) return false;
+    for (int u = 0; u < n_unknowns<M>; ++u)
+        if (unknown_size2(q, u) > 100 && nu[u] > 0.05 && before[u] > 0 && std::abs(nu[u] - before[u]) < 0.05 * nu[u])
+            return true;
+    return false;
+}
+
+/// Whether some unknown is very far out, and has grown since ten times the radius by a power of it between its
+/// valuations on both scales, which do not fall.
+template <class M, class R>
+bool grows(const Point<M, R>& q, const Valuations<M>& nu, const Point<M, R>& back, const Valuations<M>& before) {
+    for (int u = 0; u < n_unknowns<M>; ++u) {
+        const double size2 = static_cast<double>(unknown_size2(q, u));
+        if (!(size2 > 1e8 && nu[u] > 0.05 && nu[u] > 0.9 * before[u])) continue;
+        const double growth = 0.5 * std::log10(size2 / static_cast<double>(unknown_size2(back, u)));
+        if (growth > 0.9 * std::min(nu[u], before[u]) && growth < 1.1 * nu[u]) return true;
+    }
+    return false;
+}
+
+/// Where loops at r and at a larger radius show the same pole: the radius down to which they exclude a finite
+/// solution, whose branch point so close to t = 1 would add terms of lower orders. 1 where they do not.
+template <class M, class R>
+double excluded_radius(const ClosedLoop<M, R>& at_r, double r, const ClosedLoop<M, R>& wider) {
+    const bool same = at_r.winding == wider.winding && at_r.pole == wider.pole;
+    return same && at_r.pole > 0 ? at_r.beyond * r : 1;
+}
+
+}  // namespace equilibria::detail

@@ -1,0 +1,59 @@
+// What tells divergent paths: powers of 1-t diverge and grow, finite points do not, and poles of loops exclude radii.
+#include <cmath>
+
+#include <equilibria/homotopy/detail/divergence.hpp>
+#include <equilibria/system/sparse_system.hpp>
+
+#include "support/catch.hpp"
+
+using namespace equilibria;
+using namespace equilibria::detail;
+
+namespace {
+
+using M = UnknownsOf<0, 2>;
+
+/// x_1 = (1-t)^-power where 1-t = r; x_2 stays.
+Point<M, double> at(double r, double power) {
+    Point<M, double> q;
+    q.x[0] = {std::pow(r, -power), 0};
+    q.x[1] = {0.3, 0.4};
+    return q;
+}
+
+}  // namespace
+
+TEST_CASE("a path that goes out like a power of 1-t diverges, a finite one does not") {
+    for (const double power : {0.25, 0.5, 1.0, 3.0}) {
+        const Valuations<M> nu{power, 0};
+        const auto q = at(1e-9, power);
+        CHECK(farthest(q) == 0);
+        CHECK(is_far(q));
+        CHECK(diverges(q, nu, nu));
+        CHECK_FALSE(diverges(q, nu, {-1, -1}));                  // no second scale
+        CHECK_FALSE(diverges(q, {0.5 * power, 0}, {power, 0}));  // the valuation falls: far, and finite
+    }
+    CHECK_FALSE(diverges(at(0.5, 1), {1, 0}, {1, 0}));  // not far yet
+    CHECK_FALSE(is_far(at(1e-9, 0)));
+    CHECK_FALSE(diverges(at(1e-9, 0), {0.5, 0.5}, {0.5, 0.5}));
+}
+
+TEST_CASE("growth between two radii is the valuation's") {
+    const Valuations<M> nu{1, 0};
+    CHECK(grows(at(1e-6, 1), nu, at(1e-5, 1), nu));
+    CHECK_FALSE(grows(at(1e-6, 1), {2, 0}, at(1e-5, 1), {2, 0}));  // grew by less
+    CHECK_FALSE(grows(at(1e-3, 1), nu, at(1e-2, 1), nu));          // not very far out
+    CHECK_FALSE(grows(at(1e-6, 1), {0.5, 0}, at(1e-5, 1), nu));    // the valuation falls
+}
+
+TEST_CASE("loops exclude finite points only where both show the same pole") {
+    ClosedLoop<M, double> now, wider;
+    now.winding = wider.winding = 2;
+    now.pole = wider.pole = 1;
+    now.beyond = 1e-3;
+    CHECK(excluded_radius(now, 1e-4, wider) == Approx(1e-7));
+    wider.pole = 2;
+    CHECK(excluded_radius(now, 1e-4, wider) == 1);
+    now.pole = wider.pole = 0;
+    CHECK(excluded_radius(now, 1e-4, wider) == 1);
+}

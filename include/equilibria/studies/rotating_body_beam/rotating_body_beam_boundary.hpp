@@ -25,7 +25,7 @@
 #include <equilibria/continuation/corrector.hpp>
 #include <equilibria/core/array.hpp>
 #include <equilibria/core/error.hpp>
-#include <equilibria/studies/rotating_body_beam/chebyshev_integrals.hpp>
+#include <equilibria/studies/rotating_body_beam/beam_collocation.hpp>
 #include <equilibria/studies/rotating_body_beam/rotating_body_beam.hpp>
 
 namespace equilibria::mechanisms {
@@ -43,11 +43,6 @@ struct BeamSolution {
     bool converged() const { return status == BeamSolveStatus::converged; }
 };
 
-/// The beam at a place z: displacements u and their derivatives by z.
-struct BeamPlace {
-    Eigen::Vector3d u, first, second;
-};
-
 /// The boundary value problem as a ContinuationProblem in the speed or the momentum. With m points q is n (3), u_1'''',
 /// u_2'''' and N' / mu_3 at the points (m each), lambda: the moment of inertia about n. The residual is (2.7) over the
 /// stiffnesses at the points, J n - lambda n and (|n|^2 - 1) / 2. K is not symmetric.
@@ -62,27 +57,13 @@ public:
     RotatingBodyBeamBoundary(const Values& parameters, BeamStrain strain, int points = 24,
                              BeamControl control = BeamControl::speed)
         : p_(parameters), coupled_(strain == BeamStrain::coupled), m_(checked(points)), control_(control),
-          chebyshev_(m_, parameters[Beam::length]) {
+          beam_(parameters, coupled_, m_) {
         Beam::validate(parameters);
-        third_ = chebyshev_.integral(chebyshev_.coefficients, 1);
-        curvature_ = chebyshev_.integral(third_, 1);
-        slope_ = chebyshev_.integral(curvature_, -1);
-        deflection_ = chebyshev_.integral(slope_, -1);
-        stretch_ = chebyshev_.integral(chebyshev_.coefficients, -1);
-        steepening_ = chebyshev_.derivative(chebyshev_.coefficients);
-        Eigen::MatrixXd values(m_, m_ + 4);
-        for (int j = 0; j < m_; ++j) values.row(j) = chebyshev_.polynomials(chebyshev_.places(j));
-        const auto at_points = [&](const Eigen::MatrixXd& c) { return Eigen::MatrixXd(values.leftCols(c.rows()) * c); };
-        tension_at_ = at_points(third_);
-        curvature_at_ = at_points(curvature_);
-        slope_at_ = at_points(slope_);
-        deflection_at_ = at_points(deflection_);
-        stretch_at_ = at_points(stretch_);
     }
 
     int points() const { return m_; }
     Eigen::Index n_unknowns() const { return 3 * m_ + 4; }
-    const Eigen::VectorXd& places() const { return chebyshev_.places; }  ///< z of the points, rising from 0 to l
+    const Eigen::VectorXd& places() const { return beam_.chebyshev.places; }  ///< z of the points, rising from 0 to l
     const Values& parameters() const { return p_; }
     BeamStrain strain() const { return coupled_ ? BeamStrain::coupled : BeamStrain::linear; }
     BeamControl control_by() const { return control_; }
@@ -127,8 +108,9 @@ public:
         at.r = Eigen::MatrixXd::Zero(m_, 3);
         at.slope = at.curvature = Eigen::MatrixXd::Zero(m_, 2);
         for (int j = 0; j < m_; ++j) {
-            const auto phi = modes.bending(chebyshev_.places(j) / l), psi = modes.stretching(chebyshev_.places(j) / l);
-            at.r(j, 2) = chebyshev_.places(j);
+            const double z = places()(j);
+            const auto phi = modes.bending(z / l), psi = modes.stretching(z / l);
+            at.r(j, 2) = z;
             for (int i = 0; i < K; ++i) {
                 for (int a = 0; a < 2; ++a) {
                     const double u = q[3 + a * K + i] / root;
@@ -139,14 +121,14 @@ public:
                 at.r(j, 2) += q[3 + 2 * K + i] / root * psi.value[i];
             }
         }
-        place(at);
+        beam_.place(at);
         const double square = square_of_speed(q[Size - 1], p);
-        const Eigen::MatrixXd f = square * load(at);
+        const Eigen::MatrixXd f = square * BeamCollocation::load(at);
         Eigen::VectorXd y(n_unknowns());
         y.head<3>() = at.n;
         at.w = Eigen::MatrixXd(m_, 3);
         at.w.col(2) = -f.col(2) / p_[Beam::stretching];
-        at.tension = tension_at_ * at.w.col(2);
+        at.tension = beam_.tension_at * at.w.col(2);
         for (int a = 0; a < 2; ++a) at.w.col(a) = (f.col(a) + stiffening(at, a)) / bending(a);
         for (int a = 0; a < 3; ++a) y.segment(3 + a * m_, m_) = at.w.col(a);
         y(3 * m_ + 3) = q[Size - 1];
@@ -171,7 +153,7 @@ public:
         const State at = state(q);
         const double lambda = moment(q), square = square_of_speed(lambda, p), mu3 = p_[Beam::stretching];
         const Eigen::Index last = 3 * m_ + 3;
-        const auto r_w = displacement_derivative(at);
+        const auto r_w = beam_.displacement_derivative(at);
         Eigen::MatrixXd k = Eigen::MatrixXd::Zero(n_unknowns(), n_unknowns());
         k.middleRows(3, 3 * m_) = square * load_derivative(at, r_w);
         k.block(3, 3, 3 * m_, 3 * m_).diagonal().array() += 1;
@@ -183,10 +165,10 @@ public:
             for (int a = 0; a < 2; ++a) {
                 const double c = mu3 / bending(a);
                 auto own = k.block(3 + a * m_, 3 + a * m_, m_, m_);
-                own -= c * at.w.col(2).asDiagonal() * slope_at_;
-                own -= c * at.tension.asDiagonal() * curvature_at_;
+                own -= c * at.w.col(2).asDiagonal() * beam_.slope_at;
+                own -= c * at.tension.asDiagonal() * beam_.curvature_at;
                 auto other = k.block(3 + a * m_, 3 + 2 * m_, m_, m_);
-                other -= c * at.curvature.col(a).asDiagonal() * tension_at_;
+                other -= c * at.curvature.col(a).asDiagonal() * beam_.tension_at;
                 other.diagonal() -= c * at.slope.col(a);
             }
         // J n - lambda n: with rho = r - C, dP = int rho dr^T + dr rho^T and dJ = tr(dP) - dP
@@ -194,12 +176,12 @@ public:
         Eigen::RowVectorXd trace = Eigen::RowVectorXd::Zero(3 * m_);
         for (int b = 0; b < 3; ++b) {
             along += at.n(b) * r_w[b];
-            trace += 2 * at.rho.col(b).cwiseProduct(chebyshev_.quadrature).transpose() * r_w[b];
+            trace += 2 * at.rho.col(b).cwiseProduct(beam_.chebyshev.quadrature).transpose() * r_w[b];
         }
         for (int a = 0; a < 3; ++a) {
             k.block(a, 3, 1, 3 * m_) = at.n(a) * trace;
-            k.block(a, 3, 1, 3 * m_) -= at.rho.col(a).cwiseProduct(chebyshev_.quadrature).transpose() * along;
-            k.block(a, 3, 1, 3 * m_) -= at.along.cwiseProduct(chebyshev_.quadrature).transpose() * r_w[a];
+            k.block(a, 3, 1, 3 * m_) -= at.rho.col(a).cwiseProduct(beam_.chebyshev.quadrature).transpose() * along;
+            k.block(a, 3, 1, 3 * m_) -= at.along.cwiseProduct(beam_.chebyshev.quadrature).transpose() * r_w[a];
         }
         k.topLeftCorner<3, 3>() = at.inertia - lambda * Eigen::Matrix3d::Identity();
         k.block(0, last, 3, 1) = -at.n;
@@ -217,7 +199,7 @@ public:
         const State at = state(q);
         const double slope = 2 * p * second_share(q);
         Eigen::VectorXd y = Eigen::VectorXd::Zero(n_unknowns());
-        y.segment(3, 3 * m_) = slope * load_derivative(at, displacement_derivative(at)) * v;
+        y.segment(3, 3 * m_) = slope * load_derivative(at, beam_.displacement_derivative(at)) * v;
         if (control_ == BeamControl::momentum) y -= 2 * slope / moment(q) * v(3 * m_ + 3) * load_vector(at);
         return y;
     }
@@ -230,7 +212,7 @@ public:
         const double moments = p_[Beam::inertia_1] + p_[Beam::inertia_2] + p_[Beam::inertia_3] + l * l * l / 3;
         Eigen::VectorXd y = Eigen::VectorXd::Ones(n_unknowns());
         for (int a = 0; a < 3; ++a)
-            y.segment(3 + a * m_, m_) = (a < 2 ? bend * bend : stretch * stretch) / l * chebyshev_.quadrature;
+            y.segment(3 + a * m_, m_) = (a < 2 ? bend * bend : stretch * stretch) / l * beam_.chebyshev.quadrature;
         y(3 * m_ + 3) = 1 / (moments * moments);
         return y;
     }
@@ -255,22 +237,7 @@ public:
     /// The beam at z. Throws InvalidArgument unless z is in [0, l].
     BeamPlace shape(const Eigen::VectorXd& q, double z) const {
         require(z >= 0 && z <= p_[Beam::length], "z", z, "must lie on the beam: in [0, length]");
-        const Eigen::RowVectorXd t = chebyshev_.polynomials(z);
-        const auto value = [&](const Eigen::MatrixXd& c, const Eigen::VectorXd& by) {
-            return (t.head(c.rows()) * c).dot(by);
-        };
-        BeamPlace y;
-        for (int a = 0; a < 2; ++a) {
-            const Eigen::VectorXd w = sized(q).segment(3 + a * m_, m_);
-            y.u(a) = value(deflection_, w);
-            y.first(a) = value(slope_, w);
-            y.second(a) = value(curvature_, w);
-        }
-        const Eigen::VectorXd strain = state(q).stretch;
-        y.u(2) = value(stretch_, strain);
-        y.first(2) = value(chebyshev_.coefficients, strain);
-        y.second(2) = value(steepening_, strain);
-        return y;
+        return beam_.shape(state(q), z);
     }
 
     /// What is left of (2.7) at z, left sides minus right ones, for the functions of shape(): the error of the
@@ -278,7 +245,7 @@ public:
     Eigen::Vector3d defect(const Eigen::VectorXd& q, double p, double z) const {
         const BeamPlace at = shape(q, z);
         const State all = state(q);
-        const Eigen::RowVectorXd t = chebyshev_.polynomials(z).head(m_) * chebyshev_.coefficients;
+        const Eigen::RowVectorXd t = beam_.chebyshev.polynomials(z).head(m_) * beam_.chebyshev.coefficients;
         const Eigen::Vector3d rho = at.u + Eigen::Vector3d(0, 0, z) - all.centre,
                               f = square_of_speed(moment(q), p) * (rho - all.n * all.n.dot(rho));
         const double mu3 = p_[Beam::stretching], on = coupled_ ? 1 : 0;
@@ -297,19 +264,14 @@ public:
     /// V(u).
     double strain_energy(const Eigen::VectorXd& q) const {
         const State at = state(q);
-        return 0.5 * (bending(0) * chebyshev_.quadrature.dot(at.curvature.col(0).cwiseAbs2()) +
-                      bending(1) * chebyshev_.quadrature.dot(at.curvature.col(1).cwiseAbs2()) +
-                      p_[Beam::stretching] * chebyshev_.quadrature.dot(at.tension.cwiseAbs2()));
+        return 0.5 * (bending(0) * beam_.chebyshev.quadrature.dot(at.curvature.col(0).cwiseAbs2()) +
+                      bending(1) * beam_.chebyshev.quadrature.dot(at.curvature.col(1).cwiseAbs2()) +
+                      p_[Beam::stretching] * beam_.chebyshev.quadrature.dot(at.tension.cwiseAbs2()));
     }
 
 private:
-    /// Values at the points, one a row.
-    struct State {
-        Eigen::Vector3d n, centre;
-        Eigen::MatrixXd w, r, rho, slope, curvature;  ///< unknowns, places, places from C; u_i', u_i'' (two columns)
-        Eigen::VectorXd tension, stretch, along;      ///< N / mu_3, u_3', n . rho
-        Eigen::Matrix3d inertia;
-    };
+    using BeamCollocation = detail::BeamCollocation;
+    using State = BeamCollocation::State;
 
     const Eigen::VectorXd& sized(const Eigen::VectorXd& q) const {
         require(q.size() == n_unknowns(), "q's size", q.size(), "must be n_unknowns()");
@@ -325,39 +287,10 @@ private:
         return control_ == BeamControl::speed ? 1 : 1 / (moment(q) * moment(q));
     }
 
-    State state(const Eigen::VectorXd& q) const {
-        State y;
-        y.n = axis(q);
-        y.w = q.segment(3, 3 * m_).reshaped(m_, 3);
-        y.slope = slope_at_ * y.w.leftCols<2>();
-        y.curvature = curvature_at_ * y.w.leftCols<2>();
-        y.tension = tension_at_ * y.w.col(2);
-        y.stretch = y.tension;
-        if (coupled_) y.stretch -= 0.5 * y.slope.rowwise().squaredNorm();
-        y.r.resize(m_, 3);
-        y.r.leftCols<2>() = deflection_at_ * y.w.leftCols<2>();
-        y.r.col(2) = chebyshev_.places + stretch_at_ * y.stretch;
-        place(y);
-        return y;
-    }
-    /// What follows from n and r.
-    void place(State& y) const {
-        const Eigen::Vector3d c(p_[Beam::centre_1], p_[Beam::centre_2], p_[Beam::centre_3]);
-        const double mass = p_[Beam::body_mass] + p_[Beam::length];
-        y.centre = (p_[Beam::body_mass] * c + y.r.transpose() * chebyshev_.quadrature) / mass;
-        y.rho = y.r.rowwise() - y.centre.transpose();
-        y.along = y.rho * y.n;
-        // int r r^T - (m_b + l) C C^T
-        Eigen::Matrix3d moments = y.r.transpose() * chebyshev_.quadrature.asDiagonal() * y.r;
-        moments -= mass * y.centre * y.centre.transpose();
-        y.inertia = moments.trace() * Eigen::Matrix3d::Identity() - moments;
-        for (int a = 0; a < 3; ++a) y.inertia(a, a) += p_[Beam::inertia_1 + a];
-    }
-    /// f / omega^2.
-    static Eigen::MatrixXd load(const State& at) { return at.rho - at.along * at.n.transpose(); }
+    State state(const Eigen::VectorXd& q) const { return beam_.state(axis(q), sized(q).segment(3, 3 * m_)); }
     /// The derivative of the residual by omega^2: -f_i / (mu_i omega^2), and for i = 3 with the other sign.
     Eigen::MatrixXd scaled_load(const State& at) const {
-        Eigen::MatrixXd y = load(at);
+        Eigen::MatrixXd y = BeamCollocation::load(at);
         for (int a = 0; a < 3; ++a) y.col(a) *= load_factor(a);
         return y;
     }
@@ -373,26 +306,13 @@ private:
         return p_[Beam::stretching] *
                (at.w.col(2).cwiseProduct(at.slope.col(a)) + at.tension.cwiseProduct(at.curvature.col(a)));
     }
-    /// dr_a by all w, m x 3 m each.
-    Array<Eigen::MatrixXd, 3> displacement_derivative(const State& at) const {
-        Array<Eigen::MatrixXd, 3> y;
-        for (auto& block : y) block = Eigen::MatrixXd::Zero(m_, 3 * m_);
-        for (int a = 0; a < 2; ++a) {
-            y[a].middleCols(a * m_, m_) = deflection_at_;
-            if (!coupled_) continue;
-            const Eigen::MatrixXd shortening = at.slope.col(a).asDiagonal() * slope_at_;
-            y[2].middleCols(a * m_, m_) = -stretch_at_ * shortening;
-        }
-        y[2].middleCols(2 * m_, m_) = stretch_at_ * tension_at_;
-        return y;
-    }
     /// d(scaled_load) by all unknowns, 3 m x n_unknowns().
     Eigen::MatrixXd load_derivative(const State& at, const Array<Eigen::MatrixXd, 3>& r_w) const {
         const double mass = p_[Beam::body_mass] + p_[Beam::length];
         Array<Eigen::MatrixXd, 3> rho_w = r_w;
         Eigen::MatrixXd along = Eigen::MatrixXd::Zero(m_, 3 * m_), y = Eigen::MatrixXd::Zero(3 * m_, n_unknowns());
         for (int a = 0; a < 3; ++a) {
-            const Eigen::RowVectorXd centre = chebyshev_.quadrature.transpose() * r_w[a] / mass;
+            const Eigen::RowVectorXd centre = beam_.chebyshev.quadrature.transpose() * r_w[a] / mass;
             rho_w[a].rowwise() -= centre;
             along += at.n(a) * rho_w[a];
         }
@@ -414,10 +334,7 @@ private:
     bool coupled_;
     int m_;
     BeamControl control_;
-    detail::ChebyshevIntegrals chebyshev_;
-    // Chebyshev coefficients from values at the points: of the interpolant's derivative and its integrals
-    Eigen::MatrixXd steepening_, third_, curvature_, slope_, deflection_, stretch_;
-    Eigen::MatrixXd tension_at_, curvature_at_, slope_at_, deflection_at_, stretch_at_;  ///< integrals at the points
+    BeamCollocation beam_;
 };
 
 }  // namespace equilibria::mechanisms

@@ -8,6 +8,7 @@
 
 #include <equilibria/algebra/formulation.hpp>
 #include <equilibria/core/dual.hpp>
+#include <equilibria/core/error.hpp>
 #include <equilibria/core/exact_ball.hpp>
 #include <equilibria/model/model.hpp>
 
@@ -48,6 +49,7 @@ struct ExactSystem {
         return ExactSystem(detail::symbolic_equations<M, ExactBall>(p));
     }
     static ExactSystem at(const Parameters<M>& p) {
+        require_finite(p, "parameters");
         Parameters<M, ExactBall> exact;
         for (int k = 0; k < p.size(); ++k) exact[k] = p[k];
         return at(exact);

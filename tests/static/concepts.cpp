@@ -1,7 +1,9 @@
 // What is a model, what is not, and what follows from a model at compile time.
 #include <array>
+#include <type_traits>
 
 #include <equilibria/algebra/formulation.hpp>
+#include <equilibria/core/complex.hpp>
 #include <equilibria/mechanisms/rotating_chain.hpp>
 #include <equilibria/model/model.hpp>
 
@@ -25,6 +27,11 @@ struct NoAngles {
 };
 static_assert(PotentialModel<NoAngles> && n_unknowns<NoAngles> == 1);
 static_assert(Formulation<NoAngles>::degrees[0] == 1);
+
+// A sum starts with the scalar of angles, or of coordinates, which have no cosine.
+static_assert(std::is_same_v<scalar_of<const Array<CircleAngle<Complex<double>>, 1>&>, Complex<double>>);
+static_assert(std::is_same_v<scalar_of<const Array<Complex<double>, 1>&>, Complex<double>>);
+static_assert(std::is_same_v<scalar_of<const Array<double, 0>&>, double>);
 
 // A model that has both gives its potential.
 struct Both {

@@ -76,10 +76,19 @@ inline constexpr int n_unknowns = n_angles<M> + n_coordinates<M>;
 template <class M>
 concept ModelSizes = detail::HasAngles<M> && detail::HasParameters<M> && std::is_default_constructible_v<M>;
 
-/// The scalar that sines and cosines of these angles have: the type to start a sum with, `scalar_of<decltype(theta)>
-/// v{}`.
-template <class Theta>
-using scalar_of = std::remove_cvref_t<decltype(cos(std::declval<const std::remove_cvref_t<Theta>&>()[0]))>;
+namespace detail {
+constexpr auto scalar_of_unknown(const auto& unknown) {
+    if constexpr (requires { cos(unknown); })
+        return cos(unknown);
+    else
+        return unknown;
+}
+}  // namespace detail
+
+/// The scalar that sines and cosines of these angles have, or that these coordinates are: the type to start a sum with,
+/// `scalar_of<decltype(theta)> v{}`.
+template <class Unknowns>
+using scalar_of = decltype(detail::scalar_of_unknown(std::declval<const std::remove_cvref_t<Unknowns>&>()[0]));
 
 namespace detail {
 template <class M, class Theta, class X, class P>

@@ -1,5 +1,7 @@
 // What a RootSet says of itself, without enumerating.
+#include <array>
 #include <sstream>
+#include <string>
 
 #include <equilibria/enumerate/root_set.hpp>
 
@@ -12,6 +14,13 @@ namespace {
 
 using M = models::TwoAngleMechanism;
 
+/// x^2 = b.
+struct Parabola {
+    static constexpr int n_angles = 0, n_coordinates = 1;
+    enum Parameter { b, n_parameters };
+    constexpr auto equations(const auto&, const auto& x, const auto& p) const { return std::array{x[0] * x[0] - p[b]}; }
+};
+
 /// Four equilibria of index 0, 1, 1, 2, the least that the torus allows.
 RootSet<M> smallest() {
     RootSet<M> r;
@@ -23,7 +32,8 @@ RootSet<M> smallest() {
     return r;
 }
 
-std::string printed(const RootSet<M>& r) {
+template <class Model>
+std::string printed(const RootSet<Model>& r) {
     std::ostringstream out;
     out << r;
     return out.str();
@@ -40,6 +50,22 @@ TEST_CASE("a root set against which nothing speaks") {
     CHECK(printed(r) ==
           "4 paths: 4 finite, 0 at infinity, 0 singular, 0 failed; 4 distinct roots, 4 real: index 0: 1, 1: 2, 2: 1; "
           "Morse relations hold");
+}
+
+TEST_CASE("what an index counts is said of models without a potential, and no index of polynomials is printed") {
+    RootSet<models::Pendulum> pendulum;
+    pendulum.paths.total = pendulum.paths.finite = 2;
+    pendulum.roots.resize(2);
+    pendulum.equilibria.resize(2);
+    pendulum.equilibria[1].index = 1;
+    CHECK(printed(pendulum) ==
+          "2 paths: 2 finite, 0 at infinity, 0 singular, 0 failed; 2 distinct roots, 2 real: unstable eigenvalues of "
+          "dq/dt = -F(q) 0: 1, 1: 1");
+    RootSet<Parabola> parabola;
+    parabola.paths.total = parabola.paths.finite = 2;
+    parabola.roots.resize(2);
+    parabola.equilibria.resize(2);
+    CHECK(printed(parabola) == "2 paths: 2 finite, 0 at infinity, 0 singular, 0 failed; 2 distinct roots, 2 real");
 }
 
 TEST_CASE("what speaks against a root set is printed") {

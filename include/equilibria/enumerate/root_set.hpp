@@ -23,9 +23,12 @@ namespace equilibria {
 /// A real root, classified.
 template <Model M>
 struct Equilibrium {
-    Unknowns<M> q;         ///< angles in (-pi, pi], radians; then the plain coordinates
-    double energy = 0;     ///< the potential there; NaN for models without one
-    int index = 0;         ///< negative eigenvalues of the Hessian (of dF/dq: eigenvalues with negative real part)
+    Unknowns<M> q;      ///< angles in (-pi, pi], radians; then the plain coordinates
+    double energy = 0;  ///< the potential there; NaN for models without one
+    /// Negative eigenvalues of the Hessian. Of a model without a potential, eigenvalues of dF/dq with a negative real
+    /// part: those with which dq/dt = -F(q) departs. Where F are polynomials in any order and sign, that is no number
+    /// of theirs.
+    int index = 0;
     int nullity = 0;       ///< eigenvalues that count as zero: above 0 the equilibrium is degenerate
     double margin = 0;     ///< the smallest |eigenvalue| over the largest
     double residual = 0;   ///< as of the root
@@ -34,7 +37,7 @@ struct Equilibrium {
     std::int32_t multiplicity = 1;
 
     bool degenerate() const { return nullity > 0; }
-    /// A strict minimum of the potential (Lagrange-Dirichlet).
+    /// A strict minimum of the potential (Lagrange-Dirichlet); without one, a point that dq/dt = -F(q) comes back to.
     bool stable() const { return index == 0 && nullity == 0; }
 };
 
@@ -68,7 +71,7 @@ struct RootSet {
     /// Whether nothing speaks against the count of equilibria, see CountVerdict.
     bool clean() const { return verdict().clean(); }
 
-    /// Nondegenerate equilibria of each index 0 .. n.
+    /// Nondegenerate equilibria of each index 0 .. n (see Equilibrium).
     std::vector<std::int64_t> by_index() const {
         std::vector<std::int64_t> counts(static_cast<std::size_t>(n_unknowns<M>) + 1);
         for (const auto& e : equilibria)
@@ -83,8 +86,13 @@ struct RootSet {
         out << r.paths.total << " paths: " << r.paths.finite << " finite, " << r.paths.at_infinity << " at infinity, "
             << r.paths.singular << " singular, " << r.paths.failed << " failed; " << r.distinct() << " distinct roots, "
             << r.real() << " real";
-        const auto counts = r.by_index();
-        for (std::size_t k = 0; k < counts.size(); ++k) out << (k == 0 ? ": index " : ", ") << k << ": " << counts[k];
+        // polynomials in plain coordinates have no order and no sign that would give their Jacobian's eigenvalues a
+        // sense
+        if constexpr (PotentialModel<M> || n_angles<M> > 0) {
+            out << (PotentialModel<M> ? ": index " : ": unstable eigenvalues of dq/dt = -F(q) ");
+            const auto counts = r.by_index();
+            for (std::size_t k = 0; k < counts.size(); ++k) out << (k == 0 ? "" : ", ") << k << ": " << counts[k];
+        }
         if (r.degenerate() > 0) out << ", degenerate: " << r.degenerate();
         if (r.morse_applies())
             out << (r.morse() ? "; Morse relations hold" : "; MORSE RELATIONS VIOLATED: roots are missing");

@@ -71,7 +71,7 @@ TEST_CASE("Gauss rules of n points are exact to degree 2 n - 1") {
     check_rule<3>();
 }
 
-TEST_CASE("a straight line of nodes has its length; one without length is refused") {
+TEST_CASE("a straight line of nodes has its length, and one without length is refused") {
     check_line<2>();
     check_line<3>();
     check_line<4>();

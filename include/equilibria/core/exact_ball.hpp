@@ -95,14 +95,9 @@ private:
 class ExactBall {
 public:
     ExactBall() = default;
-    /// Throws InvalidArgument for a value that is not finite.
     template <class A>
     requires std::is_arithmetic_v<A>
-    ExactBall(A value) {
-        if constexpr (std::is_floating_point_v<A>)
-            require(std::isfinite(value), "model", value, "needs finite numbers");
-        mid_ = Dyadic(value);
-    }
+    ExactBall(A value) : mid_(value) {}
     ExactBall(const Dyadic& mid, double rad) : mid_(mid), rad_(rad) {}
     /// All numbers from low to high.
     static ExactBall between(double low, double high) {

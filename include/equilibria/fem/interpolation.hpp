@@ -74,8 +74,8 @@ public:
         for (int g = 0; g < points; ++g) {
             const ShapeFunctions<Nodes> n = shape(g);
             Eigen::Vector3d speed = Eigen::Vector3d::Zero();
-            for (std::size_t k = 1; k < x.size(); ++k) speed += n.slope[k] * (x[k] - x[0]);  // the slopes' sum is 0
-            const double jacobian = speed.norm();
+            for (std::size_t k = 0; k < x.size(); ++k) speed += n.slope[k] * x[k];
+            const double jacobian = size > 0 ? speed.norm() : 0;  // of nodes that coincide the sum is rounding
             require(jacobian > 1e-9 * size && std::isfinite(jacobian), "length of an element", jacobian,
                     "must be positive and finite");
             jacobian_[static_cast<std::size_t>(g)] = jacobian;

@@ -27,7 +27,6 @@ bool holds(const ExactBall* ball, double value) {
 }  // namespace
 
 TEST_CASE("the terms are those of the model, their coefficients without any rounding") {
-    // 0.1 + 0.2 - 0.3 is no 0 in doubles: the coefficients are those of the doubles themselves
     const auto system = ExactSystem<M>::at(Parameters<M>{{0.1, 9.81}});
     REQUIRE(system.terms.size() == 4);
     CHECK(*coefficient(system, 0, -1, 1) == 9.81);

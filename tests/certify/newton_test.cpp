@@ -32,7 +32,7 @@ TEST_CASE("a root has the digits of its scalar type") {
     CHECK(abs(q[0].im) < 8 * rounding_unit<S>);
 }
 
-TEST_CASE("the step's size halves its digits each time, until `most` of them") {
+TEST_CASE("the convergence is quadratic: each step is of the size of the last one's square") {
     const auto system = pendulum<double>(1, 2);
     double before = 1;
     for (int most = 1; most <= 4; ++most) {

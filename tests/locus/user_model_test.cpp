@@ -4,26 +4,12 @@
 #include <equilibria/locus/plane/trace_locus.hpp>
 
 #include "support/catch.hpp"
+#include "support/spring_loaded_double_pendulum.hpp"
 
 using namespace equilibria;
 
-namespace {
-
-/// Two rods of length and weight 1 on each other, upright, each tip held by a horizontal spring relaxed at x = offset.
-struct SpringLoadedDoublePendulum {
-    static constexpr int n_angles = 2;
-    enum Parameter { stiffness, offset, n_parameters };
-    constexpr auto potential(const auto& theta, const auto& p) const {
-        const auto x1 = sin(theta[0]), x2 = x1 + sin(theta[1]);
-        const auto stretch1 = x1 - p[offset], stretch2 = x2 - p[offset];
-        return 2 * cos(theta[0]) + cos(theta[1]) + 0.5 * p[stiffness] * (stretch1 * stretch1 + stretch2 * stretch2);
-    }
-};
-
-}  // namespace
-
 TEST_CASE("The cusps of the spring-loaded double pendulum are its buckling loads without offset") {
-    using Model = SpringLoadedDoublePendulum;
+    using Model = models::SpringLoadedDoublePendulum;
     const auto locus = trace_locus<Model, Model::offset, Model::stiffness>({1, 0}, {{-0.5, 0.5}, {0.5, 4}});
     CHECK(locus.evidence.complete());
     // det J = 0 at theta_1, theta_2 in {0, pi}: k^2 - 4 k + 2 = 0 at (0, 0); k^2 = 2 at (0, pi) and (pi, 0)

@@ -86,8 +86,7 @@ struct RootSet {
         out << r.paths.total << " paths: " << r.paths.finite << " finite, " << r.paths.at_infinity << " at infinity, "
             << r.paths.singular << " singular, " << r.paths.failed << " failed; " << r.distinct() << " distinct roots, "
             << r.real() << " real";
-        // polynomials in plain coordinates have no order and no sign that would give their Jacobian's eigenvalues a
-        // sense
+        // polynomials in plain coordinates come in any order and sign: their Jacobian's eigenvalues mean nothing
         if constexpr (PotentialModel<M> || n_angles<M> > 0) {
             out << (PotentialModel<M> ? ": index " : ": unstable eigenvalues of dq/dt = -F(q) ");
             const auto counts = r.by_index();

@@ -10,10 +10,8 @@
 #include <tuple>
 #include <vector>
 
-#include <Eigen/Core>
-#include <Eigen/Eigenvalues>
-#include <Eigen/LU>
-
+#include <equilibria/core/dense_factorization.hpp>
+#include <equilibria/core/eigenvalues.hpp>
 #include <equilibria/enumerate/root_set.hpp>
 #include <equilibria/model/derivatives.hpp>
 #include <equilibria/run/run_options.hpp>
@@ -40,12 +38,14 @@ bool is_real(const Root<M>& root, const Parameters<M>& p, Unknowns<M>& q) {
     for (int round = 0; round < 3; ++round) {
         const auto f = equations<M, double>(q, p);
         const auto j = jacobian<M, double>(q, p);
-        Eigen::Matrix<double, n_unknowns<M>, 1> right;
-        for (int u = 0; u < n_unknowns<M>; ++u) right(u) = f[u];
-        const Eigen::Matrix<double, n_unknowns<M>, 1> step = j.partialPivLu().solve(right);
-        if (!step.allFinite()) return imaginary < 1e-12;
-        for (int u = 0; u < n_unknowns<M>; ++u) q[u] -= step(u);
-        const double size = step.template lpNorm<Eigen::Infinity>();
+        Array<Array<double, n_unknowns<M>>, n_unknowns<M>> matrix;
+        for (int r = 0; r < n_unknowns<M>; ++r)
+            for (int c = 0; c < n_unknowns<M>; ++c) matrix[r][c] = j(r, c);
+        const Unknowns<M> step = DenseFactorization<double, n_unknowns<M>>(matrix).solve(f);
+        double size = 0, sum = 0;
+        for (const double d : step) size = std::max(size, std::abs(d)), sum += d;
+        if (!std::isfinite(sum)) return imaginary < 1e-12;
+        for (int u = 0; u < n_unknowns<M>; ++u) q[u] -= step[u];
         moved += size;
         if (moved > 1e-4) return false;
         if (size < 1e-15) break;
@@ -75,16 +75,17 @@ Equilibrium<M> classified(const Root<M>& root, const Unknowns<M>& q, const Param
         e.margin = inertia_of_hessian.margin;
     } else {
         e.energy = std::numeric_limits<double>::quiet_NaN();
-        const Eigen::MatrixXd any_size = j;  // one instantiation for all models
-        const Eigen::EigenSolver<Eigen::MatrixXd> solver(any_size, false);
-        const auto& values = solver.eigenvalues();
-        const double largest = values.cwiseAbs().maxCoeff(), smallest = values.cwiseAbs().minCoeff();
-        for (int k = 0; k < values.size(); ++k) {
-            if (!(std::abs(values[k]) > zero_eigenvalue * largest))
+        const auto values = eigenvalues<double>(n_unknowns<M>, {j.data(), j.data() + j.size()});
+        double largest = 0, smallest = std::numeric_limits<double>::infinity();
+        for (const auto& z : values) {
+            largest = std::max(largest, std::abs(z));
+            smallest = std::min(smallest, std::abs(z));
+        }
+        for (const auto& z : values)
+            if (!(std::abs(z) > zero_eigenvalue * largest))
                 ++e.nullity;
             else
-                e.index += values[k].real() < 0;
-        }
+                e.index += z.real() < 0;
         e.margin = largest > 0 ? smallest / largest : 0;
     }
     if (root.status == PathStatus::singular && e.nullity == 0) e.nullity = 1;

@@ -6,14 +6,16 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <cstddef>
 #include <functional>
 #include <numbers>
+#include <vector>
 
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 
+#include <equilibria/core/eigenvalues.hpp>
 #include <equilibria/core/error.hpp>
 #include <equilibria/stability/checks.hpp>
 
@@ -80,8 +82,11 @@ template <class Matrix>
 auto poles(const SecondOrderSystem<Matrix>& system) {
     using System = SecondOrderSystem<Matrix>;
     const auto unit = system.natural_time();
-    const Eigen::EigenSolver<Eigen::MatrixX<typename System::Scalar>> solver(system.state_matrix(unit), false);
-    typename System::Poles y = solver.eigenvalues() / unit;
+    const typename System::StateMatrix matrix = system.state_matrix(unit);
+    const auto values =
+        eigenvalues(static_cast<std::size_t>(matrix.rows()), std::vector(matrix.data(), matrix.data() + matrix.size()));
+    typename System::Poles y(matrix.rows());
+    for (Eigen::Index k = 0; k < y.size(); ++k) y[k] = values[static_cast<std::size_t>(k)] / unit;
     std::sort(y.begin(), y.end(), [](const auto& a, const auto& b) {
         return a.real() != b.real() ? a.real() < b.real() : a.imag() < b.imag();
     });

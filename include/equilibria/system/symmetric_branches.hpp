@@ -8,14 +8,16 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <cstddef>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 #include <Eigen/Core>
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 
 #include <equilibria/algebra/formulation.hpp>
+#include <equilibria/core/eigenvalues.hpp>
 #include <equilibria/model/derivatives.hpp>
 
 namespace equilibria {
@@ -58,15 +60,15 @@ std::vector<double> polynomial_roots(F&& f, int degree, double low, double high)
     while (d > 0 && std::abs(c(d)) <= 1e-13 * c.cwiseAbs().maxCoeff()) --d;
     std::vector<double> roots;
     if (d == 0) return roots;
-    Eigen::MatrixXd colleague = Eigen::MatrixXd::Zero(d, d);
+    const auto size = static_cast<std::size_t>(d);
+    std::vector<double> colleague(size * size);
+    const auto entry = [&](int i, int j) -> double& { return colleague[static_cast<std::size_t>(i * d + j)]; };
     for (int k = 0; k < d; ++k) {
-        if (k > 0) colleague(k, k - 1) = k == d - 1 && d == 1 ? 1 : 0.5;
-        if (k + 1 < d) colleague(k, k + 1) = k == 0 ? 1 : 0.5;
+        if (k > 0) entry(k, k - 1) = k == d - 1 && d == 1 ? 1 : 0.5;
+        if (k + 1 < d) entry(k, k + 1) = k == 0 ? 1 : 0.5;
     }
-    for (int k = 0; k < d; ++k) colleague(d - 1, k) -= (d == 1 ? 1.0 : 0.5) * c(k) / c(d);
-    const Eigen::EigenSolver<Eigen::MatrixXd> solver(colleague, false);
-    for (int k = 0; k < d; ++k) {
-        const std::complex<double> t = solver.eigenvalues()(k);
+    for (int k = 0; k < d; ++k) entry(d - 1, k) -= (d == 1 ? 1.0 : 0.5) * c(k) / c(d);
+    for (const std::complex<double>& t : eigenvalues(size, std::move(colleague))) {
         // a double root may come out as a pair with an imaginary part of sqrt(epsilon)
         if (std::abs(t.imag()) < 1e-7 && std::abs(t.real()) <= 1 + 1e-12)
             roots.push_back(to_interval(std::clamp(t.real(), -1.0, 1.0)));

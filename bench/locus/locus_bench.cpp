@@ -22,8 +22,7 @@ using Mechanism = mechanisms::HolonomicMechanism;
 constexpr Parameters<Three> three_links{1, 1.1, 1.2, 1, 1.05, 1.2, 1, 1};
 
 template <Model M, int X, int Y>
-void plane(benchmark::State& state, const Parameters<M>& p, const Window& window,
-           MoreDigitsOf<CriticalSystem<M, X, Y>> digits = nullptr) {
+void plane(benchmark::State& state, const Parameters<M>& p, const Window& window, MoreDigits<> digits = nullptr) {
     Locus<M> locus;
     for (auto _ : state) locus = trace_locus<M, X, Y>(p, window, {.executor = threads(0)}, {}, digits);
     const auto& e = locus.evidence;
@@ -59,8 +58,7 @@ void plane_mechanism(benchmark::State& state) {
 }
 void plane_three_links(benchmark::State& state) {
     constexpr int mass_3 = Three::mass + 2;
-    plane<Three, mass_3, Three::omega>(state, three_links, {0.1, 2, 0.5, 5},
-                                       more_digits<CriticalSystem<Three, mass_3, Three::omega>>);
+    plane<Three, mass_3, Three::omega>(state, three_links, {0.1, 2, 0.5, 5}, more_digits);
 }
 
 }  // namespace

@@ -15,7 +15,7 @@ function(equilibria_program name source built)
     add_executable(${name} ${source} ${ARGN})
     target_link_libraries(
         ${name}
-        PRIVATE equilibria::equilibria $<TARGET_NAME_IF_EXISTS:CLI11::CLI11>
+        PRIVATE equilibria::compiled $<TARGET_NAME_IF_EXISTS:CLI11::CLI11>
                 $<TARGET_NAME_IF_EXISTS:nlohmann_json::nlohmann_json>
     )
     equilibria_warnings(${name})

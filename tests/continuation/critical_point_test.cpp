@@ -1,3 +1,6 @@
+#include <Eigen/LU>
+#include <Eigen/QR>
+
 #include <equilibria/continuation/critical_point.hpp>
 
 #include "../programs/support/structures.hpp"

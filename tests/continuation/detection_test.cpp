@@ -1,4 +1,7 @@
 // Random problems with critical points planted on a branch: none may be missed, none invented, none lost in silence.
+#include <Eigen/LU>
+#include <Eigen/QR>
+
 #include <equilibria/continuation/branch.hpp>
 #include <equilibria/core/random.hpp>
 

@@ -3,6 +3,7 @@
 
 #include <equilibria/core/random.hpp>
 #include <equilibria/enumerate/alarms.hpp>
+#include <equilibria/run/threads.hpp>
 
 #include "support/catch.hpp"
 #include "support/models.hpp"

@@ -1,4 +1,6 @@
 // The start system is a means: the roots do not depend on it. Symmetries of the set of roots.
+#include <equilibria/stability/inertia.hpp>
+
 #include "support/enumeration.hpp"
 
 using namespace equilibria;

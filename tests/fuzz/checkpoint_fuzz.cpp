@@ -9,16 +9,14 @@
 
 #include <equilibria/storage/checkpoint.hpp>
 
-#include "support/models.hpp"
-
 using namespace equilibria;
 using detail::Bytes;
 using File = detail::CheckpointFile;
-using M = models::TwoAngleMechanism;
+const RuntimeSizes sizes(2, 0);
 
 namespace {
 
-const std::vector<File::Field> header{{"m", "1"}};
+const detail::CheckpointFields header{{"m", "1"}};
 const std::string header_text = "m: 1\n";
 constexpr std::uint64_t paths = 5, block = 2;
 
@@ -62,7 +60,7 @@ Bytes with_right_sums(std::span<const std::uint8_t> input) {
 /// A sound file of two blocks, changed. input: places (2 bytes) and what is added there.
 Bytes with_changes(std::span<const std::uint8_t> input) {
     Bytes records;
-    const auto size = detail::Checkpoint<M>::endpoint_size;
+    const auto size = detail::Checkpoint::endpoint_size(sizes);
     for (const auto& [which, ends] : {std::pair{2, 1}, std::pair{0, 2}}) {
         Bytes record(24 + static_cast<std::size_t>(ends) * size + 8);
         detail::put_number(&record[0], record.size() - 16);
@@ -119,15 +117,17 @@ std::optional<std::vector<Bytes>> records(const std::string& name, const Bytes* 
 std::optional<std::set<std::uint64_t>> blocks(const std::string& name) {
     std::set<std::uint64_t> found;
     try {
-        detail::Checkpoint<M> checkpoint(
-            name, header, paths, block, [&](std::uint64_t which, std::span<const Endpoint<M>> ends, std::uint64_t) {
+        detail::Checkpoint checkpoint(
+            name, header, paths, block,
+            [&](std::uint64_t which, std::span<const Endpoint> ends, std::uint64_t) {
                 require_that(which < 3 && ends.size() == (which == 2 ? 1 : 2) && found.insert(which).second);
                 for (const auto& end : ends)
                     require_that(end.arrival <= Arrival::stuck && end.status <= PathStatus::failed &&
                                  end.reason <= FailureReason::endgame_undecided);
-            });
+            },
+            sizes);
         for (const std::uint64_t which : found) {
-            std::vector<Endpoint<M>> ends(checkpoint.size(which));
+            std::vector<Endpoint> ends(checkpoint.size(which));
             checkpoint.read(which, 0, ends);
         }
     } catch (const CheckpointError&) {

@@ -2,7 +2,6 @@
 #include <cmath>
 
 #include <equilibria/homotopy/detail/divergence.hpp>
-#include <equilibria/system/sparse_system.hpp>
 
 #include "support/catch.hpp"
 
@@ -11,11 +10,9 @@ using namespace equilibria::detail;
 
 namespace {
 
-using M = UnknownsOf<0, 2>;
-
 /// x_1 = (1-t)^-power where 1-t = r; x_2 stays.
-Point<M, double> at(double r, double power) {
-    Point<M, double> q;
+RuntimePoint<double> at(double r, double power) {
+    auto q = point_of_zeros<RuntimeUnknowns, double>({0, 2});
     q.x[0] = {std::pow(r, -power), 0};
     q.x[1] = {0.3, 0.4};
     return q;
@@ -25,7 +22,7 @@ Point<M, double> at(double r, double power) {
 
 TEST_CASE("a path that goes out like a power of 1-t diverges, a finite one does not") {
     for (const double power : {0.25, 0.5, 1.0, 3.0}) {
-        const Valuations<M> nu{power, 0};
+        const Valuations nu{power, 0};
         const auto q = at(1e-9, power);
         CHECK(farthest(q) == 0);
         CHECK(is_far(q));
@@ -39,7 +36,7 @@ TEST_CASE("a path that goes out like a power of 1-t diverges, a finite one does 
 }
 
 TEST_CASE("growth between two radii is the valuation's") {
-    const Valuations<M> nu{1, 0};
+    const Valuations nu{1, 0};
     CHECK(grows(at(1e-6, 1), nu, at(1e-5, 1), nu));
     CHECK_FALSE(grows(at(1e-6, 1), {2, 0}, at(1e-5, 1), {2, 0}));  // grew by less
     CHECK_FALSE(grows(at(1e-3, 1), nu, at(1e-2, 1), nu));          // not very far out
@@ -47,7 +44,7 @@ TEST_CASE("growth between two radii is the valuation's") {
 }
 
 TEST_CASE("loops exclude finite points only where both show the same pole") {
-    ClosedLoop<M, double> now, wider;
+    ClosedLoop<double> now, wider;
     now.winding = wider.winding = 2;
     now.pole = wider.pole = 1;
     now.beyond = 1e-3;

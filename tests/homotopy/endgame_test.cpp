@@ -4,6 +4,8 @@
 #include <cmath>
 
 #include <equilibria/enumerate/enumerate.hpp>
+#include <equilibria/evaluation/table_evaluation.hpp>
+#include <equilibria/homotopy/endgame.hpp>
 
 #include "support/catch.hpp"
 #include "support/models.hpp"
@@ -41,17 +43,16 @@ struct SlowQuartic {
 
 template <class M>
 struct Ends {
-    std::vector<Endpoint<M>> ends;
+    std::vector<Endpoint> ends;
 
     explicit Ends(const Parameters<M>& p, std::uint64_t seed = 1) {
         Generator generator(seed);
         const ModelSystem<M> target(p);
         const TotalDegree<M> start(target, generator);
-        const ModelHomotopy<M, TotalDegree<M>> h(target, start);
+        const PolynomialHomotopy h = ModelHomotopy<M, TotalDegree<M>>(target, start).polynomials();
         const detail::Polisher polisher(h);
         for (std::uint64_t path = 0; path < static_cast<std::uint64_t>(total_degree<M>()); ++path)
-            ends.push_back(detail::Endgame<ModelHomotopy<M, TotalDegree<M>>>(h, polisher, TrackerOptions{})
-                               .from_start(start.point(path)));
+            ends.push_back(detail::Endgame(h, polisher, TrackerOptions{}).from_start(runtime_point(start.point(path))));
     }
     void check(PathStatus status, int winding) const {
         for (const auto& end : ends) {

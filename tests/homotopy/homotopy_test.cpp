@@ -2,6 +2,7 @@
 #include <complex>
 
 #include <equilibria/enumerate/enumerate.hpp>
+#include <equilibria/evaluation/table_evaluation.hpp>
 #include <equilibria/mechanisms/rotating_chain.hpp>
 
 #include "support/catch.hpp"
@@ -65,18 +66,29 @@ ModelHomotopy<M, StartSystem> random_homotopy(Generator& generator, const Parame
     }
 }
 
-template <class M, class StartSystem>
+/// H: the model's homotopy, or the same as data.
+template <class M, class StartSystem, class H = ModelHomotopy<M, StartSystem>>
 struct Case {
-    using H = ModelHomotopy<M, StartSystem>;
     static constexpr int n = n_unknowns<M>;
     Generator generator{static_cast<std::uint64_t>(n) + 10};
     Parameters<M> p = random_parameters<M>(generator);
-    H h = random_homotopy<M, StartSystem>(generator, p);
+    H h = [&] {
+        auto y = random_homotopy<M, StartSystem>(generator, p);
+        if constexpr (std::is_same_v<H, PolynomialHomotopy>)
+            return y.polynomials();
+        else
+            return y;
+    }();
     typename H::template Evaluation<double, double> evaluation{h};
 
+    auto point() {
+        Point<typename H::System, double> y;
+        copy_lane(random_point<M>(generator), 0, y, 0);
+        return y;
+    }
     void at_the_target_it_is_the_model() {
         for (int k = 0; k < 20; ++k) {
-            const auto q = random_point<M>(generator);
+            const auto q = point();
             Z f[n];
             evaluation.value(q, 1.0, f);
             detail::AnglesOf<M, Z> theta;
@@ -89,7 +101,7 @@ struct Case {
     }
     void the_jacobian_is_the_derivative() {
         for (int k = 0; k < 20; ++k) {
-            const auto q = random_point<M>(generator);
+            const auto q = point();
             const double t = uniform(generator), e = 1e-5;
             Z f[n], j[n][n];
             evaluation.jacobian(q, t, f, j);
@@ -97,9 +109,9 @@ struct Case {
                 Z step[n], up[n], down[n];
                 for (Z& z : step) z = {0, 0};
                 step[c] = {e, 0};
-                evaluation.value(moved<M, double>(q, step), t, up);
+                evaluation.value(moved(q, step), t, up);
                 step[c] = {-e, 0};
-                evaluation.value(moved<M, double>(q, step), t, down);
+                evaluation.value(moved(q, step), t, down);
                 for (int r = 0; r < n; ++r) {
                     // with a potential only the upper triangle is given
                     const Z& entry = Formulation<M>::has_potential && r > c ? j[c][r] : j[r][c];
@@ -111,7 +123,7 @@ struct Case {
     }
     /// -[t^k] H with the coefficients q_1, q_2 given and q_3 = 0: against the third difference of H along that path.
     void taylor_coefficients_are_those_of_the_path() {
-        const auto q = random_point<M>(generator);
+        const auto q = point();
         const double t = 0.4;
         Z f[n], j[n][n], given[2][n], right[3][n];
         for (auto& d : given)
@@ -126,7 +138,7 @@ struct Case {
         const auto along = [&](double by, Z(&value)[n]) {
             Z step[n];
             for (int u = 0; u < n; ++u) step[u] = by * (given[0][u] + by * given[1][u]);
-            typename H::template Evaluation<double, double>(h).value(moved<M, double>(q, step), t + by, value);
+            typename H::template Evaluation<double, double>(h).value(moved(q, step), t + by, value);
         };
         Z minus2[n], minus1[n], plus1[n], plus2[n];
         along(-2 * e, minus2), along(-e, minus1), along(e, plus1), along(2 * e, plus2);
@@ -165,9 +177,19 @@ TEST_CASE("homotopy with multiples, powers and phases, from other parameters") {
 }
 
 TEST_CASE("homotopy of more terms than are unrolled, from other parameters") {
-    using H = ModelHomotopy<Dense, Moving<Dense>>;
-    static_assert(std::is_same_v<H::Evaluation<double, double>, detail::TableEvaluation<H, double, double>>);
-    Case<Dense, Moving<Dense>>().all();
+    static_assert(!ModelHomotopy<Dense, Moving<Dense>>::unrolls);
+    Case<Dense, Moving<Dense>, PolynomialHomotopy>().all();
+}
+
+TEST_CASE("the same homotopies as data") {
+    using Chain = mechanisms::RotatingChain<3>;
+    Case<Chain, Reflected<Chain>, PolynomialHomotopy>().all();
+    Case<Chain, TotalDegree<Chain>, PolynomialHomotopy>().all();
+    Case<Chain, Moving<Chain>, PolynomialHomotopy>().all();
+    Case<models::CoupledAngles<3>, TotalDegree<models::CoupledAngles<3>>, PolynomialHomotopy>().all();
+    Case<models::ElasticPendulum, TotalDegree<models::ElasticPendulum>, PolynomialHomotopy>().all();
+    Case<models::Everything, TotalDegree<models::Everything>, PolynomialHomotopy>().all();
+    Case<models::Everything, Moving<models::Everything>, PolynomialHomotopy>().all();
 }
 
 TEST_CASE(

@@ -22,8 +22,8 @@ struct Paths {
     ModelHomotopy<M, TotalDegree<M>> h{target, start};
 
     template <class R, bool Pivoted = false>
-    std::vector<Endpoint<M>> track(const std::vector<std::uint64_t>& paths) const {
-        std::vector<Endpoint<M>> ends(paths.size());
+    std::vector<Endpoint> track(const std::vector<std::uint64_t>& paths) const {
+        std::vector<Endpoint> ends(paths.size());
         const auto point = [&](std::uint64_t k) { return start.point(k); };
         track_lanes<R, Pivoted>(h, TrackerOptions{}, std::span(paths), point, std::span(ends));
         return ends;
@@ -36,13 +36,13 @@ std::vector<std::uint64_t> all_paths() {
     return y;
 }
 
-double distance(const Endpoint<M>& a, const Endpoint<M>& b) {
+double distance(const Endpoint& a, const Endpoint& b) {
     double sum = 0;
     for (int i = 0; i < 2; ++i) sum += norm2(a.q.c[i] - b.q.c[i]) + norm2(a.q.s[i] - b.q.s[i]);
     return std::sqrt(sum);
 }
 
-bool identical(const Endpoint<M>& a, const Endpoint<M>& b) {
+bool identical(const Endpoint& a, const Endpoint& b) {
     return distance(a, b) == 0 && a.t == b.t && a.steps == b.steps && a.arrival == b.arrival;
 }
 
@@ -51,7 +51,7 @@ bool identical(const Endpoint<M>& a, const Endpoint<M>& b) {
 TEST_CASE("every path arrives: in lanes, alone, with either factorisation, in long double") {
     const Paths paths;
     const auto ends = paths.track<Pack>(all_paths());
-    const auto check = [&](const std::vector<Endpoint<M>>& others) {
+    const auto check = [&](const std::vector<Endpoint>& others) {
         for (std::size_t k = 0; k < 16; ++k) {
             CHECK(others[k].arrival == Arrival::end);
             CHECK(others[k].t == 1);

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include <equilibria/enumerate/enumerate.hpp>
+#include <equilibria/evaluation/table_evaluation.hpp>
 #include <equilibria/homotopy/endgame.hpp>
 
 #include "support/catch.hpp"
@@ -21,7 +22,7 @@ TEST_CASE("paths tracked with 50 digits arrive where those of double do") {
     const ModelHomotopy<M, TotalDegree<M>> h(target, start);
     const auto points = [&](std::uint64_t k) { return start.point(k); };
     const std::vector<std::uint64_t> paths{0, 1};
-    std::vector<Endpoint<M>> ends(2), exact(2);
+    std::vector<Endpoint> ends(2), exact(2);
     track_lanes<double, true>(h, TrackerOptions{}, std::span(paths), points, std::span(ends));
     track_lanes<Digits50, true>(h, TrackerOptions{}, std::span(paths), points, std::span(exact));
     for (std::size_t k = 0; k < 2; ++k) {
@@ -44,16 +45,16 @@ struct Cubic {
 
 /// The ends of all paths, endgame included, with 50 digits.
 template <class M>
-std::vector<Endpoint<M>> ends(const Parameters<M>& p, std::uint64_t seed) {
+std::vector<Endpoint> ends(const Parameters<M>& p, std::uint64_t seed) {
     Generator generator(seed);
     const ModelSystem<M> target(p);
     const TotalDegree<M> start(target, generator);
-    const ModelHomotopy<M, TotalDegree<M>> h(target, start);
+    const PolynomialHomotopy h = ModelHomotopy<M, TotalDegree<M>>(target, start).polynomials();
     const detail::Polisher polisher(h);
-    std::vector<Endpoint<M>> y;
+    std::vector<Endpoint> y;
     for (std::uint64_t path = 0; path < static_cast<std::uint64_t>(total_degree<M>()); ++path)
-        y.push_back(detail::Endgame<ModelHomotopy<M, TotalDegree<M>>, Digits50>(h, polisher, TrackerOptions{})
-                        .from_start(start.point(path)));
+        y.push_back(detail::Endgame<PolynomialHomotopy, Digits50>(h, polisher, TrackerOptions{})
+                        .from_start(runtime_point(start.point(path))));
     return y;
 }
 

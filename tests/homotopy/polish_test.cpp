@@ -3,6 +3,7 @@
 #include <complex>
 
 #include <equilibria/enumerate/enumerate.hpp>
+#include <equilibria/homotopy/polish.hpp>
 #include <equilibria/mechanisms/rotating_chain.hpp>
 
 #include "support/catch.hpp"

@@ -11,7 +11,7 @@ using namespace equilibria;
 
 namespace {
 
-using P = PadePredictor<double, 1>;
+using P = PadePredictor<double>;
 
 /// How far off it is on q(h) = 1 / (2 - h), which has its pole at 2.
 double error_at(double h) {
@@ -35,5 +35,5 @@ TEST_CASE("the predictor's error grows with its local order of the step, and it 
     // one pole: exact, and found
     CHECK(error_at(1) < 1e-15);
     Complex<double> taylor[3][1]{{{0.25, 0}}, {{0.125, 0}}, {{0.0625, 0}}};
-    CHECK(P::pole(taylor) == Approx(2));
+    CHECK(P::pole(taylor, 1) == Approx(2));
 }

@@ -1,6 +1,7 @@
 // Paths along segments of the complex t-plane: in lanes each for itself, and there and back to where it was.
 #include <vector>
 
+#include <equilibria/evaluation/table_evaluation.hpp>
 #include <equilibria/homotopy/detail/segments.hpp>
 #include <equilibria/homotopy/model_homotopy.hpp>
 #include <equilibria/mechanisms/rotating_chain.hpp>
@@ -14,21 +15,21 @@ using detail::Progress;
 namespace {
 
 using M = mechanisms::TwoLinkChain;
-using H = ModelHomotopy<M, TotalDegree<M>>;
-using Segment = detail::Segment<M, double>;
+using H = PolynomialHomotopy;
+using Segment = detail::Segment<double>;
 
 struct Chain {
     Generator generator{1};
     ModelSystem<M> target{Parameters<M>{.3, 1.5, 2}};
     TotalDegree<M> start{target, generator};
-    H h{target, start};
+    H h = ModelHomotopy<M, TotalDegree<M>>(target, start).polynomials();
     detail::SegmentLanes<H, double> lanes{h, TrackerOptions{}, 1e-9};
 
     /// From the starts of the first paths.
     std::vector<Segment> segments(std::uint64_t paths, Complex<double> to) const {
         std::vector<Segment> y(paths);
         for (std::uint64_t k = 0; k < paths; ++k) {
-            y[k].q = start.point(k);
+            y[k].q = runtime_point(start.point(k));
             y[k].from = {0, 0};
             y[k].to = to;
         }
@@ -45,7 +46,7 @@ struct ThereAndBack : Segment {
         std::swap(from, to);
         return true;
     }
-    bool take(const Point<M, double>& at) {
+    bool take(const RuntimePoint<double>& at) {
         q = at;
         return ++taken < 4;
     }
@@ -105,8 +106,9 @@ TEST_CASE("an expansion: corrected, with the speed of the path in units of the r
     Chain chain;
     auto paths = chain.segments(3, {0.5, 0});
     chain.lanes.follow(std::span(paths));
-    std::vector<detail::Expansion<M, double>> points;
-    for (const Segment& path : paths) points.push_back({.q = path.q, .r = 0.5, .noise = 0, .nu = {}});
+    std::vector<detail::Expansion<double>> points;
+    for (const Segment& path : paths)
+        points.push_back({.q = path.q, .r = 0.5, .noise = 0, .nu = SizedArray<double, at_run_time>(2)});
     chain.lanes.expand(std::span(points));
     // a step of h towards t = 1 moves an angle by h q', r q' = nu
     const double h = 1e-6;

@@ -18,16 +18,16 @@ using M = mechanisms::TwoLinkChain;
 using H = ModelHomotopy<M, TotalDegree<M>>;
 
 /// Along the tangent.
-template <class R, int n>
+template <class R>
 struct Euler {
     static constexpr int order = 1;
     static constexpr int local_order = 2;
-    static Complex<R> change(const Complex<R> (&taylor)[order][n], int u, const R& h) { return h * taylor[0][u]; }
-    static R pole(const Complex<R> (&)[order][n]) { return broadcast<R>(1.0); }
+    static Complex<R> change(const auto& taylor, int u, const R& h) { return h * taylor[0][u]; }
+    static R pole(const auto&, int) { return broadcast<R>(1.0); }
 };
 struct EulerTracking : PadeTracking {
-    template <class R, int n>
-    using Predictor = Euler<R, n>;
+    template <class R>
+    using Predictor = Euler<R>;
 };
 
 /// Steps of half the length that the control of contractions proposes.

@@ -107,7 +107,7 @@ TEST_CASE("Variables of a polynomial system come as they appear, or as they are 
 TEST_CASE("A polynomial system from a file is solved") {
     const tests::ScratchFile file("katsura");
     file.write({katsura_3.begin(), katsura_3.end()});
-    const auto system = sparse_system<4>(read_phcpack(file.name()));
+    const auto system = sparse_system(read_phcpack(file.name()));
     const auto found = solve_multihomogeneous(system, Array<int, 4>{}, {.seed = 3});
     CHECK(found.paths.total == 8);
     CHECK(found.paths.accounted_for());

@@ -4,6 +4,8 @@
 #include <set>
 #include <vector>
 
+#include <equilibria/stability/inertia.hpp>
+
 #include "support/enumeration.hpp"
 
 using namespace equilibria;

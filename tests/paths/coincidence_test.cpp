@@ -3,7 +3,7 @@
 #include <vector>
 
 #include <equilibria/core/random.hpp>
-#include <equilibria/paths/coincidence.hpp>
+#include <equilibria/paths/detail/coincidence_finder.hpp>
 
 #include "support/catch.hpp"
 #include "support/models.hpp"
@@ -12,12 +12,13 @@ using namespace equilibria;
 
 namespace {
 
-using M = models::ElasticPendulum;
-using Q = Point<M, double>;
-using Finder = detail::CoincidenceFinder<M>;
+using Q = RuntimePoint<double>;
+using Finder = detail::CoincidenceFinder;
+
+const RuntimeSizes sizes(1, 1);
 
 Q point(std::complex<double> theta, std::complex<double> x) {
-    Q q;
+    auto q = point_of_zeros<RuntimeUnknowns, double>(sizes);
     set_lane(q.c[0], 0, std::cos(theta));
     set_lane(q.s[0], 0, std::sin(theta));
     set_lane(q.x[0], 0, x);
@@ -27,7 +28,7 @@ Q point(std::complex<double> theta, std::complex<double> x) {
 using Groups = std::vector<std::vector<std::size_t>>;
 
 Groups groups(const std::vector<Q>& points, double tolerance, bool reflected = false) {
-    return Finder(reflected).groups(points.size(), [&](std::size_t k) { return &points[k]; }, tolerance);
+    return Finder(reflected, sizes).groups(points.size(), [&](std::size_t k) { return &points[k]; }, tolerance);
 }
 
 }  // namespace
@@ -58,7 +59,7 @@ TEST_CASE("the tolerance is relative to the size of the points") {
 TEST_CASE("points that are left out are in no group") {
     const std::vector<Q> points(4, point(1, 2));
     const auto found =
-        Finder(false).groups(points.size(), [&](std::size_t k) { return k == 2 ? nullptr : &points[k]; }, 1e-9);
+        Finder(false, sizes).groups(points.size(), [&](std::size_t k) { return k == 2 ? nullptr : &points[k]; }, 1e-9);
     CHECK(found == Groups{{0, 1, 3}});
 }
 

@@ -4,6 +4,7 @@
 #include <complex>
 
 #include <equilibria/enumerate/enumerate.hpp>
+#include <equilibria/evaluation/table_evaluation.hpp>
 #include <equilibria/model/torus.hpp>
 #include <equilibria/paths/complex_roots.hpp>
 #include <equilibria/start/linear_product.hpp>
@@ -32,14 +33,14 @@ TEST_CASE("the start system has as many solutions as the multihomogeneous number
     Generator generator(3);
     const Parameters<Grouped> p{.7, .4, .3};
     const auto system = sparse_system<Grouped>(p);
-    const LinearProduct<2, 1> start(system, Grouped::grouping, unit_complex(generator), generator);
+    const LinearProduct start(system, Grouped::grouping, unit_complex(generator), generator);
     CHECK(static_cast<std::int64_t>(start.solutions().size()) ==
           multihomogeneous_number<Grouped>(Grouped::grouping).value);
     CHECK(start.solutions().size() == 12);
     CHECK(total_degree<Grouped>() == 24);
     // H(q, 0) = G
-    const MultihomogeneousHomotopy<2, 1> homotopy(system, start);
-    MultihomogeneousHomotopy<2, 1>::Evaluation<double, double> evaluation(homotopy);
+    const PolynomialHomotopy homotopy(system, start);
+    PolynomialHomotopy::Evaluation<double, double> evaluation(homotopy);
     for (std::uint64_t k = 0; k < start.solutions().size(); ++k) {
         Complex<double> g[3];
         evaluation.value(start.point(k), 0.0, g);
@@ -76,7 +77,7 @@ TEST_CASE("a linear-product start finds the roots that a total-degree start find
 TEST_CASE("terms with the coefficient 0 cost no paths") {
     Generator generator(1);
     const auto solutions = [&](const Parameters<Grouped>& p) {
-        return LinearProduct<2, 1>(sparse_system<Grouped>(p), Grouped::grouping, 1.0, generator).solutions().size();
+        return LinearProduct(sparse_system<Grouped>(p), Grouped::grouping, 1.0, generator).solutions().size();
     };
     CHECK(solutions({.7, .4, .3}) == 12);
     CHECK(solutions({0, .4, .3}) == 4);

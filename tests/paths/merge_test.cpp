@@ -4,6 +4,7 @@
 
 #include <equilibria/evaluation/point_of.hpp>
 #include <equilibria/paths/merge.hpp>
+#include <equilibria/storage/endpoint_store.hpp>
 
 #include "support/catch.hpp"
 
@@ -11,13 +12,11 @@ using namespace equilibria;
 
 namespace {
 
-using S = struct OneAngle {
-    static constexpr int n_angles = 1, n_coordinates = 0;
-};
+const RuntimeSizes one_angle(1, 0);
 
-Endpoint<S> endpoint(PathStatus status, double theta, int winding = 1) {
-    Endpoint<S> end;
-    end.q = point_of<S>({std::complex<double>(theta)});
+Endpoint endpoint(PathStatus status, double theta, int winding = 1) {
+    Endpoint end;
+    end.q = point_of<RuntimeUnknowns>({std::complex<double>(theta)}, one_angle);
     end.status = status;
     end.reason = status == PathStatus::failed ? FailureReason::too_many_steps : FailureReason::none;
     end.winding_number = static_cast<std::int16_t>(winding);
@@ -25,9 +24,8 @@ Endpoint<S> endpoint(PathStatus status, double theta, int winding = 1) {
     return end;
 }
 
-PathSet<S> records(const std::vector<Endpoint<S>>& ends, PathNumbering numbering,
-                   std::vector<Endpoint<S>> resting = {}) {
-    detail::EndpointStore<S> store(ends.size(), 4);
+PathSet records(const std::vector<Endpoint>& ends, PathNumbering numbering, std::vector<Endpoint> resting = {}) {
+    detail::EndpointStore store(ends.size(), 4, one_angle);
     for (std::size_t first = 0; first < ends.size(); first += 4)
         store.put(first / 4, std::span(ends).subspan(first, std::min<std::size_t>(4, ends.size() - first)), 0);
     return {std::move(numbering), std::move(store), std::move(resting)};
@@ -89,10 +87,10 @@ TEST_CASE("mirror images that end at one point are one root") {
 }
 
 TEST_CASE("paths of a cancelled run are counted as cancelled, and are no roots") {
-    detail::EndpointStore<S> store(8, 4);
-    const std::vector<Endpoint<S>> ends(4, endpoint(PathStatus::finite, 1));
+    detail::EndpointStore store(8, 4, one_angle);
+    const std::vector<Endpoint> ends(4, endpoint(PathStatus::finite, 1));
     store.put(1, ends, 0);
-    PathSet<S> paths(PathNumbering::all(8), std::move(store), {});
+    PathSet paths(PathNumbering::all(8), std::move(store), {});
     const auto [counts, failures] = account_for(paths);
     CHECK(counts.accounted_for());
     CHECK(counts.cancelled == 4);

@@ -14,7 +14,7 @@ using detail::CheckpointFile;
 
 namespace {
 
-using Header = std::vector<CheckpointFile::Field>;
+using Header = detail::CheckpointFields;
 const Header header{{"model", "a pendulum"}, {"seed", "1"}};
 const std::vector<Bytes> records{{1, 2, 3}, {}, {0xff, 0, 7, 9, 11, 13, 17}};
 

@@ -12,6 +12,7 @@
 #include <thread>
 
 #include <equilibria/enumerate/stream.hpp>
+#include <equilibria/storage/checkpoint.hpp>
 
 #include "support/enumeration.hpp"
 #include "support/models.hpp"
@@ -62,8 +63,12 @@ TrackerOptions careless() {
     return {.contraction = 0.05, .largest_contraction = 0.1, .largest_turn = 0.5, .pole_fraction = 0.99};
 }
 
-Endpoint<models::Everything> random_endpoint(Generator& generator) {
-    Endpoint<models::Everything> e;
+/// Of one angle and three coordinates.
+const RuntimeSizes sizes(1, 3);
+
+Endpoint random_endpoint(Generator& generator) {
+    Endpoint e;
+    e.q = point_of_zeros<RuntimeUnknowns, double>(sizes);
     const auto any = [&] { return std::bit_cast<double>(generator()); };
     for (auto& z : e.q.c) z = {any(), any()};
     for (auto& z : e.q.s) z = {any(), any()};
@@ -79,7 +84,7 @@ Endpoint<models::Everything> random_endpoint(Generator& generator) {
 }
 
 /// Each field's bits, one after the other.
-std::vector<std::uint64_t> bits(const Endpoint<models::Everything>& e) {
+std::vector<std::uint64_t> bits(const Endpoint& e) {
     std::vector<std::uint64_t> all;
     const auto add = [&](double x) { all.push_back(std::bit_cast<std::uint64_t>(x)); };
     for (const auto& z : e.q.c) add(z.re), add(z.im);
@@ -98,47 +103,46 @@ std::vector<std::uint64_t> bits(const Endpoint<models::Everything>& e) {
 }  // namespace
 
 TEST_CASE("every field of an endpoint comes back bit by bit, whatever it holds") {
-    using M = models::Everything;
-    using Checkpoint = detail::Checkpoint<M>;
+    using Checkpoint = detail::Checkpoint;
     const ScratchFile scratch("fields.ckpt");
-    const detail::CheckpointFile::Field name{"model", "everything"};
+    const detail::CheckpointField name{"model", "everything"};
     Generator generator(1);
-    std::vector<Endpoint<M>> ends;
+    std::vector<Endpoint> ends;
     for (int k = 0; k < 25; ++k) ends.push_back(random_endpoint(generator));
     ends[0].t = -0.0;
     ends[1].t = std::numeric_limits<double>::signaling_NaN();
     {
-        Checkpoint file(scratch.name(), {name}, 25, 10, [](auto...) { FAIL("a new file holds a block"); });
-        file.append(2, std::span<const Endpoint<M>>(ends).subspan(20, 5), 3);
-        file.append(0, std::span<const Endpoint<M>>(ends).first(10), 0);
+        Checkpoint file(scratch.name(), {name}, 25, 10, [](auto...) { FAIL("a new file holds a block"); }, sizes);
+        file.append(2, std::span<const Endpoint>(ends).subspan(20, 5), 3);
+        file.append(0, std::span<const Endpoint>(ends).first(10), 0);
     }
     std::vector<std::uint64_t> blocks;
-    const Checkpoint file(scratch.name(), {name}, 25, 10,
-                          [&](std::uint64_t block, std::span<const Endpoint<M>> found, std::uint64_t retracked) {
-                              blocks.push_back(block);
-                              CHECK(retracked == (block == 2 ? 3 : 0));
-                              REQUIRE(found.size() == (block == 2 ? 5 : 10));
-                              for (std::size_t k = 0; k < found.size(); ++k)
-                                  CHECK(bits(found[k]) == bits(ends[10 * block + k]));
-                          });
+    const Checkpoint file(
+        scratch.name(), {name}, 25, 10,
+        [&](std::uint64_t block, std::span<const Endpoint> found, std::uint64_t retracked) {
+            blocks.push_back(block);
+            CHECK(retracked == (block == 2 ? 3 : 0));
+            REQUIRE(found.size() == (block == 2 ? 5 : 10));
+            for (std::size_t k = 0; k < found.size(); ++k) CHECK(bits(found[k]) == bits(ends[10 * block + k]));
+        },
+        sizes);
     CHECK(blocks == std::vector<std::uint64_t>{2, 0});
     CHECK(file.has(0));
     CHECK_FALSE(file.has(1));
     CHECK(file.size(1) == 10);
     CHECK(file.size(2) == 5);
-    std::vector<Endpoint<M>> two(2);
+    std::vector<Endpoint> two(2);
     file.read(2, 3, two);
     CHECK(bits(two[0]) == bits(ends[23]));
     CHECK(bits(two[1]) == bits(ends[24]));
     // 5 points of the plane, 4 numbers, and the rest: 4 + 2 + 3 bytes
-    CHECK(Checkpoint::endpoint_size == 5 * 16 + 4 * 8 + 9);
+    CHECK(Checkpoint::endpoint_size(sizes) == 5 * 16 + 4 * 8 + 9);
     CHECK(scratch.bytes().size() ==
-          1536 + std::string("model: everything\n").size() + 2 * (16 + 16) + 15 * Checkpoint::endpoint_size);
+          1536 + std::string("model: everything\n").size() + 2 * (16 + 16) + 15 * Checkpoint::endpoint_size(sizes));
 }
 
 TEST_CASE("records that do not fit the run are refused with their number") {
-    using M = models::Everything;
-    const detail::CheckpointFile::Field name{"model", "everything"};
+    const detail::CheckpointField name{"model", "everything"};
     const auto said = [&](const std::vector<detail::Bytes>& records) -> std::string {
         const ScratchFile scratch("misfits.ckpt");
         {
@@ -148,7 +152,7 @@ TEST_CASE("records that do not fit the run are refused with their number") {
         const auto before = scratch.bytes();
         std::string wrong = "nothing";
         try {
-            detail::Checkpoint<M>(scratch.name(), {name}, 25, 10, [](auto...) {});
+            detail::Checkpoint(scratch.name(), {name}, 25, 10, [](auto...) {}, sizes);
         } catch (const CheckpointError& error) {
             wrong = error.wrong().substr(0, error.wrong().find(';'));
         }
@@ -156,7 +160,7 @@ TEST_CASE("records that do not fit the run are refused with their number") {
         return wrong;
     };
     const auto record = [](std::uint8_t block, std::size_t size) {
-        detail::Bytes bytes(16 + size * detail::Checkpoint<M>::endpoint_size);
+        detail::Bytes bytes(16 + size * detail::Checkpoint::endpoint_size(sizes));
         bytes[0] = block;
         return bytes;
     };

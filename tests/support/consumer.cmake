@@ -1,5 +1,6 @@
 # Configures, builds and runs the project in tests/consumer/WAY against the tree SOURCE, or against a copy installed from
-# the build tree BUILT. BINARY is this script's own. A user who asks for no warning must see none.
+# the build tree BUILT. TARGET: equilibria or compiled. BINARY is this script's own. A user who asks for no warning must
+# see none. REFUSED: what the linker has to say, where the project must not link.
 cmake_minimum_required(VERSION 3.25)
 
 file(REMOVE_RECURSE ${BINARY})
@@ -24,8 +25,17 @@ execute_process(
         ${CMAKE_COMMAND} -G ${GENERATOR} -S ${SOURCE}/tests/consumer/${WAY} -B ${BINARY}/build
         -DCMAKE_CXX_COMPILER=${COMPILER} -DCMAKE_CXX_COMPILER_LAUNCHER=${LAUNCHER} -DCMAKE_PREFIX_PATH=${prefix}
         -DCMAKE_COMPILE_WARNING_AS_ERROR=ON
-        -DEQUILIBRIA_TREE=${SOURCE} -DEQUILIBRIA_EXPECTED_VERSION=${VERSION}
+        -DEQUILIBRIA_TREE=${SOURCE} -DEQUILIBRIA_TARGET=${TARGET} -DEQUILIBRIA_EXPECTED_VERSION=${VERSION}
     COMMAND_ERROR_IS_FATAL ANY
 )
+if(REFUSED)
+    execute_process(
+        COMMAND ${CMAKE_COMMAND} --build ${BINARY}/build OUTPUT_VARIABLE said ERROR_VARIABLE said RESULT_VARIABLE status
+    )
+    if(status EQUAL 0 OR NOT said MATCHES "${REFUSED}")
+        message(FATAL_ERROR "the project must not link, for the reason '${REFUSED}':\n${said}")
+    endif()
+    return()
+endif()
 execute_process(COMMAND ${CMAKE_COMMAND} --build ${BINARY}/build COMMAND_ERROR_IS_FATAL ANY)
 execute_process(COMMAND ${BINARY}/build/consumer COMMAND_ERROR_IS_FATAL ANY)

@@ -36,6 +36,7 @@
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 
+#include <equilibria/continuation/generic_vector.hpp>
 #include <equilibria/continuation/redundant_constraints.hpp>
 #include <equilibria/core/error.hpp>
 
@@ -153,16 +154,6 @@ int multipliers(const P& problem) {
 namespace detail {
 
 inline const double third_root_of_rounding = std::cbrt(std::numeric_limits<double>::epsilon());
-
-/// Entries in [-1, 1] without a pattern that a structure could share; number k of such vectors.
-inline Eigen::VectorXd generic_vector(Eigen::Index size, Eigen::Index k = 0) {
-    Eigen::VectorXd v(size);
-    for (Eigen::Index i = 0; i < size; ++i) {
-        const Eigen::Index m = (i + k) % 7919;
-        v(i) = std::cos(1.0 + static_cast<double>(m * m % 7919));
-    }
-    return v;
-}
 
 /// The step of a central difference along v: one that moves by eps^(1/3), by the problem's weights.
 template <ContinuationProblem P>

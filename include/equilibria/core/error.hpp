@@ -4,29 +4,48 @@
 #pragma once
 
 #include <cmath>
-#include <locale>
-#include <sstream>
+#include <complex>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <type_traits>
+
+#include <equilibria/core/compiled.hpp>
 
 namespace equilibria {
 
 /// A broken precondition. `what()` reads "<argument> = <value>: <what is allowed>".
 class InvalidArgument : public std::invalid_argument {
 public:
-    InvalidArgument(std::string_view argument, std::string_view value, std::string_view allowed)
-        : std::invalid_argument(std::string(argument) + " = " + std::string(value) + ": " + std::string(allowed)) {}
+    InvalidArgument(std::string_view argument, std::string_view value, std::string_view allowed);
 };
 
-/// Writes a value for an error message, with every digit of a floating-point number.
+namespace detail {
+std::string number_text(double value);
+std::string number_text(long double value);
+template <class T>
+inline constexpr bool is_complex = false;
+template <class R>
+inline constexpr bool is_complex<std::complex<R>> = true;
+}  // namespace detail
+
+/// Writes a value for an error message, with every digit of a floating-point number. Of other types than numbers,
+/// complex numbers and strings: what their member text(digits) or str(digits) gives.
 template <class T>
 std::string to_text(const T& value) {
-    std::ostringstream out;
-    out.imbue(std::locale::classic());
-    out.precision(17);
-    out << value;
-    return out.str();
+    if constexpr (std::is_integral_v<T>)
+        return std::to_string(value);
+    else if constexpr (std::is_floating_point_v<T>)
+        return detail::number_text(value);
+    else if constexpr (std::is_convertible_v<const T&, std::string_view>)
+        return std::string(std::string_view(value));
+    else if constexpr (detail::is_complex<T>)
+        return "(" + to_text(value.real()) + "," + to_text(value.imag()) + ")";
+    else if constexpr (requires { value.text(17); })
+        return value.text(17);
+    else
+        return value.str(17);
 }
 
 /// Throws InvalidArgument unless `holds`.
@@ -36,7 +55,9 @@ void require(bool holds, std::string_view argument, const T& value, std::string_
 }
 
 /// Throws InvalidArgument unless every entry of `values` is finite; names the entry as argument[k].
+void require_finite(std::span<const double> values, std::string_view argument);
 template <class Range>
+requires(!std::is_convertible_v<const Range&, std::span<const double>>)
 void require_finite(const Range& values, std::string_view argument) {
     int k = 0;
     for (const auto& value : values) {
@@ -48,3 +69,7 @@ void require_finite(const Range& values, std::string_view argument) {
 }
 
 }  // namespace equilibria
+
+#ifndef EQUILIBRIA_COMPILED
+#include <equilibria/core/detail/error_definitions.hpp>
+#endif

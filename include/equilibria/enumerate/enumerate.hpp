@@ -2,7 +2,6 @@
 /// The front door: every equilibrium of a model, by homotopy continuation, with every path accounted for.
 #pragma once
 
-#include <chrono>
 #include <string>
 #include <utility>
 #include <vector>
@@ -12,9 +11,9 @@
 #include <equilibria/enumerate/families.hpp>
 #include <equilibria/enumerate/root_set.hpp>
 #include <equilibria/homotopy/model_homotopy.hpp>
-#include <equilibria/homotopy/polish.hpp>
 #include <equilibria/paths/merge.hpp>
 #include <equilibria/paths/track.hpp>
+#include <equilibria/run/elapsed.hpp>
 #include <equilibria/run/run_options.hpp>
 #include <equilibria/start/moving.hpp>
 #include <equilibria/start/total_degree.hpp>
@@ -28,13 +27,13 @@ namespace detail {
 /// alarms.
 template <Model M, class StartSystem>
 RootSet<M> enumerate_from(const ModelSystem<M>& target, const StartSystem& start, const RunOptions& run,
-                          const TrackerOptions& options,
-                          MoreDigits<ModelHomotopy<M, StartSystem>> more_digits = nullptr) {
-    const auto begin = std::chrono::steady_clock::now();
+                          const TrackerOptions& options, MoreDigits<> resort = nullptr) {
+    const detail::Stopwatch begin;
     const ModelHomotopy<M, StartSystem> homotopy(target, start);
-    PathSet<M> paths = track(homotopy, start, run, options, more_digits);
-    auto [counts, failures] = account_for(paths);
-    auto [isolated, families, regular_paths] = split_families(merge(paths), Polisher(homotopy), run.executor);
+    const PolynomialHomotopy polynomials = homotopy.polynomials();
+    auto paths = track(homotopy, polynomials, start, run, options, resort);
+    auto [counts, failures] = account_for<M>(paths);
+    auto [isolated, families, regular_paths] = split_families(merge<M>(paths), polynomials, run.executor);
     auto real = classify(isolated, target.parameters, run.executor);
     RootSet<M> set{.parameters = target.parameters,
                    .seed = run.seed,
@@ -49,24 +48,23 @@ RootSet<M> enumerate_from(const ModelSystem<M>& target, const StartSystem& start
                    .tracking_seconds = paths.effort.tracking_seconds,
                    .seconds = 0};
     set.alarms = check_alarms(set, run.executor);
-    set.seconds = seconds_since(begin);
+    set.seconds = begin.seconds();
     return set;
 }
 
 template <Model M, class StartSystem>
 RootSet<M> enumerate_all(const Parameters<M>& p, const RunOptions& run, const TrackerOptions& options,
-                         MoreDigits<ModelHomotopy<M, StartSystem>> more_digits = nullptr) {
+                         MoreDigits<> resort = nullptr) {
     require_finite(p, "parameters");
     options.validate();
     Generator generator(run.seed);
     const ModelSystem<M> target(p);
-    return enumerate_from<M>(target, StartSystem(target, generator), run, options, more_digits);
+    return enumerate_from<M>(target, StartSystem(target, generator), run, options, resort);
 }
 
 template <Model M>
 RootSet<M> enumerate_by_parameters(const RootSet<M>& solved, const Parameters<M>& p, const RunOptions& run,
-                                   const TrackerOptions& options,
-                                   MoreDigits<ModelHomotopy<M, Moving<M>>> more_digits = nullptr) {
+                                   const TrackerOptions& options, MoreDigits<> resort = nullptr) {
     require_finite(p, "parameters");
     options.validate();
     require(solved.paths.failed == 0 && solved.paths.singular == 0, "solved.paths",
@@ -77,7 +75,7 @@ RootSet<M> enumerate_by_parameters(const RootSet<M>& solved, const Parameters<M>
     for (const auto& root : solved.roots) points.push_back(root.q);
     Generator generator(run.seed);
     const Moving<M> start(coefficients<M, double>(solved.parameters), unit_complex(generator), std::move(points));
-    return enumerate_from<M>(ModelSystem<M>(p), start, run, options, more_digits);
+    return enumerate_from<M>(ModelSystem<M>(p), start, run, options, resort);
 }
 
 }  // namespace detail

@@ -1,176 +1,46 @@
 /// \file
-/// Which roots of an enumeration lie on families of solutions: probed one by one, then connected by walks on the
-/// families, and led to real points where there are any.
+/// Which roots of an enumeration lie on families of solutions.
 #pragma once
 
 #include <algorithm>
-#include <cmath>
 #include <complex>
-#include <numbers>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <utility>
 #include <vector>
 
-#include <equilibria/enumerate/detail/family_probe.hpp>
-#include <equilibria/enumerate/root_set.hpp>
-#include <equilibria/evaluation/point_of.hpp>
-#include <equilibria/homotopy/polish.hpp>
-#include <equilibria/run/run_options.hpp>
+#include <equilibria/core/compiled.hpp>
+#include <equilibria/enumerate/family.hpp>
+#include <equilibria/homotopy/polynomial_homotopy.hpp>
+#include <equilibria/paths/root.hpp>
+#include <equilibria/run/executor.hpp>
 
 namespace equilibria::detail {
 
-/// Which of the solutions on families belong together, for any system.
-class FamilyFinder {
-public:
-    using Vector = FamilyProbe::Vector;
-    struct Group {
-        int dimension;
-        std::vector<std::size_t> members;  ///< numbers of points
-        std::optional<Vector> real_point;
-        std::vector<Vector> landmarks;  ///< points of it that others walk to
+/// A family that some of a number of solutions lie on, whatever the system.
+struct FoundFamily {
+    using Vector = std::vector<std::complex<double>>;
+    struct Member {
+        std::size_t number;  ///< of the solution
+        /// As of a FamilyPoint.
+        int nullity;
+        std::vector<Vector> tangent;
+        Vector neighbour;
+        double distance, residual;
     };
-
-    /// angles: how many of the n unknowns are defined modulo 2 pi.
-    FamilyFinder(const FamilyProbe& probe, int n, int angles)
-        : probe_(&probe), n_(n), angles_(static_cast<std::size_t>(angles)), walks_left_(2000 + 1000000 / (n * n * n)) {}
-
-    [[gnu::cold]] std::vector<Group> groups(const std::vector<Vector>& points,
-                                            const std::vector<FamilyProbe::Finding>& found) {
-        std::vector<Group> y;
-        for (std::size_t k = 0; k < points.size(); ++k) {
-            const int d = found[k].dimension;
-            const Vector q = probe_->projected(points[k], n_ - d, 1e-3).value_or(points[k]);
-            Group group{d, {k}, std::nullopt, {q}};
-            const std::size_t home = connected_group(q, group, y, y.size());
-            if (home == y.size()) {
-                find_real_point(group);
-                y.push_back(std::move(group));
-            } else {
-                join(y[home], std::move(group));
-                if (!y[home].real_point) find_real_point(y[home]);
-            }
-        }
-        // steepest descent may be caught on its way: again, from where a random detour leads
-        for (int round = 0; round < 10 && y.size() > 1; ++round)
-            for (std::size_t k = y.size(); k-- > 1;) {
-                const std::size_t home = connected_group(detour(y[k]), y[k], y, k);
-                if (home == k) continue;
-                join(y[home], std::move(y[k]));
-                y.erase(y.begin() + static_cast<std::ptrdiff_t>(k));
-            }
-        for (Group& g : y) std::sort(g.members.begin(), g.members.end());
-        return y;
-    }
-
-private:
-    static constexpr std::size_t most_landmarks = 8;
-
-    static void join(Group& home, Group&& guest) {
-        home.members.insert(home.members.end(), guest.members.begin(), guest.members.end());
-        if (!home.real_point) home.real_point = guest.real_point;
-        for (Vector& q : guest.landmarks)
-            if (home.landmarks.size() < most_landmarks) home.landmarks.push_back(std::move(q));
-    }
-
-    /// The way from one point to another.
-    Vector way(const Vector& from, const Vector& to) const {
-        Vector y = to;
-        for (std::size_t i = 0; i < y.size(); ++i) {
-            y[i] -= from[i];
-            if (i < angles_) y[i].real(std::remainder(y[i].real(), 2 * std::numbers::pi));
-        }
-        return y;
-    }
-
-    /// A group among y[0 .. last) to one of whose landmarks, the nearest ones first, a walk from q leads, a point of
-    /// `from`; `last` if there is none.
-    [[gnu::cold]] std::size_t connected_group(const Vector& q, const Group& from, const std::vector<Group>& y,
-                                              std::size_t last) {
-        if (walks_left_ <= 0) return last;
-        struct Mark {
-            double distance;
-            std::size_t group;
-            const Vector* at;
-        };
-        std::vector<Mark> marks;
-        for (std::size_t g = 0; g < last; ++g)
-            if (y[g].dimension == from.dimension)
-                for (const Vector& at : y[g].landmarks) marks.push_back({FamilyProbe::largest(way(q, at)), g, &at});
-        std::stable_sort(marks.begin(), marks.end(),
-                         [](const Mark& a, const Mark& b) { return a.distance < b.distance; });
-        for (std::size_t k = 0; k < std::min<std::size_t>(marks.size(), 12) && walks_left_-- > 0; ++k) {
-            const auto direction = [&](const Vector& at) -> std::optional<Vector> {
-                Vector wanted = way(at, *marks[k].at);
-                if (FamilyProbe::largest(wanted) < 1e-6) return std::nullopt;
-                return wanted;
-            };
-            if (probe_->walk(q, from.dimension, direction, 80).arrived) return marks[k].group;
-        }
-        return last;
-    }
-
-    /// Some way off from one of the group's landmarks.
-    [[gnu::cold]] Vector detour(const Group& group) {
-        if (walks_left_-- <= 0) return group.landmarks.front();
-        const Vector& begin = group.landmarks[static_cast<std::size_t>(generator_() % group.landmarks.size())];
-        Vector target = begin;
-        for (auto& x : target) x += std::polar(uniform(generator_, 1, 4), 2 * std::numbers::pi * uniform(generator_));
-        const auto direction = [&](const Vector& at) -> std::optional<Vector> {
-            Vector way = target;
-            for (std::size_t i = 0; i < way.size(); ++i) way[i] -= at[i];
-            return way;
-        };
-        return probe_->walk(begin, group.dimension, direction, 30).at;
-    }
-
-    /// A real point of the family with real neighbours, by a walk that lets the imaginary parts vanish.
-    [[gnu::cold]] void find_real_point(Group& group) {
-        if (real_walks_left_-- <= 0) return;
-        const auto direction = [](const Vector& at) -> std::optional<Vector> {
-            Vector way(at.size());
-            for (std::size_t i = 0; i < at.size(); ++i) way[i] = {0, -at[i].imag()};
-            if (FamilyProbe::largest(way) < 1e-7) return std::nullopt;
-            return way;
-        };
-        const auto arrived = probe_->walk(group.landmarks.back(), group.dimension, direction, 120);
-        if (!arrived.arrived) return;
-        Vector real = arrived.at;
-        for (auto& x : real) x = x.real();
-        const auto landed = probe_->projected(real, n_ - group.dimension, 1e-5);
-        if (!landed || probe_->at(*landed, true).dimension != group.dimension) return;
-        group.real_point = landed;
-        group.landmarks.push_back(*landed);
-    }
-
-    const FamilyProbe* probe_;
-    int n_;
-    std::size_t angles_;
-    int walks_left_;  // seconds' worth: what they leave unconnected stays apart
-    int real_walks_left_ = 5000;
-    Generator generator_{0x6a09e667f3bcc909};
+    int dimension;
+    std::vector<Member> members;
+    std::optional<Vector> real_point;
 };
+
+/// The families on which some of the solutions lie, complex angles, then coordinates, of F of the homotopy. Each of
+/// them is probed, those of a family connected by walks on it.
+std::vector<FoundFamily> find_families(const PolynomialHomotopy& homotopy,
+                                       const std::vector<FoundFamily::Vector>& solutions, const Executor& executor);
 
 /// A root that is worse conditioned than this is probed, even if it passed for regular.
 inline constexpr double suspect_condition = 1e5;
-
-/// The equations of the polisher as a system for a FamilyProbe, near a point whose coordinates have the sizes `unit`.
-template <Model M, class P>
-FamilyProbe::System family_system(const P& polisher, const Array<double, n_unknowns<M>>& unit) {
-    return [&polisher, unit](const FamilyProbe::Vector& q, FamilyProbe::Vector& f, FamilyProbe::Vector& j) {
-        constexpr int n = n_unknowns<M>;
-        constexpr auto at = [](int i) { return static_cast<std::size_t>(i); };
-        Array<std::complex<double>, n> place;
-        for (int i = 0; i < n; ++i) place[i] = i < n_angles<M> ? q[at(i)] : unit[i] * q[at(i)];
-        const Point<M, double> point = point_of<M>(place);
-        Complex<double> value[n], slope[n][n];
-        double size[n];
-        polisher.linearize(point, value, slope, size);
-        f.assign(at(n), 0.0);
-        j.assign(at(n * n), 0.0);
-        for (int r = 0; r < n; ++r) {
-            f[at(r)] = lane(value[r], 0) / size[r];
-            for (int c = 0; c < n; ++c) j[at(c * n + r)] = lane(slope[r][c], 0) * unit[c] / size[r];
-        }
-    };
-}
 
 /// The roots that are isolated, and the families that the others lie on.
 template <Model M>
@@ -180,69 +50,44 @@ struct RootFamilies {
     std::uint64_t regular_paths = 0;  ///< of points on families that had passed for regular roots
 };
 
-/// Tells the roots that lie on families of solutions from those that are isolated.
-template <Model M, class P>
-[[gnu::cold]] RootFamilies<M> split_families(const std::vector<Root<M>>& roots, const P& polisher,
-                                             const Executor& executor) {
-    constexpr int n = n_unknowns<M>;
+/// Tells the roots that lie on families of solutions from those that are isolated. homotopy: to the model's system.
+template <Model M>
+RootFamilies<M> split_families(std::vector<Root<M>> roots, const PolynomialHomotopy& homotopy,
+                               const Executor& executor) {
     std::vector<std::size_t> suspects;
+    std::vector<FoundFamily::Vector> solutions;
     for (std::size_t k = 0; k < roots.size(); ++k)
-        if (roots[k].status == PathStatus::singular || !(roots[k].condition < suspect_condition)) suspects.push_back(k);
-    if (suspects.empty()) return {roots, {}, 0};
-    Array<double, n> unit;
-    for (int u = 0; u < n; ++u) {
-        unit[u] = 1;
-        for (const std::size_t k : suspects)
-            if (u >= n_angles<M>) unit[u] = std::max(unit[u], std::abs(roots[k].q[u]));
-    }
-    const FamilyProbe probe(n, family_system<M>(polisher, unit));
-    std::vector<FamilyProbe::Vector> points(suspects.size());
-    std::vector<FamilyProbe::Finding> found(suspects.size());
-    executor.for_blocks(suspects.size(), 16, [&](std::size_t first, std::size_t last) {
-        for (std::size_t k = first; k < last; ++k) {
-            for (int u = 0; u < n; ++u) points[k].push_back(roots[suspects[k]].q[u] / unit[u]);
-            found[k] = probe.at(points[k]);
+        if (roots[k].status == PathStatus::singular || !(roots[k].condition < suspect_condition)) {
+            suspects.push_back(k);
+            solutions.emplace_back(roots[k].q.begin(), roots[k].q.end());
         }
-    });
-    std::vector<std::size_t> member;
-    for (std::size_t k = 0; k < suspects.size(); ++k)
-        if (found[k].dimension > 0) {
-            if (member.size() != k)
-                std::swap(points[member.size()], points[k]), std::swap(found[member.size()], found[k]);
-            member.push_back(suspects[k]);
-        }
-    points.resize(member.size());
-    found.resize(member.size());
-    const auto scaled = [&](const FamilyProbe::Vector& q) {
-        typename FamilyPoint<M>::Vector y;
-        for (int u = 0; u < n; ++u) y[u] = q[static_cast<std::size_t>(u)] * unit[u];
-        return y;
-    };
     RootFamilies<M> y;
+    if (suspects.empty()) {
+        y.isolated = std::move(roots);
+        return y;
+    }
+    const auto unknowns = [](const FoundFamily::Vector& q) {
+        typename FamilyPoint<M>::Vector numbers;
+        std::copy(q.begin(), q.end(), numbers.begin());
+        return numbers;
+    };
     std::vector<bool> on_family(roots.size());
-    for (const auto& group : FamilyFinder(probe, n, n_angles<M>).groups(points, found)) {
-        Family<M> family{group.dimension, std::nullopt, {}};
-        for (const std::size_t m : group.members) {
-            const Root<M>& root = roots[member[m]];
-            on_family[member[m]] = true;
+    for (const FoundFamily& found : find_families(homotopy, solutions, executor)) {
+        Family<M> family{found.dimension, std::nullopt, {}};
+        for (const auto& member : found.members) {
+            const std::size_t k = suspects[member.number];
+            const Root<M>& root = roots[k];
+            on_family[k] = true;
             if (root.status == PathStatus::finite) y.regular_paths += static_cast<std::uint64_t>(root.paths);
-            FamilyPoint<M> point{root.q,
-                                 found[m].nullity,
-                                 {},
-                                 scaled(found[m].neighbour),
-                                 found[m].distance,
-                                 found[m].residual,
-                                 root.condition,
-                                 root.path,
-                                 root.paths};
-            for (const auto& t : found[m].tangent) point.tangent.push_back(scaled(t));
+            FamilyPoint<M> point{
+                root.q,         member.nullity, {},        unknowns(member.neighbour), member.distance, member.residual,
+                root.condition, root.path,      root.paths};
+            for (const auto& t : member.tangent) point.tangent.push_back(unknowns(t));
             family.points.push_back(point);
         }
-        if (group.real_point) {
-            const auto q = scaled(*group.real_point);
+        if (found.real_point) {
             Unknowns<M>& real = family.real_point.emplace();
-            for (int u = 0; u < n; ++u)
-                real[u] = u < n_angles<M> ? std::remainder(q[u].real(), 2 * std::numbers::pi) : q[u].real();
+            for (int u = 0; u < n_unknowns<M>; ++u) real[u] = (*found.real_point)[static_cast<std::size_t>(u)].real();
         }
         y.families.push_back(std::move(family));
     }
@@ -254,3 +99,7 @@ template <Model M, class P>
 }
 
 }  // namespace equilibria::detail
+
+#ifndef EQUILIBRIA_COMPILED
+#include <equilibria/enumerate/detail/families_definitions.hpp>
+#endif

@@ -9,7 +9,8 @@
 #include <vector>
 
 #include <equilibria/core/array.hpp>
-#include <equilibria/model/derivatives.hpp>
+#include <equilibria/core/compiled.hpp>
+#include <equilibria/model/equations.hpp>
 
 namespace equilibria {
 
@@ -48,32 +49,27 @@ struct Family {
 };
 
 /// "curve", "surface", "3-dimensional family".
-inline std::string family_kind(int dimension) {
-    if (dimension == 1) return "curve";
-    if (dimension == 2) return "surface";
-    return std::to_string(dimension) + "-dimensional family";
-}
+std::string family_kind(int dimension);
+
+namespace detail {
+struct FamilySummary {
+    int dimension;
+    bool real;
+    std::uint64_t paths;
+};
+std::string summary(const std::vector<FamilySummary>& families);
+}  // namespace detail
 
 /// "a real curve of solutions (18 paths)"; many families of a kind are counted.
 template <Model M>
 std::string summary(const std::vector<Family<M>>& families) {
-    std::string all;
-    std::vector<bool> told(families.size());
-    for (std::size_t k = 0; k < families.size(); ++k) {
-        if (told[k]) continue;
-        std::uint64_t alike = 0, paths = 0;
-        for (std::size_t m = k; m < families.size(); ++m)
-            if (families[m].dimension == families[k].dimension && families[m].real() == families[k].real()) {
-                told[m] = true;
-                ++alike;
-                paths += families[m].paths();
-            }
-        const std::string kind = (families[k].real() ? "real " : "") + family_kind(families[k].dimension);
-        all += (all.empty() ? "" : ", ") +
-               (alike == 1 ? "a " + kind : "at most " + std::to_string(alike) + " times a " + kind) +
-               " of solutions (" + std::to_string(paths) + " paths)";
-    }
-    return all;
+    std::vector<detail::FamilySummary> all;
+    for (const auto& family : families) all.push_back({family.dimension, family.real(), family.paths()});
+    return detail::summary(all);
 }
 
 }  // namespace equilibria
+
+#ifndef EQUILIBRIA_COMPILED
+#include <equilibria/enumerate/detail/family_definitions.hpp>
+#endif

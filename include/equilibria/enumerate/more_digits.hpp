@@ -6,7 +6,7 @@
 /// the endpoints, which are polished in double. Opt-in, since it costs as much compile time as everything else.
 #pragma once
 
-#include <equilibria/core/multiprecision.hpp>
+#include <equilibria/core/compiled.hpp>
 #include <equilibria/enumerate/enumerate.hpp>
 #include <equilibria/paths/complex_roots.hpp>
 
@@ -15,41 +15,31 @@ namespace equilibria {
 namespace detail {
 
 /// Tracks a path again with 32 digits, and if it fails once more with 64.
-template <class H>
-void track_with_more_digits(const H& homotopy, const Polisher<H>& polisher, const TrackerOptions& options,
-                            const Point<typename H::System, double>& start, Endpoint<typename H::System>& end) {
-    const auto track = [&]<class R>(R) {
-        if (end.status != PathStatus::failed) return;
-        const std::int32_t steps = end.steps;
-        end = Endgame<H, R>(homotopy, polisher, options).from_start(start);
-        end.steps += steps;
-    };
-    track(Multiprecision<32>());
-    track(Multiprecision<64>());
-}
+void track_with_more_digits(const PolynomialHomotopy& homotopy, const Polisher<PolynomialHomotopy>& polisher,
+                            const TrackerOptions& options, const RuntimePoint<double>& start, Endpoint& end);
 
 }  // namespace detail
 
-/// For solve_multihomogeneous and trace_locus; System: anything with as many angles and coordinates.
-template <class System>
-inline constexpr MoreDigitsOf<System> more_digits =
-    &detail::track_with_more_digits<MultihomogeneousHomotopy<System::n_angles, System::n_coordinates>>;
+/// For solve_multihomogeneous and trace_locus.
+inline constexpr MoreDigits<> more_digits = &detail::track_with_more_digits;
 
 /// `enumerate`, but paths that fail in double, tightened steps included, are tracked with more digits before they count
 /// as failed; paths.more_digits says how many were. A path costs up to a second then.
 template <Model M, class StartSystem = NaturalStart<M>>
 RootSet<M> enumerate_with_more_digits(const Parameters<M>& p, const RunOptions& run = {},
                                       const TrackerOptions& options = {}) {
-    return detail::enumerate_all<M, StartSystem>(p, run, options,
-                                                 &detail::track_with_more_digits<ModelHomotopy<M, StartSystem>>);
+    return detail::enumerate_all<M, StartSystem>(p, run, options, more_digits);
 }
 
 /// The same for the equilibria at p from those of a solved instance.
 template <Model M>
 RootSet<M> enumerate_with_more_digits(const RootSet<M>& solved, const Parameters<M>& p, const RunOptions& run = {},
                                       const TrackerOptions& options = {}) {
-    return detail::enumerate_by_parameters<M>(solved, p, run, options,
-                                              &detail::track_with_more_digits<ModelHomotopy<M, Moving<M>>>);
+    return detail::enumerate_by_parameters<M>(solved, p, run, options, more_digits);
 }
 
 }  // namespace equilibria
+
+#ifndef EQUILIBRIA_COMPILED
+#include <equilibria/enumerate/detail/more_digits_definitions.hpp>
+#endif

@@ -7,7 +7,6 @@
 /// Singular roots cannot be proved this way: they stay undecided, and a set that holds one is never complete.
 #pragma once
 
-#include <chrono>
 #include <cstdint>
 #include <map>
 #include <mutex>
@@ -24,6 +23,7 @@
 #include <equilibria/core/multiprecision.hpp>
 #include <equilibria/enumerate/classify.hpp>
 #include <equilibria/enumerate/root_set.hpp>
+#include <equilibria/run/elapsed.hpp>
 #include <equilibria/run/run_options.hpp>
 
 namespace equilibria {
@@ -76,7 +76,7 @@ public:
         : set_(set), run_(run), options_(options), exact_(ExactSystem<M>::at(set.parameters)), system_(exact_) {}
 
     Proof<M> run() {
-        const auto begin = std::chrono::steady_clock::now();
+        const detail::Stopwatch begin;
         const std::size_t size = set_.roots.size();
         proof_.certificates.resize(size);
         enclosures_.resize(size);
@@ -97,7 +97,7 @@ public:
         tell_apart();
         count();
         conclude();
-        proof_.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+        proof_.seconds = begin.seconds();
         return std::move(proof_);
     }
 

@@ -5,18 +5,18 @@
 #include <algorithm>
 #include <complex>
 #include <cstdint>
-#include <ostream>
+#include <iosfwd>
 #include <string>
 #include <vector>
 
 #include <equilibria/algebra/formulation.hpp>
+#include <equilibria/core/compiled.hpp>
 #include <equilibria/enumerate/alarm.hpp>
 #include <equilibria/enumerate/count_verdict.hpp>
 #include <equilibria/enumerate/family.hpp>
-#include <equilibria/model/derivatives.hpp>
+#include <equilibria/model/equations.hpp>
 #include <equilibria/paths/path_counts.hpp>
 #include <equilibria/paths/root.hpp>
-#include <equilibria/stability/inertia.hpp>
 
 namespace equilibria {
 
@@ -40,6 +40,18 @@ struct Equilibrium {
     /// A strict minimum of the potential (Lagrange-Dirichlet); without one, a point that dq/dt = -F(q) comes back to.
     bool stable() const { return index == 0 && nullity == 0; }
 };
+
+namespace detail {
+/// What a RootSet prints of itself.
+struct RootSetSummary {
+    CountVerdict verdict;
+    std::uint64_t real;
+    std::string counted;   ///< what by_index counts, empty: nothing
+    std::string families;  ///< empty: there are none
+    std::uint64_t on_families;
+};
+std::ostream& write(std::ostream& out, const RootSetSummary& set);
+}  // namespace detail
 
 template <Model M>
 struct RootSet {
@@ -82,29 +94,19 @@ struct RootSet {
     bool morse_applies() const { return verdict().morse_applies(); }
     bool morse() const { return verdict().morse(); }
 
-    friend std::ostream& operator<<(std::ostream& out, const RootSet& r) {
-        out << r.paths.total << " paths: " << r.paths.finite << " finite, " << r.paths.at_infinity << " at infinity, "
-            << r.paths.singular << " singular, " << r.paths.failed << " failed; " << r.distinct() << " distinct roots, "
-            << r.real() << " real";
-        // polynomials in plain coordinates come in any order and sign: their Jacobian's eigenvalues mean nothing
-        if constexpr (PotentialModel<M> || n_angles<M> > 0) {
-            out << (PotentialModel<M> ? ": index " : ": unstable eigenvalues of dq/dt = -F(q) ");
-            const auto counts = r.by_index();
-            for (std::size_t k = 0; k < counts.size(); ++k) out << (k == 0 ? "" : ", ") << k << ": " << counts[k];
-        }
-        if (r.degenerate() > 0) out << ", degenerate: " << r.degenerate();
-        if (r.morse_applies())
-            out << (r.morse() ? "; Morse relations hold" : "; MORSE RELATIONS VIOLATED: roots are missing");
+    friend std::ostream& operator<<(std::ostream& out, const RootSet& set) {
         std::uint64_t on_families = 0;
-        for (const auto& family : r.families) on_families += family.paths();
-        if (!r.families.empty()) out << "; NOT ISOLATED: " << summary(r.families);
-        if (r.paths.singular > on_families) out << "; SINGULAR: equilibria coincide";
-        if (r.cancelled()) out << "; CANCELLED: " << r.paths.cancelled << " paths are not finished";
-        if (r.paths.finite > 0 && r.paths.singular == 0 && r.paths.finite != r.distinct() && !r.cancelled())
-            out << "; " << r.paths.finite - r.distinct() << " paths ended on another's root: roots may be missing";
-        if (r.alarms.raised()) out << "; ALARM: " << r.alarms.sentences();
-        return out;
+        for (const auto& family : set.families) on_families += family.paths();
+        // polynomials in plain coordinates come in any order and sign: their Jacobian's eigenvalues mean nothing
+        const std::string counted = PotentialModel<M>  ? "index"
+                                    : n_angles<M> == 0 ? ""
+                                                       : "unstable eigenvalues of dq/dt = -F(q)";
+        return detail::write(out, {set.verdict(), set.real(), counted, summary(set.families), on_families});
     }
 };
 
 }  // namespace equilibria
+
+#ifndef EQUILIBRIA_COMPILED
+#include <equilibria/enumerate/detail/root_set_definitions.hpp>
+#endif

@@ -8,7 +8,6 @@
 #pragma once
 
 #include <algorithm>
-#include <chrono>
 #include <concepts>
 #include <cstdint>
 #include <limits>
@@ -16,6 +15,7 @@
 #include <vector>
 
 #include <equilibria/enumerate/enumerate.hpp>
+#include <equilibria/run/elapsed.hpp>
 
 namespace equilibria {
 
@@ -61,30 +61,31 @@ StreamedRoots<M> enumerate(const Parameters<M>& p, const RunOptions& run, Take&&
     require_finite(p, "parameters");
     options.validate();
     require(!run.checkpoint.empty(), "checkpoint", "''", "must name a file: roots that are streamed wait there");
-    const auto begin = std::chrono::steady_clock::now();
+    const detail::Stopwatch begin;
     Generator generator(run.seed);
     const ModelSystem<M> target(p);
     const StartSystem start(target, generator);
     const ModelHomotopy<M, StartSystem> homotopy(target, start);
-    PathSet<M> paths = track<ModelHomotopy<M, StartSystem>>(homotopy, start, run, options, nullptr, true);
-    auto [counts, failures] = account_for(paths);
+    auto paths = track(homotopy, homotopy.polynomials(), start, run, options, nullptr, true);
+    auto [counts, failures] = account_for<M>(paths);
     StreamedRoots<M> set;
     set.parameters = p;
     set.seed = run.seed;
     set.paths = counts;
     set.failures = std::move(failures);
     set.tracking_seconds = paths.effort.tracking_seconds;
+    const detail::RealModelEquations<M> equations(p);
     if (!set.cancelled())
-        merge(paths, [&](const Root<M>& root) {
+        merge<M>(paths, [&](const Root<M>& root) {
             ++set.distinct;
             const double imaginary = detail::largest_imaginary(root);
             Unknowns<M> q;
-            if (!detail::is_real(root, p, q)) {
+            if (!detail::is_real(equations, root, q)) {
                 set.smallest_nonreal_imaginary = std::min(set.smallest_nonreal_imaginary, imaginary);
                 take(root, static_cast<const Equilibrium<M>*>(nullptr));
                 return;
             }
-            const Equilibrium<M> e = detail::classified(root, q, p);
+            const Equilibrium<M> e = detail::classified(equations, root, q);
             ++set.real;
             set.degenerate += e.degenerate();
             if (!e.degenerate()) ++set.by_index[static_cast<std::size_t>(e.index)];
@@ -93,7 +94,7 @@ StreamedRoots<M> enumerate(const Parameters<M>& p, const RunOptions& run, Take&&
         });
     set.alarms.poincare_hopf =
         detail::poincare_hopf(set.by_index, n_coordinates<M> == 0, set.degenerate == 0 && set.paths.singular == 0);
-    set.seconds = detail::seconds_since(begin);
+    set.seconds = begin.seconds();
     return set;
 }
 

@@ -19,23 +19,17 @@
 #include <utility>
 #include <vector>
 
+#include <equilibria/core/random.hpp>
 #include <equilibria/enumerate/root_set.hpp>
 #include <equilibria/evaluation/point_of.hpp>
 #include <equilibria/paths/coincidence.hpp>
 #include <equilibria/paths/complex_roots.hpp>
+#include <equilibria/paths/path_set.hpp>
 #include <equilibria/run/run_options.hpp>
+#include <equilibria/start/solved_instance.hpp>
 #include <equilibria/system/sparse_system.hpp>
 
 namespace equilibria {
-
-/// A system with a constant added to each of its equations: torques, where the unknowns are angles.
-template <int Angles, int Coordinates>
-SparseSystem<Angles, Coordinates> with_torques(const SparseSystem<Angles, Coordinates>& system,
-                                               const Array<double, Angles + Coordinates>& torque) {
-    auto equations = system.equations();
-    for (std::size_t i = 0; i < equations.size(); ++i) equations[i] += torque[static_cast<int>(i)];
-    return SparseSystem<Angles, Coordinates>(equations);
-}
 
 namespace detail {
 
@@ -45,7 +39,7 @@ struct TorqueTrace {
     Array<std::complex<double>, 2 * Angles> sum;
     Array<double, 2 * Angles> size;
 
-    void add(double weight, const Array<std::complex<double>, Angles>& theta) {
+    void add(double weight, const UnknownArray<RuntimeUnknowns, std::complex<double>>& theta) {
         for (int i = 0; i < Angles; ++i) {
             const std::complex<double> z = std::exp(std::complex<double>(-theta[i].imag(), theta[i].real()));
             const std::complex<double> both[] = {z, 1.0 / z};
@@ -67,21 +61,22 @@ template <Model M>
 class TorqueTraceTest {
 public:
     static constexpr int n = n_angles<M>;
-    using Unknowns = UnknownsOf<n, 0>;
-    using Instance = SolvedInstance<n, 0>;
 
     TorqueTraceTest(const RootSet<M>& set, const RunOptions& run, const TrackerOptions& options)
         : set_(&set), run_(run), options_(options), system_(sparse_system<M>(set.parameters)), generator_(run.seed) {
         run_.checkpoint.clear();  // it would be of the enumeration
         // a root that is there twice is followed once, and counts twice
-        std::vector<Point<M, double>> points;
-        for (const auto& root : set.roots) points.push_back(point_of<M>(root.q));
+        std::vector<RuntimePoint<double>> points;
+        for (const auto& root : set.roots) points.push_back(runtime_point(point_of<M>(root.q)));
         std::vector<double> weight(points.size(), 1);
-        for (const auto& group :
-             CoincidenceFinder<M>(false).groups(points.size(), [&](std::size_t k) { return &points[k]; }, 1e-8))
+        for (const auto& group : coincident(points, 1e-8))
             for (const std::size_t k : group) weight[k] = k == group.front() ? static_cast<double>(group.size()) : 0;
         for (std::size_t k = 0; k < points.size(); ++k)
-            if (weight[k] > 0) starts_.push_back(set.roots[k].q), weights_.push_back(weight[k]);
+            if (weight[k] > 0) {
+                SolvedInstance::Points::value_type q(n);
+                std::copy(set.roots[k].q.begin(), set.roots[k].q.end(), q.begin());
+                starts_.push_back(std::move(q)), weights_.push_back(weight[k]);
+            }
     }
 
     Alarm alarm() {
@@ -90,7 +85,8 @@ public:
         for (int attempt = 0; attempt < 3 && !y.applied; ++attempt) {
             Array<double, n> torque;
             for (int i = 0; i < n; ++i)
-                torque[i] = (generator_() & 1 ? 1 : -1) * uniform(generator_, 0.1, 0.3) * system_.scale()[i];
+                torque[i] = (generator_() & 1 ? 1 : -1) * uniform(generator_, 0.1, 0.3) *
+                            system_.scale()[static_cast<std::size_t>(i)];
             TorqueTrace<n> difference;
             std::uint64_t lost = 0;
             for (const double s : {1.0, -1.0})
@@ -119,9 +115,9 @@ private:
     /// the run was cancelled.
     bool add_traced(double s, Array<double, n> torque, TorqueTrace<n>& difference, std::uint64_t& lost) {
         for (double& value : torque) value *= s;
-        const auto to = with_torques(system_, torque);
-        const Instance start(system_, to, unit_complex(generator_), starts_);
-        PathSet<Unknowns> paths = track(SparseHomotopy<n, 0, Instance>(to, start), start, run_, options_);
+        const SparseSystem to = system_.with_constants(torque);
+        const SolvedInstance start(system_, to, unit_complex(generator_), starts_);
+        auto paths = track(PolynomialHomotopy(to, start), start, run_, options_);
         for (std::size_t k = 0; k < paths.size(); ++k) {
             if (!paths.finished(k)) return false;
             lost += paths[k].status != PathStatus::finite;
@@ -133,9 +129,9 @@ private:
     const RootSet<M>* set_;
     RunOptions run_;
     TrackerOptions options_;
-    SparseSystem<n, 0> system_;
+    SparseSystem system_;
     Generator generator_;
-    typename Instance::Points starts_;
+    SolvedInstance::Points starts_;
     std::vector<double> weights_;
 };
 

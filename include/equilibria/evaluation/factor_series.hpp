@@ -3,6 +3,7 @@
 /// coefficients along a path, and slopes.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -13,18 +14,19 @@
 namespace equilibria::detail {
 
 /// The factors and their products at a point, with Taylor coefficients along a path up to order 3.
-template <class S, class R>
+template <class R>
 class FactorSeries {
 public:
     using Z = Complex<R>;
-    static constexpr int n = n_unknowns<S>;
     static constexpr int order = 3;
 
-    explicit FactorSeries(const TermTables<S>& tables)
+    explicit FactorSeries(const TermTables& tables)
         : tables_(&tables), size_(static_cast<std::size_t>(tables.operands())), value_((order + 1) * size_),
-          slope_(static_cast<std::size_t>(tables.factors)) {}
+          slope_(static_cast<std::size_t>(tables.factors)) {
+        for (auto& coefficient : path_) coefficient = SizedArray<Z, at_run_time>(tables.sizes.unknowns);
+    }
 
-    const TermTables<S>& tables() const { return *tables_; }
+    const TermTables& tables() const { return *tables_; }
     /// The Taylor coefficient k of an operand.
     const Z& operator()(int k, int operand) const {
         return value_[static_cast<std::size_t>(k) * size_ + static_cast<std::size_t>(operand)];
@@ -32,10 +34,10 @@ public:
     /// The derivative of a factor by its unknown, after `begin_slopes`.
     const Z& slope(int factor) const { return slope_[static_cast<std::size_t>(factor)]; }
 
-    void begin(const Point<S, R>& q) {
-        for (int u = 0; u < n; ++u) {
-            const int first = tables_->offset[u], highest = tables_->highest[u];
-            if (u < n_angles<S>) {
+    void begin(const RuntimePoint<R>& q) {
+        for (int u = 0; u < tables_->sizes.unknowns; ++u) {
+            const int first = tables_->offset[index(u)], highest = tables_->highest[index(u)];
+            if (u < tables_->sizes.angles) {
                 at(0, first) = q.c[u];
                 at(0, first + 1) = q.s[u];
                 for (int k = 1; k < highest; ++k) {
@@ -44,7 +46,7 @@ public:
                     at(0, first + 2 * k + 1) = s * q.c[u] + c * q.s[u];
                 }
             } else {
-                path_[0][u] = at(0, first) = q.x[u - n_angles<S>];
+                path(0)[u] = at(0, first) = q.x[u - tables_->sizes.angles];
                 for (int k = 1; k < highest; ++k) at(0, first + k) = at(0, first + k - 1) * at(0, first);
             }
         }
@@ -52,11 +54,11 @@ public:
     }
     /// (cos k)' = -k sin k, (sin k)' = k cos k, (x^k)' = k x^(k-1).
     void begin_slopes() {
-        for (int u = 0; u < n; ++u) {
-            const int first = tables_->offset[u];
-            for (int k = 1; k <= tables_->highest[u]; ++k) {
+        for (int u = 0; u < tables_->sizes.unknowns; ++u) {
+            const int first = tables_->offset[index(u)];
+            for (int k = 1; k <= tables_->highest[index(u)]; ++k) {
                 const double multiple = k;
-                if (u < n_angles<S>) {
+                if (u < tables_->sizes.angles) {
                     const int c = first + 2 * (k - 1), s = c + 1;
                     slope_[static_cast<std::size_t>(c)] = -multiple * at(0, s);
                     slope_[static_cast<std::size_t>(s)] = multiple * at(0, c);
@@ -69,19 +71,19 @@ public:
     }
     /// The Taylor coefficients k of the factors, the k-th of the path being 0.
     void extend(int k) {
-        for (int u = 0; u < n; ++u) {
-            path_[k][u] = {broadcast<R>(0.0), broadcast<R>(0.0)};
-            if (u >= n_angles<S>) {
+        for (int u = 0; u < tables_->sizes.unknowns; ++u) {
+            path(k)[u] = {broadcast<R>(0.0), broadcast<R>(0.0)};
+            if (u >= tables_->sizes.angles) {
                 raise_powers(u, k);
                 continue;
             }
-            for (int m = 1; m <= tables_->highest[u]; ++m) {
-                const int c = tables_->offset[u] + 2 * (m - 1), s = c + 1;
+            for (int m = 1; m <= tables_->highest[index(u)]; ++m) {
+                const int c = tables_->offset[index(u)] + 2 * (m - 1), s = c + 1;
                 Z cosine{broadcast<R>(0.0), broadcast<R>(0.0)}, sine = cosine;
                 for (int l = 1; l < k; ++l) {
                     const double weight = static_cast<double>(m * l) / k;
-                    cosine -= weight * (path_[l][u] * at(k - l, s));
-                    sine += weight * (path_[l][u] * at(k - l, c));
+                    cosine -= weight * (path(l)[u] * at(k - l, s));
+                    sine += weight * (path(l)[u] * at(k - l, c));
                 }
                 at(k, c) = cosine;
                 at(k, s) = sine;
@@ -90,15 +92,15 @@ public:
         multiply_nodes(k);
     }
     /// And with the k-th of the path as it is.
-    void complete(int k, const Z (&d)[n]) {
-        for (int u = 0; u < n; ++u) {
-            path_[k][u] = d[u];
-            if (u >= n_angles<S>) {
+    void complete(int k, const auto& d) {
+        for (int u = 0; u < tables_->sizes.unknowns; ++u) {
+            path(k)[u] = d[u];
+            if (u >= tables_->sizes.angles) {
                 raise_powers(u, k);
                 continue;
             }
-            for (int m = 1; m <= tables_->highest[u]; ++m) {
-                const int c = tables_->offset[u] + 2 * (m - 1), s = c + 1;
+            for (int m = 1; m <= tables_->highest[index(u)]; ++m) {
+                const int c = tables_->offset[index(u)] + 2 * (m - 1), s = c + 1;
                 const Z step = static_cast<double>(m) * d[u];
                 at(k, c) -= step * at(0, s);
                 at(k, s) += step * at(0, c);
@@ -108,14 +110,17 @@ public:
     }
 
 private:
+    static constexpr std::size_t index(int u) { return static_cast<std::size_t>(u); }
     Z& at(int k, int operand) {
         return value_[static_cast<std::size_t>(k) * size_ + static_cast<std::size_t>(operand)];
     }
 
+    SizedArray<Z, at_run_time>& path(int k) { return path_[index(k)]; }
+
     void raise_powers(int u, int k) {
-        const int first = tables_->offset[u];
-        at(k, first) = path_[k][u];
-        for (int m = 1; m < tables_->highest[u]; ++m) {
+        const int first = tables_->offset[index(u)];
+        at(k, first) = path(k)[u];
+        for (int m = 1; m < tables_->highest[index(u)]; ++m) {
             Z sum = at(0, first + m - 1) * at(k, first);
             for (int l = 1; l <= k; ++l) sum += at(l, first + m - 1) * at(k - l, first);
             at(k, first + m) = sum;
@@ -130,10 +135,10 @@ private:
         }
     }
 
-    const TermTables<S>* tables_;
+    const TermTables* tables_;
     std::size_t size_;
     std::vector<Z> value_, slope_;
-    Z path_[order + 1][n];
+    std::array<SizedArray<Z, at_run_time>, order + 1> path_;
 };
 
 }  // namespace equilibria::detail

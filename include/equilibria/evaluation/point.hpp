@@ -7,7 +7,7 @@
 
 #include <equilibria/core/array.hpp>
 #include <equilibria/core/complex.hpp>
-#include <equilibria/model/model.hpp>
+#include <equilibria/model/sizes.hpp>
 
 namespace equilibria {
 
@@ -17,11 +17,30 @@ struct Point {
     Array<Complex<R>, n_angles<M>> c, s;
     Array<Complex<R>, n_coordinates<M>> x;
 };
+template <class R>
+struct Point<RuntimeUnknowns, R> {
+    SizedArray<Complex<R>, at_run_time> c, s, x;
+};
+template <class R>
+using RuntimePoint = Point<RuntimeUnknowns, R>;
 
-/// Copies lane `from` of a to lane `to` of b.
-template <class M, class R, class Q>
-void copy_lane(const Point<M, R>& a, int from, Point<M, Q>& b, int to) {
+/// A point with the numbers 0.
+template <class M, class R>
+Point<M, R> point_of_zeros(const Sizes<M>& sizes) {
+    if constexpr (Sizes<M>::extent == at_run_time) {
+        using Numbers = SizedArray<Complex<R>, at_run_time>;
+        return {Numbers(sizes.angles), Numbers(sizes.angles), Numbers(sizes.coordinates)};
+    } else {
+        return Point<M, R>();
+    }
+}
+
+/// Copies lane `from` of a to lane `to` of b, which has as many unknowns, or none yet.
+template <class M, class R, class N, class Q>
+void copy_lane(const Point<M, R>& a, int from, Point<N, Q>& b, int to) {
     const auto copy = [&](const auto& source, auto& target) {
+        if constexpr (std::is_same_v<N, RuntimeUnknowns>)
+            if (target.size() != source.size()) target.resize(source.size());
         for (int i = 0; i < source.size(); ++i) {
             set_lane(target[i].re, to, static_cast<typename LaneTraits<Q>::Scalar>(lane(source[i].re, from)));
             set_lane(target[i].im, to, static_cast<typename LaneTraits<Q>::Scalar>(lane(source[i].im, from)));
@@ -30,6 +49,14 @@ void copy_lane(const Point<M, R>& a, int from, Point<M, Q>& b, int to) {
     copy(a.c, b.c);
     copy(a.s, b.s);
     copy(a.x, b.x);
+}
+
+/// The same point, with its numbers of unknowns at run time.
+template <class M, class R>
+RuntimePoint<R> runtime_point(const Point<M, R>& q) {
+    RuntimePoint<R> y;
+    copy_lane(q, 0, y, 0);
+    return y;
 }
 
 /// The complex angle, in radians, of the point (c, s): c + i s = exp(i theta). Real part in (-pi, pi].
@@ -41,25 +68,35 @@ inline std::complex<double> angle_of(const Complex<double>& c, const Complex<dou
                     : std::complex<double>(-std::arg(w), 0.5 * std::log(w2));
 }
 
+/// b becomes a where the mask is set.
+template <class M, class R, class Mask>
+void take_where(const Mask& mask, const Point<M, R>& a, Point<M, R>& b) {
+    for (int i = 0; i < a.c.size(); ++i) b.c[i] = select(mask, a.c[i], b.c[i]), b.s[i] = select(mask, a.s[i], b.s[i]);
+    for (int j = 0; j < a.x.size(); ++j) b.x[j] = select(mask, a.x[j], b.x[j]);
+}
 /// a where the mask is set, b elsewhere.
 template <class M, class R, class Mask>
 Point<M, R> select(const Mask& mask, const Point<M, R>& a, const Point<M, R>& b) {
-    Point<M, R> y;
-    for (int i = 0; i < a.c.size(); ++i) y.c[i] = select(mask, a.c[i], b.c[i]), y.s[i] = select(mask, a.s[i], b.s[i]);
-    for (int j = 0; j < a.x.size(); ++j) y.x[j] = select(mask, a.x[j], b.x[j]);
+    Point<M, R> y = b;
+    take_where(mask, a, y);
     return y;
 }
 
+/// How many unknowns a point has.
+template <class M, class R>
+int unknowns(const Point<M, R>& q) {
+    return q.c.size() + q.x.size();
+}
 /// |c|^2 + |s|^2 of an angle, |x|^2 of a coordinate.
 template <class M, class R>
 R unknown_size2(const Point<M, R>& q, int u) {
-    return u < n_angles<M> ? norm2(q.c[u]) + norm2(q.s[u]) : norm2(q.x[u - n_angles<M>]);
+    return u < q.c.size() ? norm2(q.c[u]) + norm2(q.s[u]) : norm2(q.x[u - q.c.size()]);
 }
 /// The square of the size of the unknown that is farthest out.
 template <class M, class R>
 R farthest2(const Point<M, R>& q) {
     R y = broadcast<R>(0.0);
-    for (int u = 0; u < n_unknowns<M>; ++u) y = lane_max(y, unknown_size2(q, u));
+    for (int u = 0; u < unknowns(q); ++u) y = lane_max(y, unknown_size2(q, u));
     return y;
 }
 
@@ -78,43 +115,50 @@ void turn(Complex<R>& c, Complex<R>& s, const Complex<R>& co, const Complex<R>& 
 
 }  // namespace detail
 
-/// The point moved by d: angles turned by the small complex angle d_i, coordinates shifted by d_j.
+/// Moves the point by d: angles turned by the small complex angle d_i, coordinates shifted by d_j.
 ///
 /// sin d and cos d by their series to d^8 and d^9 (|d| < 0.5: error below 1e-9, absorbed by the corrector): no
 /// transcendental function is called.
 template <class M, class R>
-Point<M, R> moved(Point<M, R> q, const Complex<R> (&d)[n_unknowns<M>]) {
-    for (int i = 0; i < n_angles<M>; ++i) {
+void move(Point<M, R>& q, const auto& d) {
+    for (int i = 0; i < q.c.size(); ++i) {
         const Complex<R> d2 = d[i] * d[i];
         const Complex<R> co = 1.0 - 0.5 * (d2 * (1.0 - 1 / 12. * (d2 * (1.0 - 1 / 30. * (d2 * (1.0 - 1 / 56. * d2))))));
         const Complex<R> si =
             d[i] * (1.0 - 1 / 6. * (d2 * (1.0 - 1 / 20. * (d2 * (1.0 - 1 / 42. * (d2 * (1.0 - 1 / 72. * d2)))))));
         detail::turn(q.c[i], q.s[i], co, si);
     }
-    for (int j = 0; j < n_coordinates<M>; ++j) q.x[j] += d[n_angles<M> + j];
+    for (int j = 0; j < q.x.size(); ++j) q.x[j] += d[q.c.size() + j];
+}
+template <class M, class R>
+Point<M, R> moved(Point<M, R> q, const auto& d) {
+    move(q, d);
     return q;
 }
 
 /// The square of the largest change in d: of angles in radians, of coordinates against 1 + |x|.
 template <class M, class R>
-R correction_size(const Point<M, R>& q, const Complex<R> (&d)[n_unknowns<M>]) {
+R correction_size(const Point<M, R>& q, const auto& d) {
     R largest = broadcast<R>(0.0);
-    for (int u = 0; u < n_angles<M>; ++u) largest = lane_max(largest, norm2(d[u]));
-    for (int j = 0; j < n_coordinates<M>; ++j)
-        largest = lane_max(largest, norm2(d[n_angles<M> + j]) / (1.0 + norm2(q.x[j])));
+    for (int u = 0; u < q.c.size(); ++u) largest = lane_max(largest, norm2(d[u]));
+    for (int j = 0; j < q.x.size(); ++j) largest = lane_max(largest, norm2(d[q.c.size() + j]) / (1.0 + norm2(q.x[j])));
     return largest;
 }
 
-/// `moved` for the tiny steps of a corrector (|d| < 0.01: error below 1e-12).
+/// `move` for the tiny steps of a corrector (|d| < 0.01: error below 1e-12).
 template <class M, class R>
-Point<M, R> corrected(Point<M, R> q, const Complex<R> (&d)[n_unknowns<M>]) {
-    for (int i = 0; i < n_angles<M>; ++i) {
+void correct(Point<M, R>& q, const auto& d) {
+    for (int i = 0; i < q.c.size(); ++i) {
         const Complex<R> d2 = d[i] * d[i];
         const Complex<R> co = 1.0 - 0.5 * (d2 * (1.0 - 1 / 12. * d2));
         const Complex<R> si = d[i] * (1.0 - 1 / 6. * d2);
         detail::turn(q.c[i], q.s[i], co, si);
     }
-    for (int j = 0; j < n_coordinates<M>; ++j) q.x[j] += d[n_angles<M> + j];
+    for (int j = 0; j < q.x.size(); ++j) q.x[j] += d[q.c.size() + j];
+}
+template <class M, class R>
+Point<M, R> corrected(Point<M, R> q, const auto& d) {
+    correct(q, d);
     return q;
 }
 

@@ -34,11 +34,11 @@ Point<M, S> point_of(const ComplexUnknowns<M, S>& q) {
 
 /// The same of std::complex, by its own cos and sin: a root's unknowns. For a lane of a pack see copy_lane.
 template <class M>
-Point<M, double> point_of(const Array<std::complex<double>, n_unknowns<M>>& q) {
+Point<M, double> point_of(const UnknownArray<M, std::complex<double>>& q, const Sizes<M>& sizes = {}) {
     const auto entry = [](const std::complex<double>& z) { return Complex<double>(z.real(), z.imag()); };
-    Point<M, double> y;
-    for (int i = 0; i < n_angles<M>; ++i) y.c[i] = entry(std::cos(q[i])), y.s[i] = entry(std::sin(q[i]));
-    for (int j = 0; j < n_coordinates<M>; ++j) y.x[j] = entry(q[n_angles<M> + j]);
+    auto y = point_of_zeros<M, double>(sizes);
+    for (int i = 0; i < sizes.angles; ++i) y.c[i] = entry(std::cos(q[i])), y.s[i] = entry(std::sin(q[i]));
+    for (int j = 0; j < sizes.coordinates; ++j) y.x[j] = entry(q[sizes.angles + j]);
     return y;
 }
 

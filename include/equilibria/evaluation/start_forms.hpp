@@ -1,65 +1,37 @@
 /// \file
-/// What a start adds in a form of its own, for an evaluation by loops (table_evaluation.hpp).
+/// What a start adds in a form of its own, G in (1-t) G, as data: sums of a term or two an unknown (total degree), or
+/// products of linear forms, which are evaluated as they are (start_form_series.hpp): multiplied out, they would have
+/// ten times the terms of the target.
 #pragma once
 
 #include <complex>
 #include <vector>
 
-#include <equilibria/core/complex.hpp>
-#include <equilibria/evaluation/factor_series.hpp>
+namespace equilibria {
 
-namespace equilibria::detail {
-
-/// G of a total-degree start, a polynomial of unknown i for each equation i.
-template <class H, class R>
-class SeparableForm {
-public:
-    using S = typename H::System;
-    using Z = Complex<R>;
-    static constexpr int n = n_unknowns<S>;
-
-    explicit SeparableForm(const H& h) {
-        for (int g = 0; g < H::Plan::n_groups; ++g)
-            if (H::Plan::groups[g].in_start && h.start(g) != std::complex<double>())
-                terms_.push_back({H::Plan::groups[g].equation,
-                                  h.tables().factor(H::Plan::groups[g].equation, H::Plan::groups[g].own_code),
-                                  h.start(g)});
-    }
-    void series(int k, const FactorSeries<S, R>& factors, Z (&g)[n]) const {
-        for (Z& entry : g) entry = {broadcast<R>(0.0), broadcast<R>(0.0)};
-        for (const Term& t : terms_)
-            if (t.factor >= 0)
-                g[t.equation] += broadcast_complex<R>(t.coefficient) * factors(k, t.factor);
-            else if (k == 0)
-                g[t.equation] += broadcast_complex<R>(t.coefficient);
-    }
-    void slopes(const FactorSeries<S, R>& factors, Z (&j)[n][n]) const {
-        for (const Term& t : terms_)
-            if (t.factor >= 0)
-                j[t.equation][t.equation] += broadcast_complex<R>(t.coefficient) * factors.slope(t.factor);
-    }
-
-private:
+/// G_i = sum of terms of equation i + weight_i * product of its forms, where it has any.
+struct StartForms {
+    /// coefficient * the factor with this code of the equation's own unknown.
     struct Term {
-        int equation, factor;
+        int equation, code;
         std::complex<double> coefficient;
     };
-    std::vector<Term> terms_;
+    /// constant + sum of factor * (cos of the unknown, or the unknown).
+    struct LinearForm {
+        struct Part {
+            int unknown;
+            std::complex<double> factor;
+        };
+        std::complex<double> constant;
+        std::vector<Part> parts;
+    };
+    struct Product {
+        int equation;
+        std::complex<double> weight;  ///< gamma included
+        std::vector<LinearForm> forms;
+    };
+    std::vector<Term> terms;
+    std::vector<Product> products;
 };
 
-/// No G.
-template <class H, class R>
-class NoForm {
-public:
-    using S = typename H::System;
-    using Z = Complex<R>;
-    static constexpr int n = n_unknowns<S>;
-
-    explicit NoForm(const H&) {}
-    void series(int, const FactorSeries<S, R>&, Z (&g)[n]) const {
-        for (Z& entry : g) entry = {broadcast<R>(0.0), broadcast<R>(0.0)};
-    }
-    void slopes(const FactorSeries<S, R>&, Z (&)[n][n]) const {}
-};
-
-}  // namespace equilibria::detail
+}  // namespace equilibria

@@ -1,11 +1,10 @@
 /// \file
-/// The evaluation of a homotopy by loops over the tables of its terms: for systems that are data, and for those with
-/// too many terms to be unrolled (unrolled_evaluation.hpp). H(q, t), its Jacobian in q, its Taylor coefficients along a
-/// path.
+/// The evaluation of a homotopy by loops over the tables of its terms, for systems that are data: H(q, t), its Jacobian
+/// in q, its Taylor coefficients along a path. Unrolled, for a model whose terms are known at compile time:
+/// unrolled_evaluation.hpp.
 ///
 /// What the target's terms and their law of time give is summed here; what the start adds in a form of its own, here
-/// (1-t) G, is asked of `Form`: `series(k, factors, g)`, the Taylor coefficients of G, and `slopes(factors, j)`, its
-/// Jacobian.
+/// (1-t) G, is evaluated by StartFormSeries.
 #pragma once
 
 #include <array>
@@ -16,63 +15,64 @@
 #include <equilibria/core/complex.hpp>
 #include <equilibria/evaluation/factor_series.hpp>
 #include <equilibria/evaluation/point.hpp>
+#include <equilibria/evaluation/start_form_series.hpp>
 #include <equilibria/evaluation/term_tables.hpp>
 
 namespace equilibria::detail {
 
-/// H: `tables()`, `target(term)` at t = 1, and where the coefficients move `law<l>(term, t)`, the Taylor coefficient l
-/// in t of the term's coefficient, l up to H::law_order.
+/// H: `tables()`, `forms()`, `symmetric()`, `target(term)` at t = 1, and where the coefficients are `moving()`
+/// `law<l>(term, t)`, the Taylor coefficient l in t of the term's coefficient, l up to H::law_order.
 template <class H, class R, class Time>
 class TableEvaluation {
 public:
-    using S = typename H::System;
     using Z = Complex<R>;
-    using Form = typename H::template Form<R>;
-    static constexpr int n = n_unknowns<S>;
-    static constexpr int order = FactorSeries<S, R>::order;
-    static constexpr bool symmetric = H::symmetric;
-    static constexpr int laws = H::moving ? H::law_order + 1 : 2;
+    static constexpr int order = FactorSeries<R>::order;
 
     explicit TableEvaluation(const H& h)
-        : h_(&h), tables_(&h.tables()), factors_(*tables_), form_(h), groups_(tables_->groups.size()),
-          sum_(static_cast<std::size_t>(laws) * (order + 1) * groups_), blend_((order + 1) * groups_),
-          node_slope_(tables_->nodes.size()), current_(H::moving ? tables_->operand.size() : 0) {}
+        : h_(&h), tables_(&h.tables()), n_(tables_->sizes.unknowns), moving_(h.moving()), symmetric_(h.symmetric()),
+          factors_(*tables_), form_(h.forms(), *tables_), groups_(tables_->groups.size()),
+          sum_(static_cast<std::size_t>(moving_ ? H::law_order + 1 : 1) * (order + 1) * groups_),
+          blend_((order + 1) * groups_), node_slope_(tables_->nodes.size() * static_cast<std::size_t>(n_)),
+          current_(moving_ ? tables_->operand.size() : 0), row_(n_) {
+        for (auto& g : start_) g = SizedArray<Z, at_run_time>(n_);
+    }
 
     /// H(q, t).
-    void value(const Point<S, R>& q, const Time& t, Z (&f)[n]) {
+    void value(const RuntimePoint<R>& q, const Time& t, auto& f) {
         time_ = t;
         factors_.begin(q);
-        if constexpr (H::moving)
-            for (std::size_t k = 0; k < current_.size(); ++k)
-                current_[k] = h_->template law<0, R>(static_cast<int>(k), t);
-        for (Z& entry : f) entry = zero();
+        for (std::size_t k = 0; k < current_.size(); ++k) current_[k] = h_->template law<0, R>(static_cast<int>(k), t);
+        for (int i = 0; i < n_; ++i) f[i] = zero();
         for (std::size_t g = 0; g < groups_; ++g) {
             const auto& group = tables_->groups[g];
             sum_terms(0, g);
             f[group.equation] += group.own_factor < 0 ? blend(0, g) : Z(factors_(0, group.own_factor) * blend(0, g));
         }
+        if (form_.empty()) return;
         form_.series(0, factors_, start_[0]);
-        for (int i = 0; i < n; ++i) f[i] += (1.0 - time_) * start_[0][i];
+        for (int i = 0; i < n_; ++i) f[i] += (1.0 - time_) * start_[0][i];
     }
 
     /// H(q, t) and its Jacobian; with a potential only the entries on and above the diagonal are set.
-    void jacobian(const Point<S, R>& q, const Time& t, Z (&f)[n], Z (&j)[n][n]) {
+    void jacobian(const RuntimePoint<R>& q, const Time& t, auto& f, auto& j) {
         value(q, t, f);
         factors_.begin_slopes();
-        for (auto& row : j)
-            for (Z& entry : row) entry = zero();
-        form_.slopes(factors_, j);
-        for (auto& row : j)
-            for (Z& entry : row) entry = (1.0 - time_) * entry;
+        for (int i = 0; i < n_; ++i)
+            for (int u = 0; u < n_; ++u) j[i][u] = zero();
+        if (!form_.empty()) {
+            form_.slopes(factors_, j);
+            for (int i = 0; i < n_; ++i)
+                for (int u = 0; u < n_; ++u) j[i][u] = (1.0 - time_) * j[i][u];
+        }
         multiply_slopes();
         for (std::size_t g = 0; g < groups_; ++g) add_slopes(g, j);
     }
 
     /// The Taylor coefficient k of -H(q(t), t), given those of q(t) below k and taking its k-th as zero: the
     /// right-hand side of J q_k = ... Call with k = 1, 2, ... after `jacobian`, and `set_coefficient` in between.
-    void taylor_right_side(int k, Z (&f)[n]) {
+    void taylor_right_side(int k, auto& f) {
         factors_.extend(k);
-        for (Z& entry : f) entry = zero();
+        for (int i = 0; i < n_; ++i) f[i] = zero();
         for (std::size_t g = 0; g < groups_; ++g) {
             const auto& group = tables_->groups[g];
             sum_terms(k, g);
@@ -81,14 +81,16 @@ public:
             else
                 for (int l = 0; l <= k; ++l) f[group.equation] -= factors_(l, group.own_factor) * blend(k - l, g);
         }
-        form_.series(k, factors_, start_[k]);
-        for (int i = 0; i < n; ++i) f[i] -= (1.0 - time_) * start_[k][i] - start_[k - 1][i];
+        if (form_.empty()) return;
+        const auto order_k = static_cast<std::size_t>(k);
+        form_.series(k, factors_, start_[order_k]);
+        for (int i = 0; i < n_; ++i) f[i] -= (1.0 - time_) * start_[order_k][i] - start_[order_k - 1][i];
     }
     /// Tells the k-th Taylor coefficient of q(t), once solved for.
-    void set_coefficient(int k, const Z (&d)[n]) {
+    void set_coefficient(int k, const auto& d) {
         factors_.complete(k, d);
         for (std::size_t g = 0; g < groups_; ++g) sum_terms(k, g);
-        form_.series(k, factors_, start_[k]);
+        if (!form_.empty()) form_.series(k, factors_, start_[static_cast<std::size_t>(k)]);
     }
 
 private:
@@ -103,35 +105,36 @@ private:
     }
     Z& blend(int k, std::size_t g) { return blend_[static_cast<std::size_t>(k) * groups_ + g]; }
 
-    template <int Law>
-    auto coefficient(int term) const {
-        if constexpr (!H::moving)
-            return number(h_->target(term));
-        else if constexpr (Law == 0)
-            return current_[static_cast<std::size_t>(term)];
-        else
-            return number(h_->template law<Law, R>(term, time_));
-    }
-    template <int Law>
-    Z summed(int k, const typename TermTables<S>::Group& group) const {
+    /// Of the terms of a group: coefficient(term) times the operand's k-th.
+    Z summed(int k, const TermTables::Group& group, const auto& coefficient) const {
         Z y = zero();
         for (int term = group.first; term < group.last; ++term) {
             const int operand = tables_->operand[static_cast<std::size_t>(term)];
             if (operand >= 0)
-                y += coefficient<Law>(term) * factors_(k, operand);
+                y += coefficient(term) * factors_(k, operand);
             else if (k == 0)
-                y = y + coefficient<Law>(term);
+                y = y + coefficient(term);
         }
         return y;
+    }
+    auto target() const {
+        return [this](int term) { return number(h_->target(term)); };
+    }
+    auto current() const {
+        return [this](int term) -> const Z& { return current_[static_cast<std::size_t>(term)]; };
+    }
+    template <int Law>
+    auto law() const {
+        return [this](int term) { return number(h_->template law<Law, R>(term, time_)); };
     }
     /// The group's share of order k, before it is multiplied by its own factor.
     void sum_terms(int k, std::size_t g) {
         const auto& group = tables_->groups[g];
-        if constexpr (H::moving) {
-            sum(0, k, g) = blend(k, g) = summed<0>(k, group);
+        if (moving_) {
+            sum(0, k, g) = blend(k, g) = summed(k, group, current());
             add_laws<1>(k, g);
         } else {
-            sum(0, k, g) = summed<0>(k, group);
+            sum(0, k, g) = summed(k, group, target());
             blend(k, g) = time_ * sum(0, k, g);
             if (k > 0) blend(k, g) += sum(0, k - 1, g);
         }
@@ -139,7 +142,7 @@ private:
     template <int Law>
     void add_laws(int k, std::size_t g) {
         if constexpr (Law <= H::law_order) {
-            sum(Law, k, g) = summed<Law>(k, tables_->groups[g]);
+            sum(Law, k, g) = summed(k, tables_->groups[g], law<Law>());
             if (k >= Law) blend(k, g) += sum(Law, k - Law, g);
             add_laws<Law + 1>(k, g);
         }
@@ -148,50 +151,53 @@ private:
     const Z& slope_of(int operand, int u) const {
         return operand < tables_->factors
                    ? factors_.slope(operand)
-                   : node_slope_[static_cast<std::size_t>(operand - tables_->factors)][static_cast<std::size_t>(u)];
+                   : node_slope_[static_cast<std::size_t>((operand - tables_->factors) * n_ + u)];
     }
     void multiply_slopes() {
-        std::size_t m = 0;
+        Z* slope = node_slope_.data();
         for (const auto& node : tables_->nodes) {
-            auto& slope = node_slope_[m];
             for (const int u : tables_->unknowns[static_cast<std::size_t>(node.left)])
-                slope[static_cast<std::size_t>(u)] = slope_of(node.left, u) * factors_(0, node.right);
-            slope[static_cast<std::size_t>(tables_->unknowns[static_cast<std::size_t>(node.right)].front())] =
+                slope[u] = slope_of(node.left, u) * factors_(0, node.right);
+            slope[tables_->unknowns[static_cast<std::size_t>(node.right)].front()] =
                 factors_(0, node.left) * factors_.slope(node.right);
-            ++m;
+            slope += n_;
         }
     }
-    void add_slopes(std::size_t g, Z (&j)[n][n]) {
+    void add_slopes(std::size_t g, auto& j) {
         const auto& group = tables_->groups[g];
         const int i = group.equation;
         if (group.own_factor >= 0) j[i][i] += factors_.slope(group.own_factor) * blend(0, g);
         if (group.unknowns.empty()) return;
-        Z row[n];
-        for (const int u : group.unknowns) row[u] = zero();
+        for (const int u : group.unknowns) row_[u] = zero();
+        moving_ ? add_row(group, current()) : add_row(group, target());
+        for (const int u : group.unknowns) {
+            if (symmetric_ && u < i) continue;
+            Z entry = group.own_factor < 0 ? row_[u] : Z(factors_(0, group.own_factor) * row_[u]);
+            if (!moving_) entry = time_ * entry;
+            j[i][u] += entry;
+        }
+    }
+    void add_row(const TermTables::Group& group, const auto& coefficient) {
         for (int term = group.first; term < group.last; ++term) {
             const int operand = tables_->operand[static_cast<std::size_t>(term)];
             if (operand < 0) continue;
             for (const int u : tables_->unknowns[static_cast<std::size_t>(operand)])
-                row[u] += coefficient<0>(term) * slope_of(operand, u);
-        }
-        for (const int u : group.unknowns) {
-            if (symmetric && u < i) continue;
-            Z entry = group.own_factor < 0 ? row[u] : Z(factors_(0, group.own_factor) * row[u]);
-            if constexpr (!H::moving) entry = time_ * entry;
-            j[i][u] += entry;
+                row_[u] += coefficient(term) * slope_of(operand, u);
         }
     }
 
     const H* h_;
-    const TermTables<S>* tables_;
+    const TermTables* tables_;
+    int n_;
+    bool moving_, symmetric_;
     Time time_;
-    FactorSeries<S, R> factors_;
-    Form form_;
+    FactorSeries<R> factors_;
+    StartFormSeries<R> form_;
     std::size_t groups_;
-    std::vector<Z> sum_, blend_;
-    std::vector<std::array<Z, static_cast<std::size_t>(n)>> node_slope_;
-    std::vector<Z> current_;  // where coefficients move
-    Z start_[order + 1][n];   // the Taylor coefficients of G
+    std::vector<Z> sum_, blend_, node_slope_;
+    std::vector<Z> current_;                                   // where coefficients move
+    SizedArray<Z, at_run_time> row_;                           // of the Jacobian, of one group
+    std::array<SizedArray<Z, at_run_time>, order + 1> start_;  // the Taylor coefficients of G
 };
 
 }  // namespace equilibria::detail

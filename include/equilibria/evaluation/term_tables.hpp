@@ -12,17 +12,13 @@
 #include <utility>
 #include <vector>
 
-#include <equilibria/core/array.hpp>
-#include <equilibria/model/model.hpp>
+#include <equilibria/model/sizes.hpp>
+#include <equilibria/system/sparse_term.hpp>
 
 namespace equilibria::detail {
 
-/// S: angles and coordinates of the system.
-template <class S>
 class TermTables {
 public:
-    static constexpr int n = n_unknowns<S>;
-
     /// A product of an earlier operand (a factor, or a node) and a factor. Operands: factors, then nodes; -1 is 1.
     struct Node {
         int left, right;
@@ -34,18 +30,19 @@ public:
         std::vector<int> unknowns;  ///< that the other factors depend on
     };
 
-    /// terms: as SupportTerm, sorted by equation, then by the code of the equation's own unknown. degrees: of each
-    /// equation in its own unknown, at least, for what a start adds.
-    template <class Terms>
-    TermTables(const Terms& terms, const Array<int, n>& degrees) {
-        for (int u = 0; u < n; ++u) highest[u] = std::max(1, degrees[u]);
+    /// terms: sorted by equation, then by the code of the equation's own unknown. degrees: of each unknown, at least,
+    /// for what a start adds.
+    TermTables(const RuntimeSizes& numbers, const std::vector<SparseTerm>& terms, const std::vector<int>& degrees)
+        : sizes(numbers), highest(degrees), offset(at(numbers.unknowns + 1)) {
+        for (int& degree : highest) degree = std::max(1, degree);
         for (const auto& t : terms)
-            for (int u = 0; u < n; ++u) highest[u] = std::max(highest[u], t.monomial.degree(u));
-        for (int u = 0; u < n; ++u) offset[u + 1] = offset[u] + (u < n_angles<S> ? 2 : 1) * highest[u];
-        factors = offset[n];
-        unknowns.resize(static_cast<std::size_t>(factors));
-        for (int u = 0; u < n; ++u)
-            for (int f = offset[u]; f < offset[u + 1]; ++f) unknowns[at(f)] = {u};
+            for (int u = 0; u < sizes.unknowns; ++u) highest[at(u)] = std::max(highest[at(u)], t.monomial.degree(u));
+        for (int u = 0; u < sizes.unknowns; ++u)
+            offset[at(u + 1)] = offset[at(u)] + (u < sizes.angles ? 2 : 1) * highest[at(u)];
+        factors = offset.back();
+        unknowns.resize(at(factors));
+        for (int u = 0; u < sizes.unknowns; ++u)
+            for (int f = offset[at(u)]; f < offset[at(u + 1)]; ++f) unknowns[at(f)] = {u};
         std::map<Node, int> known;
         for (const auto& t : terms) operand.push_back(product(t, known));
         find_groups(terms);
@@ -54,13 +51,14 @@ public:
     /// The factor with a code (see Monomial) of unknown u; -1 for the constant 1.
     int factor(int u, int code) const {
         if (code == 0) return -1;
-        if (u >= n_angles<S>) return offset[u] + code - 1;
-        return offset[u] + (code > 0 ? 2 * (code - 1) : 2 * (-code - 1) + 1);
+        if (u >= sizes.angles) return offset[at(u)] + code - 1;
+        return offset[at(u)] + (code > 0 ? 2 * (code - 1) : 2 * (-code - 1) + 1);
     }
     int operands() const { return factors + static_cast<int>(nodes.size()); }
 
-    Array<int, n> highest{};     ///< multiple or power of each unknown
-    Array<int, n + 1> offset{};  ///< of each unknown's factors
+    RuntimeSizes sizes;
+    std::vector<int> highest;  ///< multiple or power of each unknown
+    std::vector<int> offset;   ///< of each unknown's factors
     int factors = 0;
     std::vector<Node> nodes;
     std::vector<int> operand;                ///< of each term: the product of its factors other than the own one
@@ -70,9 +68,9 @@ public:
 private:
     static std::size_t at(int k) { return static_cast<std::size_t>(k); }
 
-    int product(const auto& term, std::map<Node, int>& known) {
+    int product(const SparseTerm& term, std::map<Node, int>& known) {
         int y = -1;
-        for (int u = 0; u < n; ++u) {
+        for (int u = 0; u < sizes.unknowns; ++u) {
             const int f = u == term.equation ? -1 : factor(u, term.monomial.code(u));
             if (f < 0) continue;
             if (y < 0) {
@@ -92,18 +90,18 @@ private:
         return y;
     }
 
-    void find_groups(const auto& terms) {
+    void find_groups(const std::vector<SparseTerm>& terms) {
         const int size = static_cast<int>(operand.size());
         for (int first = 0, last; first < size; first = last) {
             const auto& t = terms[at(first)];
             last = first;
-            std::vector<bool> used(at(n));
+            std::vector<bool> used(at(sizes.unknowns));
             for (; last < size && terms[at(last)].equation == t.equation && terms[at(last)].own_code() == t.own_code();
                  ++last)
                 if (operand[at(last)] >= 0)
                     for (const int u : unknowns[at(operand[at(last)])]) used[at(u)] = true;
             Group group{t.equation, factor(t.equation, t.own_code()), first, last, {}};
-            for (int u = 0; u < n; ++u)
+            for (int u = 0; u < sizes.unknowns; ++u)
                 if (used[at(u)]) group.unknowns.push_back(u);
             groups.push_back(std::move(group));
         }

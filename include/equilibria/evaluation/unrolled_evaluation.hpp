@@ -34,9 +34,9 @@ public:
     explicit UnrolledEvaluation(const H& h) : h_(&h) {}
 
     /// H(q, t).
-    void value(const Point<M, R>& q, const Time& t, Z (&f)[n]) {
+    void value(const Point<M, R>& q, const Time& t, auto& f) {
         prepare(q, t);
-        for (Z& entry : f) entry = zero();
+        for (int i = 0; i < n; ++i) f[i] = zero();
         static_for<Plan::n_groups>([&](auto g) {
             constexpr auto group = Plan::groups[g];
             accumulate(f[group.equation], own<g>(0), blend_[0][g]);
@@ -44,7 +44,7 @@ public:
     }
 
     /// H(q, t) and its Jacobian; with a potential only the entries on and above the diagonal are set.
-    void jacobian(const Point<M, R>& q, const Time& t, Z (&f)[n], Z (&j)[n][n]) {
+    void jacobian(const Point<M, R>& q, const Time& t, auto& f, auto& j) {
         value(q, t, f);
         for (int r = 0; r < n; ++r)
             for (int c = symmetric ? r : 0; c < n; ++c) j[r][c] = zero();
@@ -82,9 +82,9 @@ public:
 
     /// The Taylor coefficient k of -H(q(t), t), given those of q(t) below k and taking its k-th as zero: the
     /// right-hand side of J q_k = ... Call with k = 1, 2, ... after `jacobian`, and `set_coefficient` in between.
-    void taylor_right_side(int k, Z (&f)[n]) {
+    void taylor_right_side(int k, auto& f) {
         extend_factors(k);
-        for (Z& entry : f) entry = zero();
+        for (int i = 0; i < n; ++i) f[i] = zero();
         static_for<Plan::n_groups>([&](auto g) {
             constexpr auto group = Plan::groups[g];
             constexpr int own_factor = Plan::factor(group.equation, group.own_code);
@@ -97,7 +97,7 @@ public:
         });
     }
     /// Tells the k-th Taylor coefficient of q(t), once solved for.
-    void set_coefficient(int k, const Z (&d)[n]) {
+    void set_coefficient(int k, const auto& d) {
         for (int u = 0; u < n; ++u) path_[k][u] = d[u];
         complete_factors(k);
     }

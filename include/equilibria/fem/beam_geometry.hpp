@@ -25,6 +25,7 @@
 #include <Eigen/Geometry>
 
 #include <equilibria/core/error.hpp>
+#include <equilibria/core/streamed_text.hpp>
 #include <equilibria/fem/frame.hpp>
 #include <equilibria/fem/interpolation.hpp>
 
@@ -40,11 +41,11 @@ struct SectionFrame {
 /// they are parallel or not finite.
 inline SectionFrame section_frame(const Eigen::Vector3d& x, const Eigen::Vector3d& axis,
                                   const Eigen::Vector3d& second) {
-    require(x.allFinite(), "x", to_text(x.transpose()), "must be finite");
-    require(axis.allFinite() && axis.norm() > 0, "axis", to_text(axis.transpose()), "must be finite and not 0");
+    require(x.allFinite(), "x", streamed(x.transpose()), "must be finite");
+    require(axis.allFinite() && axis.norm() > 0, "axis", streamed(axis.transpose()), "must be finite and not 0");
     const Eigen::Vector3d e1 = axis.normalized(), across = second - second.dot(e1) * e1;
     require(second.allFinite() && across.norm() > 1e-8 * second.norm() && second.norm() > 0, "second",
-            to_text(second.transpose()), "must be finite and not along the axis");
+            streamed(second.transpose()), "must be finite and not along the axis");
     Eigen::Matrix3d r;
     r.col(0) = e1;
     r.col(1) = across.normalized();

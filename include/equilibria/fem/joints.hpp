@@ -9,6 +9,7 @@
 #include <string>
 
 #include <equilibria/core/error.hpp>
+#include <equilibria/core/streamed_text.hpp>
 #include <equilibria/fem/element.hpp>
 
 namespace equilibria::fem {
@@ -18,7 +19,7 @@ namespace detail {
 /// Two unit vectors that make a right-handed orthogonal frame with `axis`. Throws InvalidArgument unless the axis is
 /// finite and not 0.
 inline std::array<Eigen::Vector3d, 3> frame_along(const Eigen::Vector3d& axis) {
-    require(axis.allFinite() && axis.norm() > 0, "axis", to_text(axis.transpose()), "must be finite and not 0");
+    require(axis.allFinite() && axis.norm() > 0, "axis", streamed(axis.transpose()), "must be finite and not 0");
     Eigen::Index least = 0;
     const Eigen::Vector3d n = axis.normalized();
     n.cwiseAbs().minCoeff(&least);

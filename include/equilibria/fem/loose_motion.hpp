@@ -9,6 +9,7 @@
 #include <Eigen/SparseLU>
 
 #include <equilibria/continuation/bordered.hpp>
+#include <equilibria/continuation/generic_vector.hpp>
 #include <equilibria/fem/structure.hpp>
 
 namespace equilibria::fem {

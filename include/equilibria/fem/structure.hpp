@@ -24,6 +24,7 @@
 
 #include <Eigen/SparseCore>
 
+#include <equilibria/core/streamed_text.hpp>
 #include <equilibria/fem/assembly.hpp>
 #include <equilibria/fem/structure_model.hpp>
 #include <equilibria/rotation/tangent_map.hpp>
@@ -233,14 +234,14 @@ private:
                 const std::size_t node = static_cast<std::size_t>(load.node),
                                   root = static_cast<std::size_t>(model_->rotates_with(load.node));
                 require(load.force(c) == 0 || used_[node][ux + c] || model_->fixed(load.node, Component(c)), where,
-                        to_text(load.force.transpose()), "must act on components that an element uses");
+                        streamed(load.force.transpose()), "must act on components that an element uses");
                 require(load.moment(c) == 0 || used_[root][rx + c] || unknown(load.node, Component(rx + c)) >= 0 ||
                             model_->fixed(load.node, Component(rx + c)),
-                        where, to_text(load.moment.transpose()), "must act on rotations that an element uses");
+                        where, streamed(load.moment.transpose()), "must act on rotations that an element uses");
                 axes += unknown(load.node, Component(rx + c)) >= 0;
             }
             require(
-                !Conservative || axes <= 1 || load.moment.isZero(0), where, to_text(load.moment.transpose()),
+                !Conservative || axes <= 1 || load.moment.isZero(0), where, streamed(load.moment.transpose()),
                 "a moment on a node that turns about several axes has no energy: NonconservativeStructure takes it");
             Eigen::VectorXd& to = load.kind == LoadKind::constant ? constant_load_ : proportional_load_;
             for (int c = 0; c < 3; ++c)

@@ -20,6 +20,7 @@
 #include <vector>
 
 #include <equilibria/core/error.hpp>
+#include <equilibria/core/streamed_text.hpp>
 #include <equilibria/fem/element.hpp>
 
 namespace equilibria::fem {
@@ -49,7 +50,7 @@ public:
 
     /// A new node at x; its number.
     int add_node(const Eigen::Vector3d& x) {
-        require(x.allFinite(), "x of node " + std::to_string(nodes()), to_text(x.transpose()), "must be finite");
+        require(x.allFinite(), "x of node " + std::to_string(nodes()), streamed(x.transpose()), "must be finite");
         x_.push_back(x);
         fixed_.push_back({});
         rotates_with_.push_back(nodes() - 1);
@@ -106,8 +107,8 @@ public:
     void load(int node, const Eigen::Vector3d& force, const Eigen::Vector3d& moment = Eigen::Vector3d::Zero(),
               LoadKind kind = LoadKind::proportional) {
         checked(node, "node");
-        require(force.allFinite(), "force", to_text(force.transpose()), "must be finite");
-        require(moment.allFinite(), "moment", to_text(moment.transpose()), "must be finite");
+        require(force.allFinite(), "force", streamed(force.transpose()), "must be finite");
+        require(moment.allFinite(), "moment", streamed(moment.transpose()), "must be finite");
         loads_.push_back({node, force, moment, kind});
     }
 

@@ -32,9 +32,6 @@
 
 namespace equilibria {
 
-/// The largest condition number (see PolishedEvidence) of an endpoint that counts as regular.
-inline constexpr double regular_condition = 1e8;
-
 namespace detail {
 
 /// R: double, or a multiprecision float, which tracks and closes loops with more digits; what is polished, and what
@@ -43,30 +40,29 @@ template <class H, class R = double>
 class Endgame {
 public:
     using M = typename H::System;
-    using At = Point<M, R>;
-    using Loop = ClosedLoop<M, R>;
-    static constexpr int n = n_unknowns<M>;
+    using At = RuntimePoint<R>;
+    using Loop = ClosedLoop<R>;
 
     Endgame(const H& h, const Polisher<H>& polisher, const TrackerOptions& options)
-        : options_(options), tracker_(h, options, shortest_step), closing_(h, closing(options), shortest_step),
-          polisher_(&polisher) {}
+        : sizes_(h.sizes()), options_(options), tracker_(h, options, shortest_step),
+          closing_(h, closing(options), shortest_step), polisher_(&polisher) {}
 
     /// Ends paths that have come to t = ends[k]->t.
-    void finish(std::span<Endpoint<M>* const> ends) {
+    void finish(std::span<Endpoint* const> ends) {
         std::vector<Path> paths;
-        for (Endpoint<M>* end : ends) paths.push_back(path_at(*end, 1 - end->t));
+        for (Endpoint* end : ends) paths.push_back(path_at(*end, 1 - end->t));
         for (std::size_t k = 0; k < ends.size(); ++k) copy_lane(ends[k]->q, 0, paths[k].q, 0);
         finish(paths);
     }
     /// Tracks the path from its start, slowly, and ends it with the endgame wherever it leads.
-    Endpoint<M> from_start(const Point<M, double>& start) {
-        Endpoint<M> end;
+    Endpoint from_start(const RuntimePoint<double>& start) {
+        Endpoint end;
         from_starts(std::span(&start, 1), std::span(&end, 1));
         return end;
     }
     /// The same for many paths; ends[k] belongs to starts[k], and comes as made by default.
-    void from_starts(std::span<const Point<M, double>> starts, std::span<Endpoint<M>> ends) {
-        std::vector<Segment<M, R>> segments(starts.size());
+    void from_starts(std::span<const RuntimePoint<double>> starts, std::span<Endpoint> ends) {
+        std::vector<Segment<R>> segments(starts.size());
         for (std::size_t k = 0; k < starts.size(); ++k) {
             copy_lane(starts[k], 0, segments[k].q, 0);
             segments[k].from = time(1);
@@ -76,8 +72,8 @@ public:
         tracker_.follow(std::span(segments));
         std::vector<Path> paths;
         for (std::size_t k = 0; k < starts.size(); ++k) {
-            const Segment<M, R>& segment = segments[k];
-            Endpoint<M>& end = ends[k];
+            const Segment<R>& segment = segments[k];
+            Endpoint& end = ends[k];
             end.steps = segment.steps;
             copy_lane(segment.q, 0, end.q, 0);
             const double r = 1 - segment.reached * (1 - 1e-3);
@@ -109,11 +105,11 @@ private:
 
     /// A path on its way to t = 1.
     struct Path {
-        Endpoint<M>* end;
+        Endpoint* end;
         At q;  ///< at t = 1 - r
         double r;
-        double noise = 1e-7;       ///< Newton corrections up to this size may be rounding there
-        Valuations<M> nu, before;  ///< valuations there and at the last scale, -1 without one
+        double noise = 1e-7;    ///< Newton corrections up to this size may be rounding there
+        Valuations nu, before;  ///< valuations there and at the last scale, -1 without one
         bool diverging = false;
         double excluded = 1;  ///< no finite solution has its branch point between this radius and r
         Loop now, last;
@@ -121,8 +117,8 @@ private:
     };
     using Paths = std::vector<Path*>;
 
-    static Path path_at(Endpoint<M>& end, double r) {
-        Path path{.end = &end, .q = {}, .r = r, .nu = {}, .before = {}, .now = {}, .last = {}};
+    Path path_at(Endpoint& end, double r) const {
+        Path path{.end = &end, .q = {}, .r = r, .nu = Valuations(sizes_.unknowns), .before = {}, .now = {}, .last = {}};
         for (double& nu : path.nu) nu = -1;
         return path;
     }
@@ -184,7 +180,7 @@ private:
     /// behind, and are no longer open.
     void go_on(Paths& open) {
         std::vector<double> next;
-        std::vector<Segment<M, R>> segments;
+        std::vector<Segment<R>> segments;
         for (const Path* path : open) {
             double fastest = 0;
             for (const double v : path->nu) fastest = std::max(fastest, v);
@@ -227,20 +223,20 @@ private:
     }
     /// No singularity on any scale: the paths are regular at t = 1, only badly conditioned.
     void go_to_the_end(const Paths& paths) {
-        std::vector<Segment<M, R>> segments;
+        std::vector<Segment<R>> segments;
         for (const Path* path : paths) segments.push_back(segment(*path, 0));
         closing_.follow(std::span(segments));
         for (std::size_t k = 0; k < paths.size(); ++k) {
-            Endpoint<M>& end = *paths[k]->end;
+            Endpoint& end = *paths[k]->end;
             end.steps = segments[k].steps;
             if (segments[k].progress != Progress::arrived) continue;
             // rounding may have led it along a family
             const bool strayed = distance(paths[k]->q, segments[k].q) > 1;
             paths[k]->q = segments[k].q;
             if (strayed) continue;
-            Point<M, double> reached;
+            RuntimePoint<double> reached;
             copy_lane(segments[k].q, 0, reached, 0);
-            Point<M, double> q = reached;
+            RuntimePoint<double> q = reached;
             polisher_->run(q, &end.evidence);
             if (!is_regular(end.evidence) || distance(q, reached) > 1e-6) continue;
             end.q = q;
@@ -250,8 +246,8 @@ private:
     }
 
     /// From where the path is to t = 1 - r.
-    static Segment<M, R> segment(const Path& path, double r) {
-        Segment<M, R> y;
+    static Segment<R> segment(const Path& path, double r) {
+        Segment<R> y;
         y.q = path.q;
         y.from = time(path.r);
         y.to = time(r);
@@ -262,8 +258,9 @@ private:
 
     /// Valuations, and how large rounding is there.
     void find_valuations(const Paths& paths) {
-        std::vector<Expansion<M, R>> points;
-        for (const Path* path : paths) points.push_back({.q = path->q, .r = path->r, .noise = 0, .nu = {}});
+        std::vector<Expansion<R>> points;
+        for (const Path* path : paths)
+            points.push_back({.q = path->q, .r = path->r, .noise = 0, .nu = Valuations(sizes_.unknowns)});
         closing_.expand(std::span(points));
         for (std::size_t k = 0; k < paths.size(); ++k) {
             Path& path = *paths[k];
@@ -271,12 +268,12 @@ private:
             path.noise = std::clamp(16 * points[k].noise / closing(options_).contraction, 1e-7, 1e-5);
             path.before = path.nu;
             path.nu = points[k].nu;
-            for (int u = n_angles<M>; u < n; ++u)
-                path.nu[u] /= 1e-30 + std::sqrt(static_cast<double>(norm2(path.q.x[u - n_angles<M>])));
+            for (int u = sizes_.angles; u < sizes_.unknowns; ++u)
+                path.nu[u] /= 1e-30 + std::sqrt(static_cast<double>(norm2(path.q.x[u - sizes_.angles])));
         }
     }
     void find_loops(const Paths& paths) {
-        std::vector<Circle<M, R>> circles;
+        std::vector<Circle<R>> circles;
         for (const Path* path : paths) circles.emplace_back(path->q, path->r, path->end->steps, path->noise, closed);
         closing_.follow(std::span(circles));
         for (std::size_t k = 0; k < paths.size(); ++k) {
@@ -293,7 +290,7 @@ private:
         find_valuations(paths);
         find_loops(paths);
         std::vector<Path> wider;  // the same paths at 10 r
-        std::vector<Segment<M, R>> segments;
+        std::vector<Segment<R>> segments;
         for (const Path* path : paths) segments.push_back(segment(*path, 10 * path->r));
         closing_.follow(std::span(segments));
         for (std::size_t k = 0; k < paths.size(); ++k) {
@@ -320,10 +317,10 @@ private:
         return evidence.condition < regular_condition && evidence.correction < 1e-8;
     }
     /// Decides at a settled estimate of the endpoint; false if the radius is still too large to tell.
-    bool settle(Endpoint<M>& end, const At& mean, int winding) {
-        Point<M, double> estimate;
+    bool settle(Endpoint& end, const At& mean, int winding) {
+        RuntimePoint<double> estimate;
         copy_lane(mean, 0, estimate, 0);
-        Point<M, double> q = estimate;
+        RuntimePoint<double> q = estimate;
         polisher_->run(q, &end.evidence);
         if (is_regular(end.evidence)) {
             if (winding > 1 || distance(q, estimate) > 1e-6) return false;  // a branch point near t = 1, not at it
@@ -341,6 +338,7 @@ private:
         return true;
     }
 
+    Sizes<M> sizes_;
     TrackerOptions options_;
     SegmentLanes<H, R> tracker_, closing_;  // from the start, and near t = 1
     const Polisher<H>* polisher_;

@@ -17,9 +17,8 @@ enum class Arrival : std::uint8_t {
 };
 
 /// What became of a path, with the evidence.
-template <class M>
 struct Endpoint {
-    Point<M, double> q;
+    RuntimePoint<double> q;
     double t = 0;            ///< where the lane tracker left it
     std::int32_t steps = 0;  ///< predictor-corrector steps, refused ones included
     Arrival arrival = Arrival::stuck;
@@ -29,6 +28,9 @@ struct Endpoint {
     std::int16_t winding_number = 1;  ///< of the path at t = 1; more than 1 only at a singular endpoint
     PolishedEvidence evidence;
 };
+
+/// The largest condition number (see PolishedEvidence) of an endpoint that counts as regular.
+inline constexpr double regular_condition = 1e8;
 
 /// The square of the size beyond which a path is left to the endgame, which asks whether it goes to infinity.
 inline constexpr double far_away2 = 1e16;

@@ -15,11 +15,11 @@ namespace equilibria {
 /// paths[k] was left goes to ends[k] (q, t, steps, arrival, reason). R: the pack of lanes, or a scalar type.
 template <class R, bool Pivoted, class H, class StartPoint>
 void track_lanes(const H& homotopy, const TrackerOptions& options, std::span<const std::uint64_t> paths,
-                 StartPoint&& start, std::span<Endpoint<typename H::System>> ends) {
+                 StartPoint&& start, std::span<Endpoint> ends) {
     using M = typename H::System;
     constexpr int width = LaneTraits<R>::width;
     detail::Stepper<H, R, R, Pivoted> stepper(homotopy, options);
-    Point<M, R> q{};
+    auto q = point_of_zeros<M, R>(homotopy.sizes());
     R t = broadcast<R>(1.0), h = broadcast<R>(0.0);
     std::int64_t path[width];
     std::int32_t steps[width];
@@ -39,7 +39,7 @@ void track_lanes(const H& homotopy, const TrackerOptions& options, std::span<con
         }
     };
     const auto finish = [&](int k, Arrival arrival, FailureReason reason) {
-        Endpoint<M>& end = ends[static_cast<std::size_t>(path[k])];
+        Endpoint& end = ends[static_cast<std::size_t>(path[k])];
         copy_lane(q, k, end.q, 0);
         end.t = static_cast<double>(lane(t, k));
         end.steps = steps[k];
@@ -57,8 +57,8 @@ void track_lanes(const H& homotopy, const TrackerOptions& options, std::span<con
         const R first = stepper.first_step();
         for (int k = 0; k < width; ++k)
             if (fresh[k]) set_lane(h, k, lane(first, k)), fresh[k] = false;
-        const auto outcome = stepper.step(q, t, h);
-        q = select(outcome.accepted, outcome.q, q);
+        const auto& outcome = stepper.step(q, t, h);
+        take_where(outcome.accepted, outcome.q, q);
         const R before = t;
         t = select(outcome.accepted, t + outcome.step, t);
         h = lane_min(outcome.next_step, 1.0 - t);

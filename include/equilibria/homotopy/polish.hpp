@@ -7,11 +7,12 @@
 
 #include <algorithm>
 #include <complex>
+#include <cstddef>
+#include <type_traits>
 
 #include <equilibria/core/linear_solve.hpp>
 #include <equilibria/evaluation/point.hpp>
 #include <equilibria/homotopy/path_status.hpp>
-#include <equilibria/model/derivatives.hpp>
 
 namespace equilibria {
 
@@ -21,60 +22,74 @@ template <class H>
 class Polisher {
 public:
     using M = typename H::System;
-    static constexpr int n = n_unknowns<M>;
+    static constexpr int extent = Sizes<M>::extent;
+    template <class T>
+    using Vector = SizedArray<T, extent>;
+    template <class T>
+    using Matrix = SizedMatrix<T, extent>;
 
-    explicit Polisher(const H& h) : h_(&h), scale_(h.scale()) {}
+    /// Of the evaluations that the trackers use anyway.
+    template <class R>
+    using Time = std::conditional_t<is_pack<R>, R, Complex<R>>;
+
+    explicit Polisher(const H& h) : h_(&h), n_(h.sizes().unknowns) {}
+
+    /// What polishing works with; made once for many points.
+    template <class R>
+    struct Workspace {
+        explicit Workspace(const H& h)
+            : evaluation(h), lu(h.sizes().unknowns), f(h.sizes().unknowns), column(h.sizes().unknowns),
+              unit(h.sizes().unknowns), size(h.sizes().unknowns), row_sum(h.sizes().unknowns), j(h.sizes().unknowns) {}
+
+        typename H::template Evaluation<R, Time<R>> evaluation;
+        PivotedFactorization<R, extent> lu;
+        Vector<Complex<R>> f, column;
+        Vector<R> unit, size, row_sum;
+        Matrix<Complex<R>> j;
+    };
 
     /// Polishes the points q in place, one a lane.
     template <class R>
-    void run(Point<M, R>& q, PolishedEvidence* evidence) const {
-        using Z = Complex<R>;
-        typename H::template Evaluation<R, Time<R>> evaluation(*h_);
-        PivotedFactorization<R, n> lu;
-        Z f[n], j[n][n];
+    void run(Point<M, R>& q, PolishedEvidence* evidence, Workspace<R>& with) const {
+        auto& [evaluation, lu, f, column, unit, size, row_sum, j] = with;
         R last = broadcast<R>(0.0);
         for (int round = 0; round < 3; ++round) {
             evaluation.jacobian(q, Time<R>{} + 1.0, f, j);
             h_->residual(q, f);
             complete(j);
             lu.factor(j);
-            for (Z& entry : f) entry = -entry;
+            for (int i = 0; i < n_; ++i) f[i] = -f[i];
             lu.solve(f);
             last = correction_size(q, f);
-            const Point<M, R> next = corrected<M, R>(q, f);
             const auto small = last < R{} + 1e-4;  // otherwise this is not polishing: keep the point, tell the size
-            q = select(small, next, q);
+            take_where(small, corrected(q, f), q);
         }
-        assess(q, evidence);
+        assess(q, evidence, with);
         for (int k = 0; k < LaneTraits<R>::width; ++k)
             evidence[k].correction = std::sqrt(static_cast<double>(lane(last, k)));
+    }
+    template <class R>
+    void run(Point<M, R>& q, PolishedEvidence* evidence) const {
+        Workspace<R> with(*h_);
+        run(q, evidence, with);
     }
 
     /// The evidence at the points q as they are.
     template <class R>
     void assess(const Point<M, R>& q, PolishedEvidence* evidence) const {
-        typename H::template Evaluation<R, Time<R>> evaluation(*h_);
-        Complex<R> f[n], j[n][n];
-        evaluation.jacobian(q, Time<R>{} + 1.0, f, j);
-        h_->residual(q, f);
-        complete(j);
-        R unit[n], size[n];
-        measure(q, j, unit, size);
-        const R condition = scaled_condition(unit, size, j);
-        for (int k = 0; k < LaneTraits<R>::width; ++k) {
-            evidence[k] = {0, static_cast<double>(lane(condition, k)), 0};
-            for (int i = 0; i < n; ++i)
-                evidence[k].residual = std::max(evidence[k].residual, std::abs(lane(f[i], k)) / scale_[i]);
-            if (!(evidence[k].condition < 1e300)) evidence[k].condition = 1e300;
-        }
+        Workspace<R> with(*h_);
+        assess(q, evidence, with);
     }
 
     /// Moves a point near a singular solution by least squares, damped where the equations do not determine it:
     /// singular values of the Jacobian, in the units of unknowns and equations, count from 1e-4 on. Returns the
     /// relative residual there: max_i |F_i(q)| / (size of the terms of F_i).
     double correct_determined(Point<M, double>& q) const {
-        Complex<double> f[n], j[n][n], normal[n][n], d[n];
-        double unit[n], size[n], y = 0;
+        const int n = n_;
+        Vector<Complex<double>> f(n), d(n);
+        Matrix<Complex<double>> j(n), normal(n);
+        Vector<double> unit(n), size(n);
+        double y = 0;
         linearize(q, f, j, unit, size);
         for (int i = 0; i < n; ++i) {
             f[i] = (1 / size[i]) * f[i];
@@ -88,66 +103,81 @@ public:
                 for (int i = 0; i < n; ++i) normal[u][v] += conj(j[i][u]) * j[i][v];
             }
         }
-        PivotedFactorization<double, n> lu;
+        PivotedFactorization<double, extent> lu(n);
         lu.factor(normal);
         lu.solve(d);
         for (int u = 0; u < n; ++u) d[u] = unit[u] * d[u];
-        q = corrected<M, double>(q, d);
+        correct(q, d);
         linearize(q, f, j, unit, size);
         for (int i = 0; i < n; ++i) y = std::max(y, std::sqrt(norm2(f[i])) / size[i]);
         return y;
     }
 
     /// The residual and the Jacobian at q, and the size of each equation's terms there: see `measure`.
-    void linearize(const Point<M, double>& q, Complex<double> (&f)[n], Complex<double> (&j)[n][n],
-                   double (&size)[n]) const {
-        double unit[n];
+    void linearize(const Point<M, double>& q, auto& f, auto& j, auto& size) const {
+        Vector<double> unit(n_);
         linearize(q, f, j, unit, size);
     }
 
 private:
-    /// Of the evaluations that the trackers use anyway.
     template <class R>
-    using Time = std::conditional_t<is_pack<R>, R, Complex<R>>;
+    void assess(const Point<M, R>& q, PolishedEvidence* evidence, Workspace<R>& with) const {
+        auto& [evaluation, lu, f, column, unit, size, row_sum, j] = with;
+        evaluation.jacobian(q, Time<R>{} + 1.0, f, j);
+        h_->residual(q, f);
+        complete(j);
+        measure(q, j, unit, size);
+        const R condition = scaled_condition(with);
+        for (int k = 0; k < LaneTraits<R>::width; ++k) {
+            evidence[k] = {0, static_cast<double>(lane(condition, k)), 0};
+            for (int i = 0; i < n_; ++i)
+                evidence[k].residual = std::max(evidence[k].residual, std::abs(lane(f[i], k)) / h_->scale()[index(i)]);
+            if (!(evidence[k].condition < 1e300)) evidence[k].condition = 1e300;
+        }
+    }
 
-    void linearize(const Point<M, double>& q, Complex<double> (&f)[n], Complex<double> (&j)[n][n], double (&unit)[n],
-                   double (&size)[n]) const {
+    void linearize(const Point<M, double>& q, auto& f, auto& j, auto& unit, auto& size) const {
         typename H::template Evaluation<double, Complex<double>> evaluation(*h_);
         evaluation.jacobian(q, Complex<double>(1.0), f, j);
         h_->residual(q, f);
         complete(j);
         measure(q, j, unit, size);
     }
-    template <class R>
-    static void complete(Complex<R> (&j)[n][n]) {
-        if constexpr (H::symmetric)
-            for (int r = 0; r < n; ++r)
-                for (int c = 0; c < r; ++c) j[r][c] = j[c][r];
+    void complete(auto& j) const {
+        bool symmetric;
+        if constexpr (extent == at_run_time)
+            symmetric = h_->symmetric();
+        else
+            symmetric = H::symmetric;
+        if (!symmetric) return;
+        const int n = n_;
+        for (int r = 0; r < n; ++r)
+            for (int c = 0; c < r; ++c) j[r][c] = j[c][r];
     }
     /// The unit that each unknown's error is measured in, 1 for an angle and 1 + |x| for a coordinate, as in
     /// correction_size; and the size of each equation's terms: the row's sum of |J| times the units, or the equation's
     /// largest coefficient where that is more: measured by itself, a row of rounding errors would look regular.
     template <class R>
-    void measure(const Point<M, R>& q, const Complex<R> (&j)[n][n], R (&unit)[n], R (&size)[n]) const {
-        for (int u = 0; u < n; ++u) unit[u] = u < n_angles<M> ? R{} + 1.0 : R(1.0 + square_root(unknown_size2(q, u)));
+    void measure(const Point<M, R>& q, const auto& j, auto& unit, auto& size) const {
+        const int n = n_;
+        for (int u = 0; u < n; ++u) unit[u] = u < q.c.size() ? R{} + 1.0 : R(1.0 + square_root(unknown_size2(q, u)));
         for (int r = 0; r < n; ++r) {
             R sum = broadcast<R>(0.0);
             for (int c = 0; c < n; ++c) sum = sum + unit[c] * square_root(norm2(j[r][c]));
-            const R least = R{} + scale_[r];
+            const R least = R{} + h_->scale()[index(r)];
             size[r] = select(sum < least, least, sum);  // a NaN stays
         }
     }
     /// || E^-1 J^-1 D || in the infinity norm, E and D being the units of the unknowns and the sizes of the equations.
     template <class R>
-    R scaled_condition(const R (&unit)[n], const R (&size)[n], Complex<R> (&j)[n][n]) const {
+    R scaled_condition(Workspace<R>& with) const {
+        auto& [evaluation, lu, f, e, unit, size, row_sum, j] = with;
+        const int n = n_;
         for (int r = 0; r < n; ++r)
             for (int c = 0; c < n; ++c) j[r][c] = (1.0 / size[r]) * j[r][c];
-        PivotedFactorization<R, n> lu;
         lu.factor(j);
-        R row_sum[n];
         for (R& sum : row_sum) sum = broadcast<R>(0.0);
         for (int c = 0; c < n; ++c) {
-            Complex<R> e[n];
             for (int r = 0; r < n; ++r) e[r] = {broadcast<R>(r == c ? 1.0 : 0.0), broadcast<R>(0.0)};
             lu.solve(e);
             for (int r = 0; r < n; ++r) row_sum[r] = row_sum[r] + square_root(norm2(e[r]));
@@ -160,8 +190,11 @@ private:
         return largest;
     }
 
+    /// Of scales, which are an Array or a std::vector.
+    static constexpr std::size_t index(int i) { return static_cast<std::size_t>(i); }
+
     const H* h_;
-    Array<double, n> scale_;
+    Extent<extent> n_;
 };
 
 }  // namespace detail

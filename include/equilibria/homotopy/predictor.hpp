@@ -3,8 +3,9 @@
 ///
 /// A predictor has `order`, the number of Taylor coefficients that it needs (1 to 3); `local_order`, the power of the
 /// step that its error grows with; and, of the coefficients q_1 .. q_order of the unknowns (angles in radians),
-/// `change(taylor, u, h)`, of unknown u after the step h, and `pole(taylor)`, the distance to the nearest pole of the
-/// path as far as they can tell.
+/// `change(taylor, u, h)`, of unknown u after the step h, and `pole(taylor, n)`, the distance to the nearest pole of
+/// the path as far as they can tell, n being the number of unknowns. taylor[k - 1][u] is the coefficient q_k of unknown
+/// u.
 #pragma once
 
 #include <equilibria/core/complex.hpp>
@@ -14,15 +15,14 @@ namespace equilibria {
 
 /// A Pade(2,1) approximant an unknown. Source: Telen, Van Barel, Verschelde, A robust numerical path tracking algorithm
 /// for polynomial homotopy continuation, SIAM J. Sci. Comput. 42 (2020).
-template <class R, int n>
+template <class R>
 struct PadePredictor {
     using Z = Complex<R>;
     static constexpr int order = 3;
     static constexpr int local_order = 4;
-    using Taylor = Z[order][n];
 
     /// q_1 h + q_2 h^2 / (1 - h q_3 / q_2), and the cubic where that is ill-conditioned.
-    static Z change(const Taylor& taylor, int u, const R& h) {
+    static Z change(const auto& taylor, int u, const R& h) {
         const Z &q1 = taylor[0][u], &q2 = taylor[1][u], &q3 = taylor[2][u];
         const Z step3 = h * q3;
         const Z den = q2 - step3;
@@ -32,7 +32,7 @@ struct PadePredictor {
     }
     /// An unknown's series behaves like a geometric one, with quotient q_3 / q_2, and sqrt(q_3 / q_1) where q_2 happens
     /// to vanish. An unknown that rests (a symmetric path) has none.
-    static R pole(const Taylor& taylor) {
+    static R pole(const auto& taylor, int n) {
         R nearest2 = broadcast<R>(1e20);
         for (int u = 0; u < n; ++u) {
             const R a1 = norm2(taylor[0][u]), a2 = norm2(taylor[1][u]), a3 = norm2(taylor[2][u]);

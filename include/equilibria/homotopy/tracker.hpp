@@ -22,24 +22,43 @@ namespace equilibria {
 
 namespace detail {
 
+/// What solves with the Jacobian of a homotopy.
+template <class H, class R, bool Pivoted>
+struct FactorizationOf {
+    static constexpr int n = n_unknowns<typename H::System>;
+    using type = std::conditional_t<Pivoted || !H::symmetric, PivotedFactorization<R, n>, SymmetricFactorization<R, n>>;
+    static type of(const H&) { return type(); }
+};
+template <class H, class R, bool Pivoted>
+requires std::is_same_v<typename H::System, RuntimeUnknowns>
+struct FactorizationOf<H, R, Pivoted> {
+    using type = RuntimeFactorization<R>;
+    static type of(const H& h) { return type(h.sizes().unknowns, !Pivoted && h.symmetric()); }
+};
+
 /// One predictor-corrector step for all lanes. The driver owns t, the refilling of lanes and the end of paths.
 ///
-/// H: a homotopy. Time: R, and the path runs along the reals; or Complex<R>, and it runs along the segment t = origin +
-/// tau direction.
-template <class H, class R, class Time = R, bool Pivoted = !H::symmetric>
+/// H: a homotopy. Pivoted: LU also where the Jacobian is symmetric. Time: R, and the path runs along the reals; or
+/// Complex<R>, and it runs along the segment t = origin + tau direction.
+template <class H, class R, class Time = R, bool Pivoted = false>
 class Stepper {
 public:
     using M = typename H::System;
     using Z = Complex<R>;
     using Mask = typename LaneTraits<R>::Mask;
-    static constexpr int n = n_unknowns<M>;
-    using Factorization = std::conditional_t<Pivoted, PivotedFactorization<R, n>, SymmetricFactorization<R, n>>;
+    static constexpr int extent = Sizes<M>::extent;
 
-    using Predictor = typename TrackingOf<H>::type::template Predictor<R, n>;
+    using Predictor = typename TrackingOf<H>::type::template Predictor<R>;
     using StepControl = typename TrackingOf<H>::type::template StepControl<R, Predictor::local_order>;
 
     Stepper(const H& h, const TrackerOptions& options)
-        : control_(options), evaluation_(h), origin_(Time{}), direction_(Time{} + 1.0) {}
+        : n_(h.sizes().unknowns), angles_(h.sizes().angles), control_(options), evaluation_(h),
+          lu_(FactorizationOf<H, R, Pivoted>::of(h)), mirrors_(mirrors(h)), origin_(Time{}), direction_(Time{} + 1.0),
+          f_(n_), d_(n_), j_(n_) {
+        outcome_.q = point_of_zeros<M, R>(h.sizes());
+        if constexpr (extent == at_run_time)
+            for (auto& coefficient : taylor_) coefficient.resize(n_);
+    }
 
     /// The segment that tau in [0, 1] runs along.
     void set_segment(const Time& origin, const Time& direction) {
@@ -59,50 +78,41 @@ public:
 
     /// Taylor coefficients at (q, tau), which is first corrected by one Newton step for free.
     void expand(Point<M, R>& q, const R& tau) {
-        Z f[n], j[n][n];
-        evaluation_.jacobian(q, time(tau), f, j);
-        complete(j);
-        lu_.factor(j);
-        for (Z& entry : f) entry = -entry;
-        lu_.solve(f);
-        rounding2_ = lane_min(16.0 * correction_size(q, f), noise2_);
-        q = corrected<M, R>(q, f);
+        solve_newton(q, tau);
+        rounding2_ = lane_min(16.0 * correction_size(q, f_), noise2_);
+        correct(q, f_);
         [&]<int... k>(std::integer_sequence<int, k...>) {
             (find_coefficient<k + 1>(), ...);
         }(std::make_integer_sequence<int, Predictor::order>());
-        pole_ = Predictor::pole(taylor_);
+        pole_ = Predictor::pole(taylor_, n_);
     }
 
     /// A first step for a new path, from its Taylor coefficients.
     R first_step() const { return control_.first(pole_); }
 
-    /// Predicts and corrects from (q, tau), after `expand`, with a step of at most h.
-    Outcome step(const Point<M, R>& q, const R& tau, const R& h_asked) {
-        Outcome y;
+    /// Predicts and corrects from (q, tau), after `expand`, with a step of at most h. Valid until the next call.
+    const Outcome& step(const Point<M, R>& q, const R& tau, const R& h_asked) {
+        Outcome& y = outcome_;
         // a NaN pole must not pass: the comparison is false for it and leaves a NaN step, which is refused below
         const R limit = control_.longest(pole_);
         const R h = y.step = select(h_asked < limit, h_asked, limit);
         Trial<R> trial{.step = h, .asked = h_asked, .turn2 = {}, .first2 = {}, .second2 = {}, .noise2 = noise2_};
-        Z d[n];
+        const int n = n_;
         for (int u = 0; u < n; ++u) {
-            d[u] = Predictor::change(taylor_, u, h);
-            if (u < n_angles<M>) trial.turn2 = lane_max(trial.turn2, norm2(d[u]));
+            d_[u] = Predictor::change(taylor_, u, h);
+            if (u < angles_) trial.turn2 = lane_max(trial.turn2, norm2(d_[u]));
         }
-        y.q = moved<M, R>(q, d);
-        Z f[n], j[n][n];
-        evaluation_.jacobian(y.q, time(tau + h), f, j);
-        complete(j);
-        lu_.factor(j);
-        for (Z& entry : f) entry = -entry;
-        lu_.solve(f);
-        trial.first2 = correction_size(y.q, f);
-        y.q = corrected<M, R>(y.q, f);
-        evaluation_.value(y.q, time(tau + h), f);
-        for (Z& entry : f) entry = -entry;
-        lu_.solve(f);
+        y.q = q;
+        move(y.q, d_);
+        solve_newton(y.q, tau + h);
+        trial.first2 = correction_size(y.q, f_);
+        correct(y.q, f_);
+        evaluation_.value(y.q, time(tau + h), f_);
+        for (int i = 0; i < n; ++i) f_[i] = -f_[i];
+        lu_.solve(f_);
         // what the third correction at the last point still changed is rounding: far out it would look like a bad step
-        trial.second2 = lane_max(correction_size(y.q, f) - rounding2_, R{});
-        y.q = corrected<M, R>(y.q, f);
+        trial.second2 = lane_max(correction_size(y.q, f_) - rounding2_, R{});
+        correct(y.q, f_);
         const Verdict<R> verdict = control_.judge(trial);
         y.accepted = verdict.accepted;
         y.next_step = verdict.next_step;
@@ -126,38 +136,57 @@ private:
         else
             return direction_ * d;
     }
-    void complete(Z (&j)[n][n]) const {
-        if constexpr (Pivoted && H::symmetric)
+    /// Whether the Jacobian has only the entries on and above its diagonal, and the factorisation reads all.
+    static bool mirrors(const H& h) {
+        if constexpr (extent == at_run_time)
+            return Pivoted && h.symmetric();
+        else
+            return Pivoted && H::symmetric;
+    }
+    /// f_: Newton's correction at (q, tau).
+    void solve_newton(const Point<M, R>& q, const R& tau) {
+        const int n = n_;
+        evaluation_.jacobian(q, time(tau), f_, j_);
+        if (mirrors_)
             for (int r = 0; r < n; ++r)
-                for (int c = 0; c < r; ++c) j[r][c] = j[c][r];
+                for (int c = 0; c < r; ++c) j_[r][c] = j_[c][r];
+        lu_.factor(j_);
+        for (int i = 0; i < n; ++i) f_[i] = -f_[i];
+        lu_.solve(f_);
     }
     /// q_k, from those below; angles in radians, by tau.
     template <int k>
     void find_coefficient() {
-        Z(&q)[n] = taylor_[k - 1];
+        auto& q = taylor_[k - 1];
+        const int n = n_;
         evaluation_.taylor_right_side(k, q);
-        for (Z& entry : q)
-            for (int m = 0; m < k; ++m) entry = scaled(entry);
+        for (int u = 0; u < n; ++u)
+            for (int m = 0; m < k; ++m) q[u] = scaled(q[u]);
         lu_.solve(q);
         if constexpr (k == Predictor::order) return;
         if constexpr (std::is_same_v<Time, R>) {
             evaluation_.set_coefficient(k, q);
         } else {  // the evaluation works in t
-            Z d[n];
             const Z by = inverse(direction_);
             for (int u = 0; u < n; ++u) {
-                d[u] = q[u];
-                for (int m = 0; m < k; ++m) d[u] *= by;
+                d_[u] = q[u];
+                for (int m = 0; m < k; ++m) d_[u] *= by;
             }
-            evaluation_.set_coefficient(k, d);
+            evaluation_.set_coefficient(k, d_);
         }
     }
 
+    Extent<extent> n_;
+    int angles_;
     StepControl control_;
     typename H::template Evaluation<R, Time> evaluation_;
-    Factorization lu_;
+    typename FactorizationOf<H, R, Pivoted>::type lu_;
+    bool mirrors_;
     Time origin_, direction_;
-    Z taylor_[Predictor::order][n];
+    SizedArray<Z, extent> f_, d_;
+    SizedMatrix<Z, extent> j_;
+    SizedArray<Z, extent> taylor_[Predictor::order];
+    Outcome outcome_;
     R pole_;
     R noise2_ = R{} + 1e-14, rounding2_ = R{};
 };

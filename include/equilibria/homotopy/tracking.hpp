@@ -8,8 +8,8 @@
 namespace equilibria {
 
 struct PadeTracking {
-    template <class R, int n>
-    using Predictor = PadePredictor<R, n>;
+    template <class R>
+    using Predictor = PadePredictor<R>;
     template <class R, int local_order>
     using StepControl = ContractionControl<R, local_order>;
 };

@@ -1,109 +1,22 @@
 /// \file
-/// Finds the endpoints that coincide, without comparing all pairs: each gets a key, a random combination of its
-/// coordinates; endpoints that are close have close keys, so only neighbours in the order of the keys are compared.
+/// Points that coincide.
 #pragma once
 
-#include <algorithm>
-#include <cmath>
-#include <complex>
-#include <cstdint>
-#include <utility>
+#include <cstddef>
+#include <span>
 #include <vector>
 
-#include <boost/pending/disjoint_sets.hpp>
-
-#include <equilibria/core/random.hpp>
+#include <equilibria/core/compiled.hpp>
 #include <equilibria/evaluation/point.hpp>
 
 namespace equilibria::detail {
 
-template <class M>
-class CoincidenceFinder {
-public:
-    /// reflected: a point and its mirror image theta -> -theta count as the same.
-    explicit CoincidenceFinder(bool reflected) : reflected_(reflected) {
-        Generator generator(0x9e3779b97f4a7c15);
-        for (auto& w : cosine_) w = uniform(generator, 0.5, 1.5);
-        for (auto& w : sine_) w = uniform(generator, 0.5, 1.5);
-        for (auto& w : coordinate_) w = uniform(generator, 0.5, 1.5);
-    }
-
-    /// Groups of two or more numbers k < size whose points are within `tolerance` of each other, relative to their
-    /// size; point(k) gives a point, valid until the next call but one, or nullptr to leave k out. Each group is
-    /// sorted, and so are the groups.
-    template <class PointOf>
-    std::vector<std::vector<std::size_t>> groups(std::size_t size, PointOf&& point, double tolerance) const {
-        struct Entry {
-            double key, size;
-            std::size_t k;
-        };
-        std::vector<Entry> entries;
-        for (std::size_t k = 0; k < size; ++k)
-            if (const Point<M, double>* q = point(k)) {
-                const auto [key, magnitude] = key_of(*q);
-                entries.push_back({key, magnitude, k});
-            }
-        std::sort(entries.begin(), entries.end(),
-                  [](const Entry& a, const Entry& b) { return std::pair(a.key, a.k) < std::pair(b.key, b.k); });
-        boost::disjoint_sets_with_storage<> groups(entries.size());
-        std::vector<std::uint8_t> joined(entries.size());
-        for (std::size_t i = 0; i < entries.size(); ++i)
-            for (std::size_t j = i + 1;
-                 j < entries.size() && entries[j].key - entries[i].key <= 8 * tolerance * entries[i].size; ++j)
-                if (same(*point(entries[i].k), *point(entries[j].k), tolerance)) {
-                    groups.union_set(i, j);
-                    joined[i] = joined[j] = 1;
-                }
-        std::vector<std::size_t> least(entries.size(), size);  // of the numbers in a group
-        for (std::size_t i = 0; i < entries.size(); ++i)
-            if (joined[i]) least[groups.find_set(i)] = std::min(least[groups.find_set(i)], entries[i].k);
-        std::vector<std::pair<std::size_t, std::size_t>> members;  // of groups: the least number, the number
-        for (std::size_t i = 0; i < entries.size(); ++i)
-            if (joined[i]) members.push_back({least[groups.find_set(i)], entries[i].k});
-        std::sort(members.begin(), members.end());
-        std::vector<std::vector<std::size_t>> found;
-        for (std::size_t m = 0; m < members.size(); ++m) {
-            if (m == 0 || members[m].first != members[m - 1].first) found.emplace_back();
-            found.back().push_back(members[m].second);
-        }
-        return found;
-    }
-
-    bool same(const Point<M, double>& a, const Point<M, double>& b, double tolerance) const {
-        return close(a, b, 1, tolerance) || (reflected_ && close(a, b, -1, tolerance));
-    }
-
-private:
-    /// A combination of the cosines and coordinates, and of the sines: squared, where the mirror image is the same.
-    std::pair<double, double> key_of(const Point<M, double>& q) const {
-        Complex<double> even{0, 0}, odd{0, 0};
-        double size = 1;
-        for (int i = 0; i < n_angles<M>; ++i) {
-            even += cosine_[i] * q.c[i];
-            odd += sine_[i] * q.s[i];
-            size += 2 * std::sqrt(norm2(q.c[i]) + norm2(q.s[i]));
-        }
-        for (int j = 0; j < n_coordinates<M>; ++j) {
-            even += coordinate_[j] * q.x[j];
-            size += 2 * std::sqrt(norm2(q.x[j]));
-        }
-        if (!reflected_) return {even.re + 0.7 * even.im + 1.3 * odd.re + 0.6 * odd.im, size};
-        const Complex<double> square = odd * odd;
-        return {even.re + 0.7 * even.im + square.re + 0.6 * square.im, size * size};
-    }
-    static bool close(const Point<M, double>& a, const Point<M, double>& b, double sign, double tolerance) {
-        const double most = tolerance * tolerance;
-        for (int i = 0; i < n_angles<M>; ++i)
-            if (!(norm2(a.c[i] - b.c[i]) + norm2(a.s[i] - sign * b.s[i]) <= most * (norm2(a.c[i]) + norm2(a.s[i]))))
-                return false;
-        for (int j = 0; j < n_coordinates<M>; ++j)
-            if (!(norm2(a.x[j] - b.x[j]) <= most * (1 + norm2(a.x[j])))) return false;
-        return true;
-    }
-
-    bool reflected_;
-    Array<double, n_angles<M>> cosine_, sine_;
-    Array<double, n_coordinates<M>> coordinate_;
-};
+/// Groups of two or more numbers of points that are within `tolerance` of each other, relative to their size. Each
+/// group is sorted, and so are the groups.
+std::vector<std::vector<std::size_t>> coincident(std::span<const RuntimePoint<double>> points, double tolerance);
 
 }  // namespace equilibria::detail
+
+#ifndef EQUILIBRIA_COMPILED
+#include <equilibria/paths/detail/coincidence_definitions.hpp>
+#endif

@@ -5,89 +5,73 @@
 /// and their users know what a real root means.
 #pragma once
 
-#include <complex>
 #include <cstdint>
+#include <span>
 #include <utility>
 #include <vector>
 
+#include <equilibria/core/compiled.hpp>
 #include <equilibria/core/error.hpp>
-#include <equilibria/core/random.hpp>
-#include <equilibria/homotopy/sparse_homotopy.hpp>
+#include <equilibria/homotopy/polynomial_homotopy.hpp>
 #include <equilibria/paths/merge.hpp>
 #include <equilibria/paths/track.hpp>
-#include <equilibria/start/linear_product.hpp>
-#include <equilibria/start/solved_instance.hpp>
 #include <equilibria/system/sparse_system.hpp>
 
 namespace equilibria {
 
-/// All complex solutions of a system. Unknowns: UnknownsOf<angles, coordinates>.
-template <class Unknowns>
+/// All complex solutions of a system. M: its unknowns.
+template <class M = RuntimeUnknowns>
 struct ComplexRoots {
     PathCounts paths;
-    std::vector<Root<Unknowns>> roots;  ///< distinct, by path number
-    std::vector<FailedPath<Unknowns>> failures;
+    std::vector<Root<M>> roots;  ///< distinct, by path number
+    std::vector<FailedPath<M>> failures;
 };
 
-/// How paths of a multihomogeneous homotopy that fail in double are tracked with more digits: more_digits<Unknowns>
-/// (enumerate/more_digits.hpp), or not at all.
-template <int Angles, int Coordinates>
-using MultihomogeneousHomotopy = SparseHomotopy<Angles, Coordinates, LinearProduct<Angles, Coordinates>>;
-template <class System>
-using MoreDigitsOf = MoreDigits<MultihomogeneousHomotopy<System::n_angles, System::n_coordinates>>;
+/// What all paths end at, merged.
+template <class M = RuntimeUnknowns>
+ComplexRoots<M> complex_roots(PathSet paths) {
+    auto [counts, failures] = account_for<M>(paths);
+    return {counts, merge<M>(paths), std::move(failures)};
+}
 
 /// Tracks all paths of a homotopy and merges what they end at: the driver of every search for complex roots.
+template <class StartSystem>
+ComplexRoots<> complex_roots(const PolynomialHomotopy& homotopy, const StartSystem& start, const RunOptions& run = {},
+                             const TrackerOptions& options = {}, MoreDigits<> resort = nullptr) {
+    return complex_roots(track(homotopy, start, run, options, resort));
+}
+/// The same of a model's homotopy.
 template <class H, class StartSystem>
+requires requires(const H& homotopy) { homotopy.polynomials(); }
 ComplexRoots<typename H::System> complex_roots(const H& homotopy, const StartSystem& start, const RunOptions& run = {},
-                                               const TrackerOptions& options = {},
-                                               MoreDigits<H> more_digits = nullptr) {
-    PathSet<typename H::System> paths = track(homotopy, start, run, options, more_digits);
-    auto [counts, failures] = account_for(paths);
-    return {counts, merge(paths), std::move(failures)};
+                                               const TrackerOptions& options = {}, MoreDigits<> resort = nullptr) {
+    return complex_roots<typename H::System>(track(homotopy, homotopy.polynomials(), start, run, options, resort));
 }
 
 /// Every isolated solution of the system, by paths from a linear-product start for the groups of unknowns: as many
-/// paths as the multihomogeneous number of Bezout of the terms that the system has. With `more_digits` paths that fail
-/// in double are tracked again before they count as failed; paths.more_digits says how many were.
+/// paths as the multihomogeneous number of Bezout of the terms that the system has. With a `resort` (more_digits of
+/// enumerate/more_digits.hpp) paths that fail in double are tracked again before they count as failed;
+/// paths.more_digits says how many were.
 ///
 /// grouping: the group of each unknown, numbers from 0, none left out. Throws InvalidArgument where the run names a
 /// checkpoint or options are out of range.
-template <int Angles, int Coordinates>
-ComplexRoots<UnknownsOf<Angles, Coordinates>> solve_multihomogeneous(
-    const SparseSystem<Angles, Coordinates>& system, const Array<int, Angles + Coordinates>& grouping,
-    const RunOptions& run = {}, const TrackerOptions& options = {},
-    MoreDigits<MultihomogeneousHomotopy<Angles, Coordinates>> more_digits = nullptr) {
-    options.validate();
-    Generator generator(run.seed), forms(run.seed);
-    const LinearProduct<Angles, Coordinates> start(system, grouping, unit_complex(generator), forms);
-    return complex_roots(MultihomogeneousHomotopy<Angles, Coordinates>(system, start), start, run, options,
-                         more_digits);
-}
+ComplexRoots<> solve_multihomogeneous(const SparseSystem& system, std::span<const int> grouping,
+                                      const RunOptions& run = {}, const TrackerOptions& options = {},
+                                      MoreDigits<> resort = nullptr);
 
 /// The same for a model's equations at the parameters p; the model names the groups, `static constexpr Grouping<M>
 /// grouping`.
 template <Model M>
-auto solve_multihomogeneous(const Parameters<M>& p, const RunOptions& run = {}, const TrackerOptions& options = {},
-                            MoreDigitsOf<M> more_digits = nullptr) {
+ComplexRoots<> solve_multihomogeneous(const Parameters<M>& p, const RunOptions& run = {},
+                                      const TrackerOptions& options = {}, MoreDigits<> resort = nullptr) {
     require_finite(p, "parameters");
-    return solve_multihomogeneous(sparse_system<M>(p), M::grouping, run, options, more_digits);
+    return solve_multihomogeneous(sparse_system<M>(p), M::grouping, run, options, resort);
 }
 
 /// The solutions of the system `to` from regular solutions of `from`, along a line in the space of coefficients:
 /// complete if `roots` are as many as a generic system on that line has.
-template <int Angles, int Coordinates>
-ComplexRoots<UnknownsOf<Angles, Coordinates>> solve_from(
-    const std::vector<Root<UnknownsOf<Angles, Coordinates>>>& roots, const SparseSystem<Angles, Coordinates>& from,
-    const SparseSystem<Angles, Coordinates>& to, const RunOptions& run = {}, const TrackerOptions& options = {}) {
-    using Instance = SolvedInstance<Angles, Coordinates>;
-    options.validate();
-    typename Instance::Points points;
-    points.reserve(roots.size());
-    for (const auto& root : roots) points.push_back(root.q);
-    Generator generator(run.seed);
-    const Instance start(from, to, unit_complex(generator), std::move(points));
-    return complex_roots(SparseHomotopy<Angles, Coordinates, Instance>(to, start), start, run, options);
-}
+ComplexRoots<> solve_from(const std::vector<Root<RuntimeUnknowns>>& roots, const SparseSystem& from,
+                          const SparseSystem& to, const RunOptions& run = {}, const TrackerOptions& options = {});
 
 /// Start systems are a choice: where one leaves paths undecided, another may not. The first attempt has the seed
 /// itself.
@@ -96,3 +80,7 @@ inline std::uint64_t seed_of_attempt(std::uint64_t seed, std::uint64_t attempt) 
 }
 
 }  // namespace equilibria
+
+#ifndef EQUILIBRIA_COMPILED
+#include <equilibria/paths/detail/complex_roots_definitions.hpp>
+#endif

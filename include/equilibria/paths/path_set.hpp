@@ -3,35 +3,39 @@
 /// failures and roots (merge.hpp) are read off the records.
 #pragma once
 
-#include <algorithm>
-#include <cmath>
-#include <complex>
 #include <cstdint>
-#include <numbers>
+#include <memory>
 #include <utility>
 #include <vector>
 
+#include <equilibria/core/compiled.hpp>
 #include <equilibria/homotopy/endpoint.hpp>
 #include <equilibria/paths/path_counts.hpp>
 #include <equilibria/paths/root.hpp>
 #include <equilibria/start/path_numbering.hpp>
-#include <equilibria/storage/endpoint_store.hpp>
 
 namespace equilibria {
 
+namespace detail {
+class EndpointStore;
+}
+
 /// The records: endpoints of the paths that were tracked, then those of the paths that rest.
-template <class M>
 class PathSet {
 public:
-    PathSet(PathNumbering numbering, detail::EndpointStore<M> ends, std::vector<Endpoint<M>> resting)
-        : ends_(std::move(ends)), resting_(std::move(resting)), numbering_(std::move(numbering)) {}
+    PathSet(PathNumbering numbering, detail::EndpointStore ends, std::vector<Endpoint> resting);
+    PathSet(PathSet&&) noexcept;
+    PathSet& operator=(PathSet&&) noexcept;
+    ~PathSet();
+
+    const RuntimeSizes& sizes() const;
 
     std::size_t size() const { return tracked() + resting_.size(); }
-    std::size_t tracked() const { return static_cast<std::size_t>(ends_.size()); }
+    std::size_t tracked() const;
     /// Record k, valid until the next call but one.
-    const Endpoint<M>& operator[](std::size_t k) { return k < tracked() ? ends_[k] : resting_[k - tracked()]; }
+    const Endpoint& operator[](std::size_t k);
     /// False of a path that a cancelled run left.
-    bool finished(std::size_t k) const { return k >= tracked() || ends_.finished(k); }
+    bool finished(std::size_t k) const;
     /// Whether mirror images under theta -> -theta count as the same endpoint.
     bool symmetric() const { return numbering_.symmetric(); }
     bool rests(std::size_t k) const { return k >= tracked(); }
@@ -50,44 +54,24 @@ public:
     };
     Effort effort;
 
-    detail::EndpointStore<M>& ends() { return ends_; }
-    const std::vector<Endpoint<M>>& resting() const { return resting_; }
+    detail::EndpointStore& ends() { return *ends_; }
+    const std::vector<Endpoint>& resting() const { return resting_; }
 
 private:
-    detail::EndpointStore<M> ends_;
-    std::vector<Endpoint<M>> resting_;
+    std::unique_ptr<detail::EndpointStore> ends_;
+    std::vector<Endpoint> resting_;
     PathNumbering numbering_;
 };
 
+/// Where a path ended, as a root: whatever its status is.
+Root<RuntimeUnknowns> root_of(const Endpoint& end, std::uint64_t path);
+
 namespace detail {
-
-template <class M>
-Root<M> root_of(const Endpoint<M>& end, std::uint64_t path) {
-    Root<M> root;
-    for (int i = 0; i < n_angles<M>; ++i) root.q[i] = angle_of(end.q.c[i], end.q.s[i]);
-    for (int j = 0; j < n_coordinates<M>; ++j) root.q[n_angles<M> + j] = {end.q.x[j].re, end.q.x[j].im};
-    root.residual = end.evidence.residual;
-    root.condition = end.evidence.condition;
-    root.path = path;
-    root.winding_number = end.winding_number;
-    root.status = end.status;
-    return root;
-}
-
-/// theta -> -theta.
-template <class M>
-Root<M> reflected(Root<M> root, std::uint64_t path) {
-    for (int i = 0; i < n_angles<M>; ++i) {
-        const double angle = -root.q[i].real();
-        root.q[i] = {angle <= -std::numbers::pi ? std::numbers::pi : angle, -root.q[i].imag()};
-    }
-    root.path = path;
-    return root;
-}
-
+/// theta -> -theta, of roots whose unknowns are angles alone.
+Root<RuntimeUnknowns> reflected(Root<RuntimeUnknowns> root, std::uint64_t path);
 }  // namespace detail
 
-/// The account of a set of paths.
+/// The account of a set of paths. M: the unknowns.
 template <class M>
 struct PathAccount {
     PathCounts counts;
@@ -95,40 +79,19 @@ struct PathAccount {
 };
 
 /// How every path ended. Of a cancelled run the paths that it left are counted as such.
+PathAccount<RuntimeUnknowns> account_for(PathSet& paths);
+
+/// The same in the unknowns of a model, which are as many.
 template <class M>
-PathAccount<M> account_for(PathSet<M>& paths) {
-    PathAccount<M> y;
-    PathCounts& counts = y.counts;
-    counts.retracked = paths.effort.retracked;
-    counts.crossed = paths.effort.crossed;
-    counts.more_digits = paths.effort.more_digits;
-    counts.tracked = paths.ends().finished();
-    for (std::size_t k = 0; k < paths.size(); ++k) {
-        const std::uint64_t weight = paths.weight(k);
-        counts.total += weight;
-        if (!paths.finished(k)) {
-            counts.cancelled += weight;
-            continue;
-        }
-        const Endpoint<M>& end = paths[k];
-        counts.steps += static_cast<std::uint64_t>(end.steps);
-        switch (end.status) {
-            case PathStatus::finite: counts.finite += weight; break;
-            case PathStatus::at_infinity: counts.at_infinity += weight; break;
-            case PathStatus::singular: counts.singular += weight; break;
-            case PathStatus::failed: {
-                counts.failed += weight;
-                const Root<M> at = detail::root_of(end, paths.path(k));
-                y.failures.push_back({at.path, end.reason, at.q});
-                if (weight == 2) {
-                    const Root<M> image = detail::reflected(at, paths.mirror(at.path));
-                    y.failures.push_back({image.path, end.reason, image.q});
-                }
-            }
-        }
-    }
-    std::sort(y.failures.begin(), y.failures.end(), [](const auto& a, const auto& b) { return a.path < b.path; });
+PathAccount<M> account_for(PathSet& paths) {
+    auto [counts, failures] = account_for(paths);
+    PathAccount<M> y{counts, {}};
+    for (auto& failed : failures) y.failures.push_back(typed<M>(std::move(failed)));
     return y;
 }
 
 }  // namespace equilibria
+
+#ifndef EQUILIBRIA_COMPILED
+#include <equilibria/paths/detail/path_set_definitions.hpp>
+#endif

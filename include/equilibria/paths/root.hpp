@@ -2,20 +2,23 @@
 /// Where paths ended: a root, or a point on a path that failed.
 #pragma once
 
+#include <algorithm>
 #include <complex>
 #include <cstdint>
+#include <span>
+#include <type_traits>
+#include <utility>
 
-#include <equilibria/core/array.hpp>
 #include <equilibria/homotopy/path_status.hpp>
-#include <equilibria/model/model.hpp>
+#include <equilibria/model/sizes.hpp>
 
 namespace equilibria {
 
-/// A solution of a system of equations, real or not. M: the model or the unknowns of the system.
+/// A solution of a system of equations, real or not. M: the model, or the unknowns of the system.
 template <class M>
 struct Root {
     /// Angles in radians, real parts in (-pi, pi], imaginary parts any; then the plain coordinates.
-    Array<std::complex<double>, n_unknowns<M>> q;
+    UnknownArray<M, std::complex<double>> q;
     double residual = 0;     ///< max_i |F_i(q)| / (largest coefficient of F_i), F being the model's own function
     double condition = 0;    ///< of the Jacobian: equations against their terms, coordinates against 1 + |x|
     std::uint64_t path = 0;  ///< the first path that ended here
@@ -29,8 +32,43 @@ template <class M>
 struct FailedPath {
     std::uint64_t path = 0;
     FailureReason reason = FailureReason::none;
-    Array<std::complex<double>, n_unknowns<M>>
-        q;  ///< as of a Root; far out on paths that were on their way to infinity
+    UnknownArray<M, std::complex<double>> q;  ///< as of a Root; far out on paths that were on their way to infinity
 };
+
+namespace detail {
+
+/// A root where it is, whatever the type of its unknowns.
+struct RootView {
+    std::span<const std::complex<double>> q;
+    double condition;
+    bool singular;
+};
+template <class M>
+RootView view(const Root<M>& root) {
+    return {{root.q.begin(), root.q.end()}, root.condition, root.status == PathStatus::singular};
+}
+
+}  // namespace detail
+
+/// The numbers of as many unknowns as M has, in M's own array.
+template <class M, class T>
+UnknownArray<M, T> typed(SizedArray<T, at_run_time> q) {
+    if constexpr (std::is_same_v<M, RuntimeUnknowns>) {
+        return q;
+    } else {
+        UnknownArray<M, T> y;
+        std::copy(q.begin(), q.end(), y.begin());
+        return y;
+    }
+}
+template <class M>
+Root<M> typed(Root<RuntimeUnknowns> root) {
+    auto& [q, residual, condition, path, paths, winding_number, status] = root;
+    return {typed<M>(std::move(q)), residual, condition, path, paths, winding_number, status};
+}
+template <class M>
+FailedPath<M> typed(FailedPath<RuntimeUnknowns> failed) {
+    return {failed.path, failed.reason, typed<M>(std::move(failed.q))};
+}
 
 }  // namespace equilibria

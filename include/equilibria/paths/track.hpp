@@ -1,282 +1,86 @@
 /// \file
-/// All paths of one homotopy to their ends: tracked in lanes, what the lanes leave undecided by the endgame, endpoints
-/// polished, and paths that ran into each other found and tracked again.
+/// The parallel driver: all paths of a homotopy, tracked to one record each; a path that fails is tracked again more
+/// carefully, and no two paths may end at one regular root.
 #pragma once
 
-#include <algorithm>
-#include <array>
-#include <atomic>
-#include <chrono>
 #include <cstdint>
-#include <mutex>
-#include <numeric>
+#include <functional>
 #include <span>
-#include <string_view>
 #include <utility>
-#include <vector>
 
-#include <equilibria/homotopy/endgame.hpp>
+#include <equilibria/core/compiled.hpp>
+#include <equilibria/homotopy/endpoint.hpp>
 #include <equilibria/homotopy/lane_tracker.hpp>
-#include <equilibria/paths/coincidence.hpp>
+#include <equilibria/homotopy/polynomial_homotopy.hpp>
+#include <equilibria/homotopy/tracker_options.hpp>
 #include <equilibria/paths/path_set.hpp>
 #include <equilibria/run/run_options.hpp>
-#include <equilibria/storage/checkpoint.hpp>
-#include <equilibria/storage/endpoint_store.hpp>
+#include <equilibria/start/start.hpp>
+#include <equilibria/storage/checkpoint_error.hpp>
+#include <equilibria/storage/checkpoint_fields.hpp>
 
 namespace equilibria {
 
+namespace detail {
+template <class H>
+class Polisher;
+}
+
 /// Tracks a path again that failed in double, with more digits (see enumerate/more_digits.hpp). A pointer, so that only
 /// those who want it compile it.
-template <class H>
+template <class H = PolynomialHomotopy>
 using MoreDigits = void (*)(const H&, const detail::Polisher<H>&, const TrackerOptions&,
-                            const Point<typename H::System, double>& start, Endpoint<typename H::System>& end);
+                            const RuntimePoint<double>& start, Endpoint& end);
 
 namespace detail {
 
-inline double seconds_since(std::chrono::steady_clock::time_point begin) {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-}
+/// What a run tracks, beside its homotopy.
+struct PathProblem {
+    using Ends = std::span<Endpoint>;
 
-template <class H, class StartSystem>
-class PathSolver {
-public:
-    using M = typename H::System;
-    using Pack = Lanes<native_lanes>;
-
-    PathSolver(const H& homotopy, const StartSystem& start, const RunOptions& run, const TrackerOptions& options,
-               MoreDigits<H> more_digits)
-        : homotopy_(&homotopy), start_(&start), numbering_(start.numbering()), polisher_(homotopy), run_(&run),
-          options_(options), more_digits_(more_digits) {}
-    PathSolver(const PathSolver&) = delete;
-
-    /// Where it was cancelled, not all paths are finished.
-    PathSet<M> track(bool streamed) {
-        PathSet<M> paths(numbering_, store(streamed), resting());
-        track_unfinished(paths);
-        if (paths.ends().complete()) {
-            track_with_more_digits(paths);
-            uncross(paths);
-            track_with_more_digits(paths);
-        }
-        return paths;
-    }
-
-private:
-    /// Solutions that rest at every t, and at which no other path may end.
-    std::vector<Endpoint<M>> resting() const {
-        std::vector<Endpoint<M>> y(numbering_.resting());
-        if constexpr (requires { start_->resting_point(0); })
-            for (std::size_t k = 0; k < y.size(); ++k) {
-                y[k].q = start_->resting_point(k);
-                y[k].arrival = Arrival::end;
-                polisher_.assess(y[k].q, &y[k].evidence);
-                y[k].status = y[k].evidence.condition < regular_condition ? PathStatus::finite : PathStatus::singular;
-            }
-        return y;
-    }
-
-    /// Where the endpoints go: to memory, or to the checkpoint that the options name, and, unless `streamed`, to both.
-    EndpointStore<M> store(bool streamed) const {
-        const std::uint64_t size = numbering_.tracked();
-        if (run_->checkpoint.empty()) return {size, block(size)};
-        if constexpr (requires { homotopy_->parameters(); }) {
-            Fingerprint numbers;
-            homotopy_->for_each_number([&](const auto& number) { numbers(number); });
-            for (std::uint64_t k = 0; k < size; ++k) {
-                const Point<M, double> q = start_->point(k);
-                for (const auto& z : q.c) numbers(z.re), numbers(z.im);
-                for (const auto& z : q.s) numbers(z.re), numbers(z.im);
-                for (const auto& z : q.x) numbers(z.re), numbers(z.im);
-            }
-            return {size, block(size), run_->checkpoint,
-                    checkpoint_header<M>(homotopy_->parameters(),
-                                         {run_->seed, start_->name(), numbers, size, block(size)}, options_),
-                    !streamed};
-        } else {
-            require(false, "checkpoint", run_->checkpoint, "must be empty: it keeps the enumeration of a model");
-            return {size, block(size)};
-        }
-    }
-
-    void track_unfinished(PathSet<M>& paths) {
-        const auto begin = std::chrono::steady_clock::now();
-        EndpointStore<M>& ends = paths.ends();
-        std::atomic<std::int64_t> tracking = 0, working = 0;
-        const auto now = [] { return std::chrono::steady_clock::now().time_since_epoch().count(); };
-        report(ends.finished(), ends.size());
-        run_->executor.for_blocks(ends.size(), ends.block(), [&](std::size_t first, std::size_t last) {
-            const std::uint64_t which = first / ends.block();
-            if (ends.has_block(which) || run_->cancelled()) return;
-            const auto started = now();
-            std::vector<std::uint64_t> numbers(last - first);
-            std::iota(numbers.begin(), numbers.end(), first);
-            std::vector<Endpoint<M>> block(numbers.size());
-            track_lanes<Pack, !H::symmetric>(
-                *homotopy_, options_, std::span<const std::uint64_t>(numbers),
-                [&](std::uint64_t k) { return start_->point(k); }, std::span(block));
-            tracking += now() - started;
-            polish(block);
-            const std::uint64_t retracked = finish(block, first);
-            working += now() - started;
-            ends.put(which, block, retracked);
-            report(last - first, ends.size());
-        });
-        // the trackers' share, polishing and endgames left out
-        paths.effort.tracking_seconds = seconds_since(begin);
-        if (working > 0) paths.effort.tracking_seconds *= static_cast<double>(tracking) / static_cast<double>(working);
-        paths.effort.retracked += ends.retracked();
-    }
-
-    std::size_t block(std::size_t size) const {
-        // lanes idle at the end of a block: few blocks, but enough to keep all workers busy, and to lose little of the
-        // work where the run is cancelled or killed
-        if (run_->cancel || !run_->checkpoint.empty()) return std::clamp<std::size_t>(size / 64, 8 * native_lanes, 512);
-        if (run_->executor.workers() == 1) return 4096;
-        return std::clamp<std::size_t>(size / (8 * run_->executor.workers()), 8 * native_lanes, 4096);
-    }
-    void report(std::uint64_t more, std::uint64_t all) {
-        if (!run_->progress) return;
-        const std::lock_guard lock(progress_guard_);
-        run_->progress(done_ += more, all);
-    }
-
-    void polish(std::span<Endpoint<M>> ends) const {
-        std::array<std::size_t, native_lanes> member{};
-        int filled = 0;
-        Point<M, Pack> q{};
-        const auto flush = [&] {
-            if (filled == 0) return;
-            for (int k = filled; k < native_lanes; ++k) copy_lane(q, 0, q, k);
-            std::array<PolishedEvidence, native_lanes> evidence;
-            polisher_.run(q, evidence.data());
-            for (int k = 0; k < filled; ++k) {
-                Endpoint<M>& end = ends[member[static_cast<std::size_t>(k)]];
-                end.evidence = evidence[static_cast<std::size_t>(k)];
-                // an ill-conditioned endpoint is not believed: the endgame decides
-                if (end.evidence.condition < regular_condition && end.evidence.correction < 1e-8) {
-                    copy_lane(q, k, end.q, 0);
-                    end.status = PathStatus::finite;
-                }
-            }
-            filled = 0;
-        };
-        for (std::size_t k = 0; k < ends.size(); ++k) {
-            if (ends[k].arrival != Arrival::end) continue;
-            member[static_cast<std::size_t>(filled)] = k;
-            copy_lane(ends[k].q, 0, q, filled);
-            if (++filled == native_lanes) flush();
-        }
-        flush();
-    }
-
-    /// Decides the paths of a block that the lanes left open; returns how many were tracked again from their start.
-    std::uint64_t finish(std::span<Endpoint<M>> block, std::size_t first) const {
-        std::vector<Endpoint<M>*> arrived;
-        for (Endpoint<M>& end : block)
-            if (end.status == PathStatus::failed && end.arrival == Arrival::endgame) arrived.push_back(&end);
-        Endgame<H>(*homotopy_, polisher_, options_).finish(arrived);
-        std::uint64_t retracked = 0;
-        TrackerOptions careful = options_;
-        for (int round = 0; round < 2; ++round) {
-            std::vector<std::uint64_t> failed;
-            for (std::size_t k = 0; k < block.size(); ++k)
-                if (block[k].status == PathStatus::failed) failed.push_back(k);
-            if (round == 0) retracked = failed.size();
-            if (failed.empty()) break;
-            careful = careful.tightened();
-            std::vector<Endpoint<M>> ends = track_again(failed, first, careful);
-            for (std::size_t m = 0; m < failed.size(); ++m) {
-                ends[m].steps += block[failed[m]].steps;
-                block[failed[m]] = ends[m];
-            }
-        }
-        return retracked;
-    }
-    /// The paths of these numbers, `first` added, from their start.
-    std::vector<Endpoint<M>> track_again(std::span<const std::uint64_t> paths, std::uint64_t first,
-                                         const TrackerOptions& options) const {
-        std::vector<Point<M, double>> starts;
-        for (const std::uint64_t k : paths) starts.push_back(start_->point(first + k));
-        std::vector<Endpoint<M>> ends(paths.size());
-        Endgame<H>(*homotopy_, polisher_, options).from_starts(starts, ends);
-        return ends;
-    }
-
-    /// The failed paths, each once.
-    void track_with_more_digits(PathSet<M>& paths) const {
-        if (!more_digits_) return;
-        EndpointStore<M>& ends = paths.ends();
-        std::vector<std::pair<std::uint64_t, Endpoint<M>>> failed;
-        for (std::uint64_t k = 0; k < ends.size(); ++k)
-            if (const Endpoint<M>& end = ends[k]; end.status == PathStatus::failed && !end.more_digits)
-                failed.emplace_back(k, end);
-        TrackerOptions careful = options_.tightened();
-        careful.most_steps = std::max(careful.most_steps, 20000);
-        run_->executor.for_blocks(failed.size(), 1, [&](std::size_t at, std::size_t) {
-            auto& [k, end] = failed[at];
-            more_digits_(*homotopy_, polisher_, careful, start_->point(k), end);
-            end.more_digits = true;
-        });
-        for (const auto& [k, end] : failed) ends.replace(k, end);
-        paths.effort.more_digits += failed.size();
-    }
-
-    /// Two paths cannot end at one regular solution: where they seem to, one of them jumped.
-    void uncross(PathSet<M>& paths) const {
-        EndpointStore<M>& ends = paths.ends();
-        const CoincidenceFinder<M> finder(paths.symmetric());
-        const auto point = [&](std::size_t k) -> const Point<M, double>* {
-            const Endpoint<M>& end = paths[k];
-            return end.status == PathStatus::finite ? &end.q : nullptr;
-        };
-        TrackerOptions careful = options_;
-        for (int round = 0; round < 3; ++round) {
-            const auto groups = finder.groups(paths.size(), point, 1e-9);
-            if (groups.empty()) return;
-            careful = careful.tightened();
-            std::vector<std::uint64_t> crossed;
-            for (const auto& group : groups)
-                for (const std::size_t k : group)
-                    if (paths.rests(k))
-                        continue;
-                    else if (run_->cancelled())
-                        ends.unsettle(k);
-                    else
-                        crossed.push_back(k);
-            const std::vector<Endpoint<M>> again = track_again(crossed, 0, careful);
-            for (std::size_t m = 0; m < crossed.size(); ++m) {
-                const Endpoint<M> before = ends[crossed[m]];
-                Endpoint<M> end = again[m];
-                end.steps += before.steps;
-                ++paths.effort.retracked;
-                paths.effort.crossed += end.status != PathStatus::finite || !finder.same(before.q, end.q, 1e-9);
-                ends.replace(crossed[m], end);
-            }
-            if (!ends.complete()) return;
-        }
-    }
-
-    const H* homotopy_;
-    const StartSystem* start_;
-    PathNumbering numbering_;
-    Polisher<H> polisher_;
-    const RunOptions* run_;
-    TrackerOptions options_;
-    MoreDigits<H> more_digits_;
-    std::mutex progress_guard_;
-    std::uint64_t done_ = 0;
+    StartPoints start;
+    /// Tracks the paths of these numbers in lanes, each until it arrives, is near t = 1 or stuck (lane_tracker.hpp).
+    /// Empty: the homotopy itself is tracked.
+    std::function<void(std::span<const std::uint64_t>, Ends)> track_block = {};
+    CheckpointFields model = {};  ///< what a checkpoint says of the model; empty: there can be none
+    bool streamed = false;        ///< a checkpoint alone keeps the endpoints
 };
+
+PathSet track_paths(const PolynomialHomotopy& homotopy, PathProblem problem, const RunOptions& run,
+                    const TrackerOptions& options, MoreDigits<> resort);
 
 }  // namespace detail
 
-/// Tracks all paths from `start` and ends them. streamed: a checkpoint alone keeps the endpoints. Of a cancelled run
-/// the paths that are not finished count as cancelled. Throws CheckpointError where the checkpoint that `run` names
-/// cannot be used.
+/// Tracks all paths from `start` and ends them. Of a cancelled run the paths that are not finished count as cancelled.
+/// Throws InvalidArgument where `run` names a checkpoint: it keeps the enumeration of a model. Homotopies of a type of
+/// one's own: own_homotopy.hpp.
+template <class StartSystem>
+PathSet track(const PolynomialHomotopy& homotopy, const StartSystem& start, const RunOptions& run = {},
+              const TrackerOptions& options = {}, MoreDigits<> resort = nullptr) {
+    return detail::track_paths(homotopy, {.start = StartPoints(start)}, run, options, resort);
+}
+
+/// The same of a model's homotopy, whose paths are tracked by code for it alone; what is left of them, near t = 1 and
+/// where it is hard, is left to `polynomials`, the same homotopy as data. streamed: a checkpoint alone keeps the
+/// endpoints. Throws CheckpointError where the checkpoint that `run` names cannot be used.
 template <class H, class StartSystem>
-PathSet<typename H::System> track(const H& homotopy, const StartSystem& start, const RunOptions& run = {},
-                                  const TrackerOptions& options = {}, MoreDigits<H> more_digits = nullptr,
-                                  bool streamed = false) {
-    return detail::PathSolver<H, StartSystem>(homotopy, start, run, options, more_digits).track(streamed);
+requires requires(const H& homotopy) { homotopy.polynomials(); }
+PathSet track(const H& homotopy, const PolynomialHomotopy& polynomials, const StartSystem& start,
+              const RunOptions& run = {}, const TrackerOptions& options = {}, MoreDigits<> resort = nullptr,
+              bool streamed = false) {
+    detail::PathProblem problem{.start = StartPoints(start),
+                                .model = detail::model_fields<typename H::System>(homotopy.parameters()),
+                                .streamed = streamed};
+    if constexpr (H::unrolls)
+        problem.track_block = [&](std::span<const std::uint64_t> paths, detail::PathProblem::Ends ends) {
+            track_lanes<Lanes<native_lanes>, false>(
+                homotopy, options, paths, [&](std::uint64_t k) { return start.point(k); }, ends);
+        };
+    return detail::track_paths(polynomials, std::move(problem), run, options, resort);
 }
 
 }  // namespace equilibria
+
+#ifndef EQUILIBRIA_COMPILED
+#include <equilibria/paths/detail/track_definitions.hpp>
+#endif

@@ -7,13 +7,14 @@
 #include <Eigen/Core>
 
 #include <equilibria/core/error.hpp>
+#include <equilibria/core/streamed_text.hpp>
 
 namespace equilibria::detail {
 
 /// A matrix in one line: "[1 2; 3 4]".
 template <class Derived>
 std::string in_one_line(const Eigen::MatrixBase<Derived>& a) {
-    return to_text(a.format(Eigen::IOFormat(Eigen::FullPrecision, Eigen::DontAlignCols, " ", "; ", "", "", "[", "]")));
+    return streamed(a.format(Eigen::IOFormat(Eigen::FullPrecision, Eigen::DontAlignCols, " ", "; ", "", "", "[", "]")));
 }
 
 /// Throws InvalidArgument unless these are the coefficients of a polynomial of degree 1 or more, the highest one first.

@@ -6,24 +6,54 @@
 ///     H(q, t) = t F(q) + (1 - t) G(q)           where it is not `moving`: total degree, reflected, linear product;
 ///     H(q, t) = sum_k a_k(t) m_k(q) + (1-t) G   where it is: each term of F has a law of its own, a_k(1) being F's
 ///                                               coefficient: a solved instance, (1-t) gamma b_k + t a_k.
-/// G in the total-degree starts has a term or two an unknown, which join the terms of F (`has_term`); in others it is
-/// evaluated in its own form (`Form`).
+/// G is evaluated in its own form (start_forms.hpp); the term or two an unknown that it has in the total-degree starts
+/// join the terms of F where a model's equations are evaluated unrolled (`has_term`).
 #pragma once
 
 #include <concepts>
 #include <cstdint>
+#include <functional>
+#include <string>
+#include <utility>
 
 #include <equilibria/evaluation/point.hpp>
 #include <equilibria/start/path_numbering.hpp>
 
 namespace equilibria {
 
-/// Where the paths begin that are tracked: point(k), on path number tracked_path(k) of the numbering.
-template <class T, class S>
+/// Where the paths begin that are tracked: point(k), on path number tracked_path(k) of the numbering. M: the unknowns.
+template <class T, class M>
 concept Start = requires(const T& start, std::uint64_t k) {
-    { T::moving } -> std::convertible_to<bool>;
     { start.numbering() } -> std::convertible_to<PathNumbering>;
-    { start.point(k) } -> std::same_as<Point<S, double>>;
+    { start.point(k) } -> std::same_as<Point<M, double>>;
+};
+
+/// The points of any start, of which no more is known: what those ask who track its paths.
+class StartPoints {
+public:
+    using Point = RuntimePoint<double>;
+
+    /// The start has to outlive it.
+    template <class T>
+    explicit StartPoints(const T& start)
+        : numbering(start.numbering()), name(start.name()), point([&start](std::uint64_t k) {
+              Point q;
+              copy_lane(start.point(k), 0, q, 0);
+              return q;
+          }) {
+        if constexpr (requires { start.resting_point(std::uint64_t{}); })
+            resting_point = [&start](std::uint64_t k) {
+                Point q;
+                copy_lane(start.resting_point(k), 0, q, 0);
+                return q;
+            };
+    }
+
+    PathNumbering numbering;
+    std::string name;
+    std::function<Point(std::uint64_t)> point;
+    /// The k-th solution that rests at every t; none where the numbering has none.
+    std::function<Point(std::uint64_t)> resting_point;
 };
 
 }  // namespace equilibria

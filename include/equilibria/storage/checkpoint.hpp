@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <complex>
 #include <cstdint>
 #include <span>
 #include <string>
@@ -17,11 +16,11 @@
 #include <utility>
 #include <vector>
 
-#include <equilibria/algebra/formulation.hpp>
-#include <equilibria/core/lanes.hpp>
 #include <equilibria/homotopy/endpoint.hpp>
 #include <equilibria/homotopy/tracker_options.hpp>
+#include <equilibria/storage/checkpoint_fields.hpp>
 #include <equilibria/storage/checkpoint_file.hpp>
+#include <equilibria/storage/fingerprint.hpp>
 #include <equilibria/version.hpp>
 
 namespace equilibria::detail {
@@ -95,61 +94,6 @@ private:
     bool sound_ = true;
 };
 
-/// A hash of numbers, word by word (the mixing of splitmix64).
-class Fingerprint {
-public:
-    void operator()(std::uint64_t word) {
-        std::uint64_t z = (value_ ^ word) + 0x9e3779b97f4a7c15;
-        z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9;
-        z = (z ^ (z >> 27)) * 0x94d049bb133111eb;
-        value_ = z ^ (z >> 31);
-    }
-    void operator()(double number) { (*this)(std::bit_cast<std::uint64_t>(number)); }
-    void operator()(const std::complex<double>& z) { (*this)(z.real()), (*this)(z.imag()); }
-    std::string text() const {
-        std::string hex;
-        for (int shift = 60; shift >= 0; shift -= 4) hex += "0123456789abcdef"[(value_ >> shift) & 15];
-        return hex;
-    }
-
-private:
-    std::uint64_t value_ = 0;
-};
-
-/// The name of a type as the compiler spells it.
-template <class M>
-std::string type_name() {
-    const std::string_view here = __PRETTY_FUNCTION__;
-    const std::size_t begin = here.find("M = ") + 4, semicolon = here.find(';', begin);
-    return std::string(here.substr(begin, (semicolon == here.npos ? here.rfind(']') : semicolon) - begin));
-}
-
-/// The compiler and its flags, as far as they change the last bits.
-inline std::string build_name() {
-    std::string name =
-#if defined(__clang__)
-        "clang " __clang_version__;
-#else
-        "g++ " __VERSION__;
-#endif
-#if defined(__x86_64__)
-    name += ", x86-64";
-#elif defined(__aarch64__)
-    name += ", AArch64";
-#endif
-    name += ", " + std::to_string(native_lanes) + " lanes";
-#if defined(__FMA__)
-    name += ", fused multiply-add";
-#endif
-#if defined(__FAST_MATH__)
-    name += ", fast-math";
-#endif
-#if !defined(__OPTIMIZE__)
-    name += ", not optimised";
-#endif
-    return name;
-}
-
 /// What is tracked in a run, beside the model and its parameters.
 struct CheckpointRun {
     std::uint64_t seed;
@@ -158,22 +102,11 @@ struct CheckpointRun {
     std::uint64_t paths, block;
 };
 
-template <Model M>
-std::vector<CheckpointFile::Field> checkpoint_header(const Parameters<M>& p, const CheckpointRun& run,
-                                                     const TrackerOptions& tracker) {
+inline CheckpointFields checkpoint_header(const CheckpointFields& model, const CheckpointRun& run,
+                                          const TrackerOptions& tracker) {
     const auto& [seed, start, numbers, paths, block] = run;
-    using F = Formulation<M>;
-    Fingerprint support;
-    for (const auto& term : F::support) {
-        support(static_cast<std::uint64_t>(term.equation));
-        for (int u = 0; u < n_unknowns<M>; ++u) support(static_cast<std::uint64_t>(term.monomial.code(u)));
-    }
-    std::vector<CheckpointFile::Field> fields{
-        {"equilibria", EQUILIBRIA_VERSION_STRING},
-        {"model", type_name<M>() + " (" + std::to_string(n_angles<M>) + " angles, " + std::to_string(n_coordinates<M>) +
-                      " coordinates, " + std::to_string(F::terms) + " terms, support " + support.text() + ")"}};
-    int k = 0;
-    for (const auto& value : p) fields.push_back({"parameters[" + std::to_string(k++) + "]", to_text(value)});
+    CheckpointFields fields{{"equilibria", EQUILIBRIA_VERSION_STRING}};
+    fields.insert(fields.end(), model.begin(), model.end());
     fields.push_back({"seed", std::to_string(seed)});
     const auto& [contraction, largest_contraction, largest_turn, pole_fraction, smallest_step, endgame_start,
                  most_steps] = tracker;
@@ -192,30 +125,33 @@ std::vector<CheckpointFile::Field> checkpoint_header(const Parameters<M>& p, con
 }
 
 /// The blocks of endpoints in a checkpoint.
-template <class M>
 class Checkpoint {
 public:
-    static constexpr std::uint64_t endpoint_size = 16 * (2 * n_angles<M> + n_coordinates<M>)+4 * 8 + 4 + 2 + 3;
     static constexpr std::uint64_t block_head = 8 + 8;
+    /// Bytes of an endpoint.
+    static std::uint64_t endpoint_size(const RuntimeSizes& sizes) {
+        return 16 * static_cast<std::uint64_t>(2 * sizes.angles + sizes.coordinates) + 4 * 8 + 4 + 2 + 3;
+    }
 
     /// Opens or creates the file and checks all of it; take(block, endpoints, retracked) gets each block that
     /// is there.
     template <class Take>
-    Checkpoint(std::string path, const std::vector<CheckpointFile::Field>& header, std::uint64_t paths,
-               std::uint64_t block, Take&& take)
-        : paths_(paths), block_(block), offset_((paths + block - 1) / block),
+    Checkpoint(std::string path, const CheckpointFields& header, std::uint64_t paths, std::uint64_t block, Take&& take,
+               const RuntimeSizes& sizes)
+        : sizes_(sizes), endpoint_size_(endpoint_size(sizes)), paths_(paths), block_(block),
+          offset_((paths + block - 1) / block),
           file_(std::move(path), header,
-                [&, ends = std::vector<Endpoint<M>>()](std::uint64_t offset,
-                                                       std::span<const std::uint8_t> bytes) mutable -> std::string {
+                [&, ends = std::vector<Endpoint>()](std::uint64_t offset,
+                                                    std::span<const std::uint8_t> bytes) mutable -> std::string {
                     if (bytes.size() < block_head) return "is too short";
                     const std::uint64_t which = get_number(&bytes[0]), retracked = get_number(&bytes[8]);
                     if (which >= offset_.size()) return "is of a block that the run does not have";
                     if (offset_[which] != 0) return "repeats a block";
                     ends.resize(size(which));
-                    if (bytes.size() != block_head + ends.size() * endpoint_size) return "has a wrong size";
+                    if (bytes.size() != block_head + ends.size() * endpoint_size_) return "has a wrong size";
                     if (!decode(bytes.subspan(block_head), ends)) return "holds an unknown status";
                     offset_[which] = offset;
-                    take(which, std::span<const Endpoint<M>>(ends), retracked);
+                    take(which, std::span<const Endpoint>(ends), retracked);
                     return "";
                 }) {}
 
@@ -224,29 +160,34 @@ public:
     std::uint64_t size(std::uint64_t block) const { return std::min(block_, paths_ - block * block_); }
 
     /// Appends a block. One call at a time.
-    void append(std::uint64_t block, std::span<const Endpoint<M>> ends, std::uint64_t retracked) {
+    void append(std::uint64_t block, std::span<const Endpoint> ends, std::uint64_t retracked) {
         Bytes bytes;
-        bytes.reserve(block_head + ends.size() * endpoint_size);
+        bytes.reserve(block_head + ends.size() * endpoint_size_);
         Writer write(bytes);
         write(block), write(retracked);
-        for (const Endpoint<M>& end : ends) transfer(write, end);
+        for (const Endpoint& end : ends) transfer(write, end);
         offset_[block] = file_.append(bytes);
     }
 
     /// The endpoints of a block from path number `first` of it on.
-    void read(std::uint64_t block, std::uint64_t first, std::span<Endpoint<M>> ends) const {
-        Bytes bytes(ends.size() * endpoint_size);
-        file_.file().read(offset_[block] + block_head + first * endpoint_size, bytes);
+    void read(std::uint64_t block, std::uint64_t first, std::span<Endpoint> ends) const {
+        Bytes bytes(ends.size() * endpoint_size_);
+        file_.file().read(offset_[block] + block_head + first * endpoint_size_, bytes);
         if (!decode(bytes, ends)) file_.file().refuse("was changed while it was in use");
     }
 
 private:
-    static bool decode(std::span<const std::uint8_t> bytes, std::span<Endpoint<M>> ends) {
+    bool decode(std::span<const std::uint8_t> bytes, std::span<Endpoint> ends) const {
         Reader read(bytes);
-        for (Endpoint<M>& end : ends) transfer(read, end);
+        for (Endpoint& end : ends) {
+            end.q = point_of_zeros<RuntimeUnknowns, double>(sizes_);
+            transfer(read, end);
+        }
         return read.sound();
     }
 
+    RuntimeSizes sizes_;
+    std::uint64_t endpoint_size_;
     std::uint64_t paths_, block_;
     std::vector<std::uint64_t> offset_;  // of each block's record, 0 where there is none
     CheckpointFile file_;

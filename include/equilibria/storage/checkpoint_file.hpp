@@ -31,6 +31,7 @@
 #include <utility>
 #include <vector>
 
+#include <equilibria/storage/checkpoint_fields.hpp>
 #include <equilibria/storage/locked_file.hpp>
 
 namespace equilibria::detail {
@@ -66,9 +67,6 @@ private:
 
 class CheckpointFile {
 public:
-    struct Field {
-        std::string name, value;  ///< neither with an end of line
-    };
     static constexpr std::array<std::uint8_t, 8> magic{0x89, 'E', 'Q', 'C', '\r', '\n', 0x1a, '\n'};
     static constexpr std::uint64_t format = 1, marks_at[2] = {512, 1024}, header_at = 1536, prologue_size = 24,
                                    mark_size = 32, frame_size = 16;
@@ -78,8 +76,8 @@ public:
     /// CheckpointError if the file cannot be opened, is in use, is no checkpoint, is damaged or truncated, or has
     /// another header; the message names the fields that differ.
     template <class Visit>
-    CheckpointFile(std::string path, const std::vector<Field>& header, Visit&& visit) : file_(std::move(path)) {
-        for (const Field& f : header) header_ += f.name + ": " + f.value + "\n";
+    CheckpointFile(std::string path, const CheckpointFields& header, Visit&& visit) : file_(std::move(path)) {
+        for (const CheckpointField& f : header) header_ += f.name + ": " + f.value + "\n";
         for (int attempt = 0; !file_.open(); ++attempt) {
             if (attempt == 2) file_.refuse("cannot be created", ENOENT);  // a link that leads nowhere
             if (create()) return;
@@ -242,8 +240,8 @@ private:
         if (end_ < size) file_.truncate(end_);
     }
 
-    static std::vector<Field> fields(const std::string& header) {
-        std::vector<Field> found;
+    static CheckpointFields fields(const std::string& header) {
+        CheckpointFields found;
         for (std::size_t at = 0; at < header.size();) {
             const std::size_t end = std::min(header.find('\n', at), header.size());
             const std::string line = header.substr(at, end - at);
@@ -255,8 +253,8 @@ private:
     }
     [[noreturn]] void refuse_header(const std::string& theirs) const {
         const auto there = fields(theirs), here = fields(header_);
-        const auto value = [](const std::vector<Field>& of, const std::string& name) -> std::string {
-            for (const Field& f : of)
+        const auto value = [](const CheckpointFields& of, const std::string& name) -> std::string {
+            for (const CheckpointField& f : of)
                 if (f.name == name) return f.value;
             return "nothing";
         };
@@ -267,9 +265,9 @@ private:
             if (a == b || ++differences > 3) return;
             text += (text.empty() ? "its " : "; its ") + name + " is " + a + ", this run's is " + b;
         };
-        for (const Field& f : here) compare(f.name);
-        for (const Field& f : there)
-            if (std::none_of(here.begin(), here.end(), [&](const Field& g) { return g.name == f.name; }))
+        for (const CheckpointField& f : here) compare(f.name);
+        for (const CheckpointField& f : there)
+            if (std::none_of(here.begin(), here.end(), [&](const CheckpointField& g) { return g.name == f.name; }))
                 compare(f.name);
         if (differences > 3) text += "; " + std::to_string(differences - 3) + " more differ";
         refuse("is of another run: " + (text.empty() ? "its header is written otherwise" : text));

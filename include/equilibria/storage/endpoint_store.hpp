@@ -19,22 +19,71 @@
 
 namespace equilibria::detail {
 
-template <class M>
-class EndpointStore {
+/// Endpoints in memory, their points in one piece: a million of them have no vectors of their own.
+class EndpointTable {
 public:
-    /// For `size` paths in memory.
-    EndpointStore(std::uint64_t size, std::uint64_t block)
-        : size_(size), block_(block), has_((size + block - 1) / block), ends_(size) {}
+    EndpointTable(const RuntimeSizes& sizes, std::uint64_t size)
+        : angles_(static_cast<std::size_t>(sizes.angles)), coordinates_(static_cast<std::size_t>(sizes.coordinates)),
+          points_(size * (2 * angles_ + coordinates_)), others_(size) {}
 
-    /// In a checkpoint, with what it holds already; `in_memory`: also there, which is faster. Throws CheckpointError.
-    EndpointStore(std::uint64_t size, std::uint64_t block, std::string path,
-                  const std::vector<CheckpointFile::Field>& header, bool in_memory)
-        : size_(size), block_(block), has_((size + block - 1) / block), ends_(in_memory ? size : 0) {
-        file_ = std::make_unique<Checkpoint<M>>(std::move(path), header, size, block,
-                                                [&](std::uint64_t which, std::span<const Endpoint<M>> ends,
-                                                    std::uint64_t retracked) { enter(which, ends, retracked); });
+    bool empty() const { return others_.empty(); }
+    void set(std::uint64_t k, const Endpoint& end) {
+        auto& other = others_[k];
+        const auto& [q, t, steps, arrival, status, reason, more_digits, winding_number, evidence] = end;
+        other = {t, evidence, steps, winding_number, arrival, status, reason, more_digits};
+        auto to = points_.begin() + static_cast<std::ptrdiff_t>(k * (2 * angles_ + coordinates_));
+        for (const auto& z : q.c) *to++ = z;
+        for (const auto& z : q.s) *to++ = z;
+        for (const auto& z : q.x) *to++ = z;
+    }
+    void get(std::uint64_t k, Endpoint& end) const {
+        const auto& other = others_[k];
+        if (unknowns(end.q) == 0)
+            end.q =
+                point_of_zeros<RuntimeUnknowns, double>({static_cast<int>(angles_), static_cast<int>(coordinates_)});
+        auto& [q, t, steps, arrival, status, reason, more_digits, winding_number, evidence] = end;
+        t = other.t, evidence = other.evidence, steps = other.steps, winding_number = other.winding_number;
+        arrival = other.arrival, status = other.status, reason = other.reason, more_digits = other.more_digits;
+        auto from = points_.begin() + static_cast<std::ptrdiff_t>(k * (2 * angles_ + coordinates_));
+        for (auto& z : q.c) z = *from++;
+        for (auto& z : q.s) z = *from++;
+        for (auto& z : q.x) z = *from++;
     }
 
+private:
+    struct Other {
+        double t;
+        PolishedEvidence evidence;
+        std::int32_t steps;
+        std::int16_t winding_number;
+        Arrival arrival;
+        PathStatus status;
+        FailureReason reason;
+        bool more_digits;
+    };
+    std::size_t angles_, coordinates_;
+    std::vector<Complex<double>> points_;
+    std::vector<Other> others_;
+};
+
+class EndpointStore {
+public:
+    /// For `size` paths in memory. sizes: of their unknowns.
+    EndpointStore(std::uint64_t size, std::uint64_t block, const RuntimeSizes& sizes)
+        : sizes_(sizes), size_(size), block_(block), has_((size + block - 1) / block), ends_(sizes, size) {}
+
+    /// In a checkpoint, with what it holds already; `in_memory`: also there, which is faster. Throws CheckpointError.
+    EndpointStore(std::uint64_t size, std::uint64_t block, std::string path, const CheckpointFields& header,
+                  bool in_memory, const RuntimeSizes& sizes)
+        : sizes_(sizes), size_(size), block_(block), has_((size + block - 1) / block),
+          ends_(sizes, in_memory ? size : 0) {
+        const auto take = [&](std::uint64_t which, std::span<const Endpoint> ends, std::uint64_t retracked) {
+            enter(which, ends, retracked);
+        };
+        file_ = std::make_unique<Checkpoint>(std::move(path), header, size, block, take, sizes);
+    }
+
+    const RuntimeSizes& sizes() const { return sizes_; }
     std::uint64_t size() const { return size_; }
     std::uint64_t block() const { return block_; }
     /// Paths that are finished, and how many of them were tracked again.
@@ -46,15 +95,21 @@ public:
     bool finished(std::uint64_t k) const { return has_[k / block_] && (unsettled_.empty() || !unsettled_.contains(k)); }
 
     /// Keeps a finished block; with a checkpoint it is on the disk afterwards. From any thread, each block once.
-    void put(std::uint64_t which, std::span<const Endpoint<M>> ends, std::uint64_t retracked) {
+    void put(std::uint64_t which, std::span<const Endpoint> ends, std::uint64_t retracked) {
         const std::lock_guard lock(*guard_);
         if (file_) file_->append(which, ends, retracked);
         enter(which, ends, retracked);
     }
 
     /// A finished endpoint; the reference outlives the next call, not the one after it.
-    const Endpoint<M>& operator[](std::uint64_t k) {
-        if (!ends_.empty()) return ends_[k];
+    const Endpoint& operator[](std::uint64_t k) {
+        if (!ends_.empty()) {
+            oldest_ = (oldest_ + 1) % windows_.size();
+            Window& w = windows_[oldest_];
+            w.ends.resize(1);
+            ends_.get(k, w.ends.front());
+            return w.ends.front();
+        }
         if (const auto at = replaced_.find(k); at != replaced_.end()) return at->second;
         const std::uint64_t which = k / block_, first = which * block_;
         for (std::size_t j = 0; j < windows_.size(); ++j)
@@ -75,9 +130,9 @@ public:
         return w.ends[k - w.first];
     }
     /// Another endpoint for a path. Not written to the checkpoint: it follows from what is there.
-    void replace(std::uint64_t k, const Endpoint<M>& end) {
+    void replace(std::uint64_t k, const Endpoint& end) {
         if (!ends_.empty())
-            ends_[k] = end;
+            ends_.set(k, end);
         else
             replaced_[k] = end;
     }
@@ -87,22 +142,24 @@ public:
 private:
     struct Window {
         std::uint64_t first = 0;
-        std::vector<Endpoint<M>> ends;
+        std::vector<Endpoint> ends;
     };
 
-    void enter(std::uint64_t which, std::span<const Endpoint<M>> ends, std::uint64_t retracked) {
-        if (!ends_.empty()) std::copy(ends.begin(), ends.end(), &ends_[which * block_]);
+    void enter(std::uint64_t which, std::span<const Endpoint> ends, std::uint64_t retracked) {
+        if (!ends_.empty())
+            for (std::size_t k = 0; k < ends.size(); ++k) ends_.set(which * block_ + k, ends[k]);
         has_[which] = 1;
         finished_ += ends.size();
         retracked_ += retracked;
     }
 
+    RuntimeSizes sizes_;
     std::uint64_t size_, block_, finished_ = 0, retracked_ = 0;
     std::vector<std::uint8_t> has_;
-    std::vector<Endpoint<M>> ends_;
-    std::unique_ptr<Checkpoint<M>> file_;
+    EndpointTable ends_;
+    std::unique_ptr<Checkpoint> file_;
     std::unique_ptr<std::mutex> guard_ = std::make_unique<std::mutex>();
-    std::map<std::uint64_t, Endpoint<M>> replaced_;
+    std::map<std::uint64_t, Endpoint> replaced_;
     std::set<std::uint64_t> unsettled_;
     std::array<Window, 3> windows_;
     std::size_t oldest_ = 0, latest_ = 0;

@@ -11,29 +11,14 @@
 #include <cstdint>
 #include <cstring>
 #include <span>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
-namespace equilibria {
+#include <equilibria/storage/checkpoint_error.hpp>
 
-/// A checkpoint that cannot be used: no wrong argument, but a file that is not what it should be, or a disk that fails.
-/// `what()` reads "checkpoint = <path>: <what is wrong>".
-class CheckpointError : public std::runtime_error {
-public:
-    CheckpointError(std::string_view path, std::string_view wrong)
-        : std::runtime_error("checkpoint = " + std::string(path.empty() ? "''" : path) + ": " + std::string(wrong)),
-          wrong_(wrong) {}
-    /// What is wrong, without the path.
-    const std::string& wrong() const { return wrong_; }
-
-private:
-    std::string wrong_;
-};
-
-namespace detail {
+namespace equilibria::detail {
 
 using Bytes = std::vector<std::uint8_t>;
 
@@ -145,5 +130,4 @@ private:
     int file_ = -1;
 };
 
-}  // namespace detail
-}  // namespace equilibria
+}  // namespace equilibria::detail

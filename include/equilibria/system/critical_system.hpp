@@ -50,7 +50,6 @@ struct CriticalSystem {
     /// Left null vectors would be needed without one.
     static constexpr bool has_last_derivatives = actives == 2 && PotentialModel<M>;
 
-    using System = SparseSystem<n_angles, n_coordinates>;
     template <class C>
     using Polynomial = TrigonometricPolynomial<n_angles, n_coordinates, C>;
     template <class C>
@@ -138,7 +137,7 @@ struct CriticalSystem {
     }
 
     /// The system to be solved.
-    static System system(const Numbers& numbers) { return System(equations<double>(numbers)); }
+    static SparseSystem system(const Numbers& numbers) { return SparseSystem(equations<double>(numbers)); }
 
     /// v = B (1, w), w being the coordinates from number `first` on.
     template <class P, class C>

@@ -9,7 +9,7 @@
 #include <equilibria/algebra/formulation.hpp>
 #include <equilibria/core/array.hpp>
 #include <equilibria/core/complex.hpp>
-#include <equilibria/model/derivatives.hpp>
+#include <equilibria/model/equations.hpp>
 
 namespace equilibria {
 

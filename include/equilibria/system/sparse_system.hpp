@@ -1,14 +1,13 @@
 /// \file
 /// A square system of trigonometric polynomials as data: made at run time from a model, from other systems, or from
-/// terms. Its type says how many angles and coordinates it has, and no more, so that all systems of a size share one
-/// tracker.
+/// terms. Nothing of it is in its type, so that all systems share one tracker.
 #pragma once
 
-#include <algorithm>
-#include <cmath>
 #include <complex>
 #include <concepts>
 #include <cstddef>
+#include <map>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -17,107 +16,82 @@
 #include <equilibria/algebra/monomial.hpp>
 #include <equilibria/algebra/polynomial_system.hpp>
 #include <equilibria/algebra/trigonometric_polynomial.hpp>
-#include <equilibria/core/array.hpp>
+#include <equilibria/core/compiled.hpp>
 #include <equilibria/core/error.hpp>
-#include <equilibria/model/model.hpp>
+#include <equilibria/model/sizes.hpp>
+#include <equilibria/system/sparse_term.hpp>
 
 namespace equilibria {
 
-/// The unknowns of a system: angles first, plain coordinates after them. It stands for the system's type where points
-/// and roots are concerned.
-template <int Angles, int Coordinates>
-struct UnknownsOf {
-    static constexpr int n_angles = Angles, n_coordinates = Coordinates;
-};
-
-/// One term of one equation. Terms are sorted by equation, then by the code of the equation's own unknown.
-template <int Angles, int Coordinates>
-struct SparseTerm {
-    int equation;
-    Monomial<Angles, Coordinates> monomial;
-    double coefficient;
-
-    /// The factor in unknown number `equation`: terms of an equation that share it are summed before it is multiplied.
-    int own_code() const { return monomial.code(equation); }
-};
-
-template <int Angles, int Coordinates>
+/// As many equations as unknowns. Terms are sorted by equation, then by the code of the equation's own unknown.
 class SparseSystem {
 public:
-    using Unknowns = UnknownsOf<Angles, Coordinates>;
-    using Term = SparseTerm<Angles, Coordinates>;
-    using Polynomial = TrigonometricPolynomial<Angles, Coordinates>;
-    static constexpr int n_angles = Angles, n_coordinates = Coordinates, n = Angles + Coordinates;
+    using Term = SparseTerm;
 
-    /// From n polynomials. Throws InvalidArgument where there are not n of them, where one is 0, or a coefficient is
-    /// not finite.
-    explicit SparseSystem(const std::vector<Polynomial>& equations) {
-        require(static_cast<int>(equations.size()) == n, "equations", equations.size(),
-                "must be as many as there are unknowns");
-        for (int i = 0; i < n; ++i) {
-            const Polynomial& f = equations[static_cast<std::size_t>(i)];
-            require(!f.terms().empty(), "equations", "equation " + std::to_string(i), "must not be 0");
-            for (const auto& t : f.terms()) {
-                require(std::isfinite(t.coefficient), "equations", "equation " + std::to_string(i),
-                        "has a coefficient that is not finite");
-                terms_.push_back({i, t.monomial, t.coefficient});
-                scale_[i] = std::max(scale_[i], std::abs(t.coefficient));
-                degrees_[i] = std::max(degrees_[i], t.monomial.degree());
-            }
-        }
-        std::sort(terms_.begin(), terms_.end(), before);
-    }
+    /// From terms, in any order, each product of factors once in an equation. Throws InvalidArgument where a term's
+    /// equation or number of codes is none of the system's, where an equation has no terms, or a coefficient is not
+    /// finite.
+    SparseSystem(const RuntimeSizes& sizes, std::vector<Term> terms);
+    /// From n polynomials in n unknowns. Throws InvalidArgument where there are not n of them, where one is 0, or a
+    /// coefficient is not finite.
+    template <int Angles, int Coordinates>
+    explicit SparseSystem(const std::vector<TrigonometricPolynomial<Angles, Coordinates>>& equations)
+        : SparseSystem(RuntimeSizes(Angles, Coordinates), terms_of(equations)) {}
 
+    const RuntimeSizes& sizes() const { return sizes_; }
     const std::vector<Term>& terms() const { return terms_; }
-    /// The equations as polynomials.
-    std::vector<Polynomial> equations() const {
-        std::vector<Polynomial> y(static_cast<std::size_t>(n));
-        for (const Term& t : terms_) y[static_cast<std::size_t>(t.equation)] += Polynomial(t.monomial, t.coefficient);
-        return y;
-    }
-    const Array<double, n>& scale() const { return scale_; }   ///< the largest coefficient of each equation
-    const Array<int, n>& degrees() const { return degrees_; }  ///< total degree of each in (cos, sin) and coordinates
+    const std::vector<double>& scale() const { return scale_; }   ///< the largest coefficient of each equation
+    const std::vector<int>& degrees() const { return degrees_; }  ///< total degree of each in (cos, sin), coordinates
 
-    /// The order of terms.
-    static bool before(const Term& a, const Term& b) {
-        if (a.equation != b.equation) return a.equation < b.equation;
-        if (a.own_code() != b.own_code()) return a.own_code() < b.own_code();
-        return a.monomial < b.monomial;
-    }
+    /// With a constant added to each equation.
+    SparseSystem with_constants(std::span<const double> constants) const;
 
 private:
+    static std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+    template <int Angles, int Coordinates>
+    static std::vector<Term> terms_of(const std::vector<TrigonometricPolynomial<Angles, Coordinates>>& equations) {
+        constexpr int n = Angles + Coordinates;
+        require(static_cast<int>(equations.size()) == n, "equations", equations.size(),
+                "must be as many as there are unknowns");
+        std::vector<Term> terms;
+        for (int i = 0; i < n; ++i)
+            for (const auto& t : equations[at(i)].terms())
+                terms.push_back({i, sparse_monomial(t.monomial), t.coefficient});
+        return terms;
+    }
+
+    RuntimeSizes sizes_;
     std::vector<Term> terms_;
-    Array<double, n> scale_{};
-    Array<int, n> degrees_{};
+    std::vector<double> scale_;
+    std::vector<int> degrees_;
 };
 
 /// A model's equations at the parameters p. Terms that the model lacks there, though it has them at other parameters,
 /// are left out. Throws InvalidArgument as `coefficients` does.
 template <Model M>
-auto sparse_system(const Parameters<M>& p) {
-    using System = SparseSystem<n_angles<M>, n_coordinates<M>>;
+SparseSystem sparse_system(const Parameters<M>& p) {
     const auto own = coefficients<M, double>(p);
-    std::vector<typename System::Polynomial> equations(static_cast<std::size_t>(n_unknowns<M>));
-    for (int k = 0; k < Formulation<M>::terms; ++k) {
-        const auto& term = Formulation<M>::support[k];
-        if (own[k] != 0)
-            equations[static_cast<std::size_t>(term.equation)] += typename System::Polynomial(term.monomial, own[k]);
-    }
-    return System(equations);
+    std::vector<SparseTerm> terms;
+    for (int k = 0; k < Formulation<M>::terms; ++k)
+        if (const auto& term = Formulation<M>::support[k]; own[k] != 0)
+            terms.push_back({term.equation, sparse_monomial(term.monomial), own[k]});
+    return {RuntimeSizes(n_angles<M>, n_coordinates<M>), std::move(terms)};
 }
 
-/// Polynomials in n plain coordinates, the variables of `system` in their order, for systems that come from a file or
-/// from terms. Throws InvalidArgument unless there are n equations in n variables with real, finite coefficients and,
-/// in each term, n exponents from 0 to Monomial's highest.
-template <int n, class C>
+/// Polynomials in plain coordinates, the variables of `system` in their order, for systems that come from a file or
+/// from terms. Throws InvalidArgument unless there are as many equations as variables, with real, finite coefficients
+/// and, in each term, an exponent of each variable from 0 to Monomial's highest.
+template <class C>
 requires std::same_as<C, double> || std::same_as<C, std::complex<double>>
-SparseSystem<0, n> sparse_system(const PolynomialSystem<C>& system) {
-    using Polynomial = typename SparseSystem<0, n>::Polynomial;
+SparseSystem sparse_system(const PolynomialSystem<C>& system) {
+    const std::size_t n = system.variables.size();
     const auto number = std::to_string(n);
-    require(system.variables.size() == n, "variables", system.variables.size(), "must be " + number);
+    require(n > 0, "variables", n, "must not be none");
     require(system.equations.size() == n, "equations", system.equations.size(), "must be " + number);
-    std::vector<Polynomial> equations(n);
-    for (std::size_t i = 0; i < n; ++i)
+    std::vector<SparseTerm> terms;
+    for (std::size_t i = 0; i < n; ++i) {
+        std::map<SparseMonomial, double> sums;  // a file may have a product of factors twice
         for (const auto& t : system.equations[i]) {
             const std::string in = " in equation " + std::to_string(i);
             require(t.exponents.size() == n, "exponents" + in, t.exponents.size(), "must be " + number);
@@ -128,17 +102,20 @@ SparseSystem<0, n> sparse_system(const PolynomialSystem<C>& system) {
                 require(t.coefficient.imag() == 0, "coefficient" + in, t.coefficient, "must be real");
                 coefficient = t.coefficient.real();
             }
-            Monomial<0, n> monomial;
-            for (int v = 0; v < n; ++v) {
-                const auto at = static_cast<std::size_t>(v);
-                require(t.exponents[at] >= 0 && t.exponents[at] <= Monomial<0, n>::highest,
-                        "exponent of " + system.variables[at] + in, t.exponents[at],
-                        "must be from 0 to " + std::to_string(Monomial<0, n>::highest));
-                monomial.set_code(v, t.exponents[at]);
-            }
-            equations[i] += Polynomial(monomial, coefficient);
+            constexpr int highest = Monomial<0, 1>::highest;
+            for (std::size_t v = 0; v < n; ++v)
+                require(t.exponents[v] >= 0 && t.exponents[v] <= highest, "exponent of " + system.variables[v] + in,
+                        t.exponents[v], "must be from 0 to " + std::to_string(highest));
+            sums[SparseMonomial(t.exponents)] += coefficient;
         }
-    return SparseSystem<0, n>(equations);
+        for (const auto& [monomial, coefficient] : sums)
+            if (coefficient != 0) terms.push_back({static_cast<int>(i), monomial, coefficient});
+    }
+    return {RuntimeSizes(0, static_cast<int>(n)), std::move(terms)};
 }
 
 }  // namespace equilibria
+
+#ifndef EQUILIBRIA_COMPILED
+#include <equilibria/system/detail/sparse_system_definitions.hpp>
+#endif

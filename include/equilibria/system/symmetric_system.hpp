@@ -29,7 +29,6 @@ struct SymmetricSystem {
     static constexpr int first_active = n - 1;
     static constexpr int n_coordinates = n + 1;
 
-    using System = SparseSystem<0, n_coordinates>;
     template <class C>
     using Polynomial = TrigonometricPolynomial<0, n_coordinates, C>;
     template <class C>
@@ -86,7 +85,7 @@ struct SymmetricSystem {
     }
 
     /// The system to be solved.
-    static System system(const Numbers& numbers) { return System(equations<double>(numbers)); }
+    static SparseSystem system(const Numbers& numbers) { return SparseSystem(equations<double>(numbers)); }
 
 private:
     static constexpr std::size_t at(int i) { return static_cast<std::size_t>(i); }

@@ -10,10 +10,7 @@
     equilibria::trace_locus<equilibria::mechanisms::TwoLinkChain, equilibria::mechanisms::TwoLinkChain::alpha, \
                             equilibria::mechanisms::TwoLinkChain::omega>(                                      \
         const equilibria::Parameters<equilibria::mechanisms::TwoLinkChain>&, const equilibria::Window&,        \
-        const equilibria::RunOptions&, const equilibria::LocusOptions&,                                        \
-        equilibria::MoreDigitsOf<equilibria::CriticalSystem<equilibria::mechanisms::TwoLinkChain,              \
-                                                            equilibria::mechanisms::TwoLinkChain::alpha,       \
-                                                            equilibria::mechanisms::TwoLinkChain::omega>>)
+        const equilibria::RunOptions&, const equilibria::LocusOptions&, equilibria::MoreDigits<>)
 
 #ifdef EQUILIBRIA_SHARED_INSTANCES
 extern template INSTANCES_TWO_LINK_LOCUS;

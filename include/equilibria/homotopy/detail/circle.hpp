@@ -16,10 +16,10 @@
 namespace equilibria::detail {
 
 /// A path around t = 1 at |1-t| = r, until it closes.
-template <class M, class R>
-struct Circle : Segment<M, R> {
-    using At = Point<M, R>;
-    using Loop = ClosedLoop<M, R>;
+template <class R>
+struct Circle : Segment<R> {
+    using At = RuntimePoint<R>;
+    using Loop = ClosedLoop<R>;
     static constexpr int samples = Loop::samples;
 
     /// Points as close as `closed` are the same.

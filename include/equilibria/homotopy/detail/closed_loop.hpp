@@ -13,10 +13,10 @@
 
 namespace equilibria::detail {
 
-template <class M, class R>
+template <class R>
 struct ClosedLoop {
     using Z = Complex<R>;
-    using At = Point<M, R>;
+    using At = RuntimePoint<R>;
     static constexpr int samples = 8;  ///< points a turn
     static constexpr int most_turns = 12;
 
@@ -34,13 +34,16 @@ struct ClosedLoop {
 
 private:
     void find_mean(const std::vector<At>& points) {
-        for (const At& at : points) {
-            for (int i = 0; i < n_angles<M>; ++i) mean.c[i] += at.c[i], mean.s[i] += at.s[i];
-            for (int j = 0; j < n_coordinates<M>; ++j) mean.x[j] += at.x[j];
+        mean = points.front();
+        const int angles = mean.c.size(), coordinates = mean.x.size();
+        for (std::size_t k = 1; k < points.size(); ++k) {
+            const At& at = points[k];
+            for (int i = 0; i < angles; ++i) mean.c[i] += at.c[i], mean.s[i] += at.s[i];
+            for (int j = 0; j < coordinates; ++j) mean.x[j] += at.x[j];
         }
         const R by = 1.0 / R(static_cast<double>(points.size()));
         has_mean = true;
-        for (int i = 0; i < n_angles<M>; ++i) {
+        for (int i = 0; i < angles; ++i) {
             mean.c[i] *= by;
             mean.s[i] *= by;
             const Z square = mean.c[i] * mean.c[i] + mean.s[i] * mean.s[i];
@@ -49,7 +52,7 @@ private:
             mean.c[i] *= back;
             mean.s[i] *= back;
         }
-        for (int j = 0; j < n_coordinates<M>; ++j) mean.x[j] *= by;
+        for (int j = 0; j < coordinates; ++j) mean.x[j] *= by;
     }
     /// Of an angle the cosine tells: far out the sine is as large.
     void find_pole(const std::vector<At>& points) {
@@ -57,12 +60,12 @@ private:
         std::complex<double> root[samples * most_turns];
         for (int k = 0; k < size; ++k) root[k] = std::polar(1.0, 2 * std::numbers::pi * k / size);
         double largest = 0;
-        for (int u = 0; u < n_unknowns<M>; ++u) {
+        for (int u = 0; u < unknowns(points.front()); ++u) {
             double term[samples * most_turns / 2], size2 = 0;
             std::complex<double> value[samples * most_turns];
             for (int k = 0; k < size; ++k) {
                 const At& at = points[static_cast<std::size_t>(k)];
-                const Z& z = u < n_angles<M> ? at.c[u] : at.x[u - n_angles<M>];
+                const Z& z = u < at.c.size() ? at.c[u] : at.x[u - at.c.size()];
                 value[k] = {static_cast<double>(z.re), static_cast<double>(z.im)};
                 size2 += std::norm(value[k]) / size;
             }

@@ -8,38 +8,36 @@
 #include <algorithm>
 #include <cmath>
 
-#include <equilibria/core/array.hpp>
 #include <equilibria/evaluation/point.hpp>
 #include <equilibria/homotopy/detail/closed_loop.hpp>
-#include <equilibria/model/model.hpp>
+#include <equilibria/model/sizes.hpp>
 
 namespace equilibria::detail {
 
 /// |(1-t) q_u'(t)| of each angle, |(1-t) x'/x| of each coordinate; -1 without one.
-template <class M>
-using Valuations = Array<double, n_unknowns<M>>;
+using Valuations = SizedArray<double, at_run_time>;
 
 /// The unknown that is farthest out.
-template <class M, class R>
-int farthest(const Point<M, R>& q) {
+template <class R>
+int farthest(const RuntimePoint<R>& q) {
     int u = 0;
-    for (int k = 1; k < n_unknowns<M>; ++k)
+    for (int k = 1; k < unknowns(q); ++k)
         if (unknown_size2(q, k) > unknown_size2(q, u)) u = k;
     return u;
 }
 /// Whether that one is more than 10 out.
-template <class M, class R>
-bool is_far(const Point<M, R>& q) {
+template <class R>
+bool is_far(const RuntimePoint<R>& q) {
     return unknown_size2(q, farthest(q)) > 100;
 }
 
 /// Some unknown is far out, and its valuation is positive and the same on two scales; and that of the farthest one
 /// does not fall, as it does near a finite solution that is merely far away.
-template <class M, class R>
-bool diverges(const Point<M, R>& q, const Valuations<M>& nu, const Valuations<M>& before) {
+template <class R>
+bool diverges(const RuntimePoint<R>& q, const Valuations& nu, const Valuations& before) {
     const int last = farthest(q);
     if (!(nu[last] > 0.05 && nu[last] > 0.9 * before[last])) return false;
-    for (int u = 0; u < n_unknowns<M>; ++u)
+    for (int u = 0; u < unknowns(q); ++u)
         if (unknown_size2(q, u) > 100 && nu[u] > 0.05 && before[u] > 0 && std::abs(nu[u] - before[u]) < 0.05 * nu[u])
             return true;
     return false;
@@ -47,9 +45,9 @@ bool diverges(const Point<M, R>& q, const Valuations<M>& nu, const Valuations<M>
 
 /// Whether some unknown is very far out, and has grown since ten times the radius by a power of it between its
 /// valuations on both scales, which do not fall.
-template <class M, class R>
-bool grows(const Point<M, R>& q, const Valuations<M>& nu, const Point<M, R>& back, const Valuations<M>& before) {
-    for (int u = 0; u < n_unknowns<M>; ++u) {
+template <class R>
+bool grows(const RuntimePoint<R>& q, const Valuations& nu, const RuntimePoint<R>& back, const Valuations& before) {
+    for (int u = 0; u < unknowns(q); ++u) {
         const double size2 = static_cast<double>(unknown_size2(q, u));
         if (!(size2 > 1e8 && nu[u] > 0.05 && nu[u] > 0.9 * before[u])) continue;
         const double growth = 0.5 * std::log10(size2 / static_cast<double>(unknown_size2(back, u)));
@@ -60,8 +58,8 @@ bool grows(const Point<M, R>& q, const Valuations<M>& nu, const Point<M, R>& bac
 
 /// Where loops at r and at a larger radius show the same pole: the radius down to which they exclude a finite
 /// solution, whose branch point so close to t = 1 would add terms of lower orders. 1 where they do not.
-template <class M, class R>
-double excluded_radius(const ClosedLoop<M, R>& at_r, double r, const ClosedLoop<M, R>& wider) {
+template <class R>
+double excluded_radius(const ClosedLoop<R>& at_r, double r, const ClosedLoop<R>& wider) {
     const bool same = at_r.winding == wider.winding && at_r.pole == wider.pole;
     return same && at_r.pole > 0 ? at_r.beyond * r : 1;
 }

@@ -22,25 +22,25 @@ template <class R>
 using PackOf = std::conditional_t<std::is_same_v<R, double>, Lanes<native_lanes>, R>;
 
 /// The largest difference of two points: of (c, s) relative to their size, of coordinates against 1 + |x|.
-template <class M, class R>
-double distance(const Point<M, R>& a, const Point<M, R>& b) {
+template <class R>
+double distance(const RuntimePoint<R>& a, const RuntimePoint<R>& b) {
     double largest = 0;
     const auto take = [&](const R& difference2, const R& size2) {
         largest = std::max(largest, std::sqrt(static_cast<double>(difference2 / size2)));
         if (!(difference2 < 1e300)) largest = 1e300;
     };
-    for (int i = 0; i < n_angles<M>; ++i)
+    for (int i = 0; i < a.c.size(); ++i)
         take(norm2(a.c[i] - b.c[i]) + norm2(a.s[i] - b.s[i]), norm2(a.c[i]) + norm2(a.s[i]));
-    for (int j = 0; j < n_coordinates<M>; ++j) take(norm2(a.x[j] - b.x[j]), 1 + norm2(a.x[j]));
+    for (int j = 0; j < a.x.size(); ++j) take(norm2(a.x[j] - b.x[j]), 1 + norm2(a.x[j]));
     return largest;
 }
 
 enum class Progress { arrived, far, stuck };
 
 /// A path along a segment; a class that derives from it may add segments, by its own `advance` and `take`.
-template <class M, class R>
+template <class R>
 struct Segment {
-    Point<M, R> q;           ///< at `from`, then where it was left
+    RuntimePoint<R> q;       ///< at `from`, then where it was left
     Complex<R> from, to;     ///< t
     std::int32_t steps = 0;  ///< of the whole path
     double noise = 1e-7;     ///< Newton corrections up to this size may be rounding
@@ -51,19 +51,19 @@ struct Segment {
     /// At `to`: sets the next segment, or returns false.
     bool advance() { return false; }
     /// The point at `to`, corrected to all its digits; false: it is done.
-    bool take(const Point<M, R>& at) {
+    bool take(const RuntimePoint<R>& at) {
         q = at;
         return false;
     }
 };
 
 /// A point of a path at t = 1 - r.
-template <class M, class R>
+template <class R>
 struct Expansion {
-    Point<M, R> q;  ///< corrected
+    RuntimePoint<R> q;  ///< corrected
     double r;
-    double noise = 0;                   ///< what further corrections still change: rounding
-    Array<double, n_unknowns<M>> nu{};  ///< |(1-t) q'|
+    double noise = 0;                    ///< what further corrections still change: rounding
+    SizedArray<double, at_run_time> nu;  ///< |(1-t) q'|
 };
 
 /// R: double, or a float of more digits.
@@ -75,11 +75,11 @@ public:
     using Z = Complex<Pack>;
     using Tracker = Stepper<H, Pack, Z, true>;
     static constexpr int width = LaneTraits<Pack>::width;
-    static constexpr int n = n_unknowns<M>;
 
     /// A path whose next step must be shorter than `shortest_step` of its segment is stuck.
     SegmentLanes(const H& h, const TrackerOptions& options, double shortest_step)
-        : stepper_(h, options), most_steps_(options.most_steps), shortest_step_(shortest_step) {}
+        : n_(h.sizes().unknowns), stepper_(h, options), most_steps_(options.most_steps), shortest_step_(shortest_step),
+          q_(point_of_zeros<RuntimeUnknowns, Pack>(h.sizes())) {}
 
     /// Follows `paths`: Segments, or what derives from them.
     template <class Path>
@@ -101,7 +101,7 @@ public:
                 if (corrections_[k] > 0 && --corrections_[k] == 0) hand_over(k, *path[at(k)]);
                 if (fresh_[k] && corrections_[k] == 0) set_lane(h_, k, lane(first, k)), fresh_[k] = false;
             }
-            const auto outcome = stepper_.step(q_, tau_, lane_min<Pack>(h_, 1.0 - tau_));
+            const auto& outcome = stepper_.step(q_, tau_, lane_min<Pack>(h_, 1.0 - tau_));
             for (int k = 0; k < width; ++k) {
                 Path* const here = path[at(k)];
                 if (!here) continue;
@@ -112,11 +112,11 @@ public:
     }
 
     /// Newton corrections, and the speed of the path.
-    void expand(std::span<Expansion<M, R>> points) {
+    void expand(std::span<Expansion<R>> points) {
         for (std::size_t first = 0; first < points.size(); first += at(width)) {
             const int filled = static_cast<int>(std::min(points.size() - first, at(width)));
             for (int k = 0; k < width; ++k) {  // lanes that are left over repeat the first point
-                const Expansion<M, R>& point = points[first + at(k < filled ? k : 0)];
+                const Expansion<R>& point = points[first + at(k < filled ? k : 0)];
                 copy_lane(point.q, 0, q_, k);
                 set_time(k, {1.0 - R(point.r), R(0.0)}, {R(point.r), R(0.0)});
             }
@@ -127,13 +127,13 @@ public:
                 for (int k = 0; k < filled; ++k) copy_lane(q_, k, points[first + at(k)].q, 0);
                 stepper_.expand(q_, tau_);
                 for (int k = 0; k < filled; ++k) {
-                    Expansion<M, R>& point = points[first + at(k)];
-                    const Point<M, R> before = point.q;
+                    Expansion<R>& point = points[first + at(k)];
+                    const RuntimePoint<R> before = point.q;
                     copy_lane(q_, k, point.q, 0);
                     point.noise = std::max(point.noise, distance(before, point.q));
                 }
             }
-            for (int u = 0; u < n; ++u) {
+            for (int u = 0; u < n_; ++u) {
                 const Z speed = stepper_.coefficient(1, u);
                 for (int k = 0; k < filled; ++k)
                     points[first + at(k)].nu[u] = std::sqrt(static_cast<double>(lane(norm2(speed), k)));
@@ -154,12 +154,12 @@ private:
         set_lane(from_.re, k, from.re), set_lane(from_.im, k, from.im);
         set_lane(way_.re, k, way.re), set_lane(way_.im, k, way.im);
     }
-    void begin_segment(int k, const Segment<M, R>& path) {
+    void begin_segment(int k, const Segment<R>& path) {
         set_time(k, path.from, path.to - path.from);
         set_lane(tau_, k, Scalar(0));
         fresh_[k] = true;
     }
-    void enter(int k, const Segment<M, R>& path) {
+    void enter(int k, const Segment<R>& path) {
         copy_lane(path.q, 0, q_, k);
         set_lane(noise_, k, Scalar(path.noise));
         begin_segment(k, path);
@@ -167,14 +167,14 @@ private:
         done_[k] = false;
         was_far_[k] = static_cast<double>(farthest2(path.q)) > far_away2;
     }
-    void leave(int k, Segment<M, R>& path, Progress progress) {
+    void leave(int k, Segment<R>& path, Progress progress) {
         copy_lane(q_, k, path.q, 0);
         path.progress = progress;
         done_[k] = true;
     }
     template <class Path>
     void hand_over(int k, Path& path) {
-        Point<M, R> corrected;
+        RuntimePoint<R> corrected;
         copy_lane(q_, k, corrected, 0);
         // at a singular point Newton's method may go anywhere
         if (!(distance(path.q, corrected) < largest_correction)) return leave(k, path, Progress::stuck);
@@ -204,10 +204,11 @@ private:
         corrections_[k] = last_corrections;
     }
 
+    int n_;
     Tracker stepper_;
     int most_steps_;
     double shortest_step_;
-    Point<M, Pack> q_{};
+    RuntimePoint<Pack> q_;
     Z from_{}, way_{};
     Pack tau_{}, h_{}, noise_{};
     int corrections_[width]{};  // still to come at the end of a segment

@@ -19,12 +19,14 @@
 #include <Eigen/Core>
 #include <Eigen/QR>
 
+#include <equilibria/core/dense_solvers.hpp>
 #include <equilibria/core/window.hpp>
 #include <equilibria/enumerate/enumerate.hpp>
 #include <equilibria/locus/line/line_event.hpp>
 #include <equilibria/model/active_parameters.hpp>
 #include <equilibria/model/torus.hpp>
 #include <equilibria/paths/complex_roots.hpp>
+#include <equilibria/run/elapsed.hpp>
 #include <equilibria/singularity/null_vector.hpp>
 #include <equilibria/singularity/refine_singularity.hpp>
 #include <equilibria/system/critical_system.hpp>
@@ -96,7 +98,7 @@ public:
     }
 
     LineEvents<M> run() {
-        const auto begin = std::chrono::steady_clock::now();
+        const detail::Stopwatch begin;
         add_pitchforks();
         // the events' size is that of the segment, or, of a wide one, its root or 1
         const double wide = std::max(std::abs(found_.range.low), std::abs(found_.range.high));
@@ -104,14 +106,14 @@ public:
         if (wide > 30) scales = {wide, std::sqrt(wide), 1};
         for (std::size_t k = 0; k < scales.size() && (k == 0 || !found_.complete()); ++k) {
             scale_[0] = scales[k];
-            const auto solving = std::chrono::steady_clock::now();
+            const detail::Stopwatch solving;
             add_solutions(k + 1 < scales.size() ? 2 : 8);
-            found_.solve_seconds += seconds_since(solving);
+            found_.solve_seconds += solving.seconds();
             std::sort(found_.events.begin(), found_.events.end(),
                       [](const auto& a, const auto& b) { return a.value < b.value; });
             count();
         }
-        found_.seconds = seconds_since(begin);
+        found_.seconds = begin.seconds();
         return std::move(found_);
     }
 
@@ -252,9 +254,7 @@ private:
             for (int i = 0; i < n; ++i) slopes(i, 2 * n) = by[i], values(i) = f[i];
             values.segment(n, n) = j * v;
             values(2 * n) = 0.5 * (v.squaredNorm() - 1);
-            Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> solver;
-            solver.setThreshold(1e-5);
-            const Eigen::VectorXd d = solver.compute(slopes).solve(values);
+            const Eigen::VectorXd d = least_squares(slopes, values, 1e-5);
             event.correction = d.template lpNorm<Eigen::Infinity>();
             if (!(event.correction < 1e-5)) return false;
             for (int i = 0; i < n; ++i) event.q[i] -= d(i), event.v[i] -= d(n + i);

@@ -11,6 +11,7 @@
 
 #include <Eigen/LU>
 
+#include <equilibria/core/dense_solvers.hpp>
 #include <equilibria/core/random.hpp>
 #include <equilibria/locus/plane/locus_result.hpp>
 #include <equilibria/locus/plane/plane_problems.hpp>
@@ -47,12 +48,12 @@ public:
 
     /// inner_lines: in each direction, beside the borders.
     LocusSeeds(const Parameters<M>& p, const Window& window, int inner_lines, const RunOptions& run,
-               MoreDigitsOf<CriticalSystem<M, X, Y>> more_digits)
+               MoreDigits<> resort)
         : parameters_(p), window_(window), inner_lines_(inner_lines), seed_(run.seed),
           solver_(p, run,
                   {std::max(std::abs(window.x.low), std::abs(window.x.high)),
                    std::max(std::abs(window.y.low), std::abs(window.y.high))},
-                  more_digits) {}
+                  resort) {}
 
     void solve(Evidence& evidence) {
         solve_lines<X, Y>(evidence);
@@ -129,7 +130,8 @@ private:
             for (const Unknowns<M>& branch : symmetric_branches<M>()) {
                 const auto determinant = [&](double value) {
                     p[Active] = value;
-                    return Problems{p}(p[Y]).tangent(PlaneProblem<M, X, Y>::vector(branch), p[X]).determinant();
+                    return equilibria::detail::determinant(
+                        Problems{p}(p[Y]).tangent(PlaneProblem<M, X, Y>::vector(branch), p[X]));
                 };
                 for (const double value : polynomial_roots(determinant, n * degree, active_low, active_high)) {
                     p[Active] = value;

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -19,6 +18,7 @@
 #include <equilibria/locus/plane/region_counts.hpp>
 #include <equilibria/model/active_parameters.hpp>
 #include <equilibria/model/torus.hpp>
+#include <equilibria/run/elapsed.hpp>
 #include <equilibria/singularity/null_vector.hpp>
 #include <equilibria/singularity/reduced_coefficients.hpp>
 #include <equilibria/singularity/singularity.hpp>
@@ -49,21 +49,21 @@ public:
     static constexpr int n = n_unknowns<M>;
 
     LocusTracer(const Parameters<M>& p, const Window& window, const RunOptions& run, const LocusOptions& options,
-                MoreDigitsOf<CriticalSystem<M, X, Y>> more_digits)
-        : run_(run), options_(options), seeds_(p, window, options.lines, run, more_digits) {
+                MoreDigits<> resort)
+        : run_(run), options_(options), seeds_(p, window, options.lines, run, resort) {
         locus_.window = window;
         locus_.parameters = p;
     }
 
     Locus<M> run() {
-        const auto begin = std::chrono::steady_clock::now();
+        const detail::Stopwatch begin;
         seeds_.solve(locus_.evidence);
         for (Seed& seed : seeds_.all())
             if (!seed.traced) trace_from(seed);
         seeds_.compare(locus_);
         for (const Seed& seed : seeds_.all()) locus_.evidence.untraced_seeds += !seed.traced;
         count_regions<M, X, Y>(locus_, options_.checks, run_);
-        locus_.evidence.seconds = seconds_since(begin);
+        locus_.evidence.seconds = begin.seconds();
         return std::move(locus_);
     }
 

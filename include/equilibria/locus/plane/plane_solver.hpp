@@ -27,15 +27,15 @@ class PlaneSolver {
 public:
     using System = CriticalSystem<M, X, Y>;
     using Numbers = typename System::Numbers;
-    using Roots = ComplexRoots<UnknownsOf<System::n_angles, System::n_coordinates>>;
+    using Roots = ComplexRoots<>;
     using Points = std::vector<Singularity<M>>;
     static constexpr int n = n_unknowns<M>;
 
-    /// scales: values of X and Y that count as large, positive: the size of the window. more_digits: for paths to cusps
+    /// scales: values of X and Y that count as large, positive: the size of the window. resort: for paths to cusps
     /// and extremal points that fail.
     PlaneSolver(const Parameters<M>& p, const RunOptions& run, const Array<double, 2>& scales = {1, 1},
-                MoreDigitsOf<System> more_digits = nullptr)
-        : p_(p), run_(run), scales_(scales), more_digits_(more_digits) {}
+                MoreDigits<> resort = nullptr)
+        : p_(p), run_(run), scales_(scales), more_digits_(resort) {}
 
     /// The folds on lines on which the parameter number `fixed` (0 for X, 1 for Y) has the given value. One line is
     /// solved from its start system, at the value `generic`; the others follow by parameter homotopy, on as many paths
@@ -244,7 +244,7 @@ private:
     Parameters<M> p_;
     RunOptions run_;
     Array<double, 2> scales_;
-    MoreDigitsOf<System> more_digits_;
+    MoreDigits<> more_digits_;
 };
 
 }  // namespace equilibria

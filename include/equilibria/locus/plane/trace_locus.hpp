@@ -16,20 +16,20 @@
 namespace equilibria {
 
 /// The bifurcation locus of the model in the plane of its parameters number X and Y, the others being those of p.
-/// more_digits: more_digits<CriticalSystem<M, X, Y>> (enumerate/more_digits.hpp) tracks paths that fail in double with
+/// resort: more_digits (enumerate/more_digits.hpp) tracks paths that fail in double with
 /// more digits, instead of all paths from another start system; that saves time where there are thousands.
 ///
 /// Throws InvalidArgument for a window that is empty, reversed or not finite, for parameters that are not finite for
 /// options out of range, and for a run with a checkpoint or a cancel.
 template <Model M, int X, int Y>
 Locus<M> trace_locus(const Parameters<M>& p, const Window& window, const RunOptions& run = {},
-                     const LocusOptions& options = {}, MoreDigitsOf<CriticalSystem<M, X, Y>> more_digits = nullptr) {
+                     const LocusOptions& options = {}, MoreDigits<> resort = nullptr) {
     static_assert(X != Y, "equilibria: a plane needs two different parameters");
     require_finite(p, "parameters");
     window.validate();
     options.validate();
     run.require_whole("a locus");
-    return detail::LocusTracer<M, X, Y>(p, window, run, options, more_digits).run();
+    return detail::LocusTracer<M, X, Y>(p, window, run, options, resort).run();
 }
 
 }  // namespace equilibria

@@ -9,7 +9,6 @@
 #pragma once
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <complex>
 #include <cstdint>
@@ -24,6 +23,7 @@
 #include <equilibria/evaluation/point_of.hpp>
 #include <equilibria/locus/plane/locus_result.hpp>
 #include <equilibria/model/active_parameters.hpp>
+#include <equilibria/run/elapsed.hpp>
 #include <equilibria/run/run_options.hpp>
 #include <equilibria/singularity/singularity.hpp>
 #include <equilibria/system/critical_system.hpp>
@@ -223,9 +223,9 @@ private:
 template <PotentialModel M, int X, int Y>
 LocusProof prove_locus(const Locus<M>& locus, const RunOptions& run = {}) {
     run.require_whole("a proof");
-    const auto begin = std::chrono::steady_clock::now();
+    const detail::Stopwatch begin;
     LocusProof proof = detail::LocusProver<M, X, Y>(locus, run).run();
-    proof.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    proof.seconds = begin.seconds();
     return proof;
 }
 

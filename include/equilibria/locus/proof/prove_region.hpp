@@ -13,7 +13,6 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <complex>
 #include <cstdint>
 #include <memory>
@@ -29,6 +28,7 @@
 #include <equilibria/enumerate/enumerate.hpp>
 #include <equilibria/locus/regions/regions.hpp>
 #include <equilibria/paths/coincidence.hpp>
+#include <equilibria/run/elapsed.hpp>
 
 namespace equilibria {
 
@@ -81,7 +81,7 @@ public:
         : parameters_(p), window_(window), run_(run), options_(options) {}
 
     RegionProof run() {
-        const auto begin = std::chrono::steady_clock::now();
+        const detail::Stopwatch begin;
         RegionProof proof;
         proof.window = window_;
         const double area = window_.width() * window_.height();
@@ -116,7 +116,7 @@ public:
         }
         for (const auto& cell : proof.cells)
             proof.proved_area_share += cell.window.width() * cell.window.height() / area;
-        proof.seconds = seconds_since(begin);
+        proof.seconds = begin.seconds();
         return proof;
     }
 
@@ -176,12 +176,9 @@ private:
         return y;
     }
     static bool all_different(const Candidates& roots) {
-        std::vector<Point<M, double>> points;
-        for (const auto& q : roots) points.push_back(point_of<M, double>(q));
-        return CoincidenceFinder<M>(false)
-            .groups(
-                points.size(), [&](std::size_t k) { return &points[k]; }, 1e-9)
-            .empty();
+        std::vector<RuntimePoint<double>> points;
+        for (const auto& q : roots) points.push_back(runtime_point(point_of<M, double>(q)));
+        return coincident(points, 1e-9).empty();
     }
 
     /// What is proved of some roots, for all parameters of a cell.

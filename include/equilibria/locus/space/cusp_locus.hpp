@@ -16,7 +16,6 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -31,6 +30,7 @@
 #include <equilibria/locus/space/cusp_locus_result.hpp>
 #include <equilibria/model/active_parameters.hpp>
 #include <equilibria/model/torus.hpp>
+#include <equilibria/run/elapsed.hpp>
 #include <equilibria/singularity/refine_singularity.hpp>
 
 namespace equilibria {
@@ -59,7 +59,7 @@ public:
     }
 
     CuspLocus<M> run() {
-        const auto begin = std::chrono::steady_clock::now();
+        const detail::Stopwatch begin;
         solve_planes();
         std::vector<std::vector<bool>> traced;
         for (const auto& plane : locus_.planes) traced.emplace_back(plane.cusps.size());
@@ -75,7 +75,7 @@ public:
             for (const auto& t : curve.transitions)
                 e.unconfirmed_transitions += t.at.kind == SingularityKind::undecided;
         }
-        e.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+        e.seconds = begin.seconds();
         return std::move(locus_);
     }
 

@@ -3,8 +3,9 @@
 #include <complex>
 
 #include <equilibria/evaluation/point_of.hpp>
+#include <equilibria/evaluation/table_evaluation.hpp>
 #include <equilibria/homotopy/model_homotopy.hpp>
-#include <equilibria/homotopy/sparse_homotopy.hpp>
+#include <equilibria/homotopy/polynomial_homotopy.hpp>
 #include <equilibria/mechanisms/rotating_chain.hpp>
 #include <equilibria/start/linear_product.hpp>
 #include <equilibria/start/moving.hpp>
@@ -28,33 +29,29 @@ Parameters<M> random_parameters(Generator& generator) {
     return p;
 }
 
-template <class S>
-Point<S, double> random_point(Generator& generator) {
-    Array<std::complex<double>, n_unknowns<S>> q;
+template <class M>
+Point<M, double> random_point(Generator& generator, const Sizes<M>& sizes = {}) {
+    auto q = unknown_array<M, std::complex<double>>(sizes);
     for (int u = 0; u < q.size(); ++u) {
         const double re = uniform(generator, -3, 3);
         q[u] = {re, uniform(generator, -0.5, 0.5)};
     }
-    return point_of<S>(q);
+    return point_of<M>(q, sizes);
 }
 
-/// The same point of another type.
-template <class T, class S>
-Point<T, double> as(const Point<S, double>& q) {
-    Point<T, double> y;
-    for (int i = 0; i < q.c.size(); ++i) y.c[i] = q.c[i], y.s[i] = q.s[i];
-    for (int j = 0; j < q.x.size(); ++j) y.x[j] = q.x[j];
+template <class M>
+RuntimePoint<double> at_run_time_of(const Point<M, double>& q) {
+    RuntimePoint<double> y;
+    copy_lane(q, 0, y, 0);
     return y;
 }
 
 /// The Jacobian against differences of the values; the Taylor coefficients against each other: with q(t) of the given
 /// coefficients, H(q(t), t) cut after order k leaves a rest of order k + 1.
-template <class H>
-void check_derivatives(const H& h, Generator& generator) {
-    using S = typename H::System;
-    constexpr int n = n_unknowns<S>;
-    typename H::template Evaluation<double, double> evaluation(h);
-    const auto q = random_point<S>(generator);
+template <int n>
+void check_derivatives(const PolynomialHomotopy& h, Generator& generator) {
+    PolynomialHomotopy::Evaluation<double, double> evaluation(h);
+    const auto q = random_point<RuntimeUnknowns>(generator, h.sizes());
     const double t = 0.4, e = 1e-5;
     Z f[n], j[n][n], d[3][n], right[3][n];
     evaluation.jacobian(q, t, f, j);
@@ -62,9 +59,9 @@ void check_derivatives(const H& h, Generator& generator) {
         Z step[n], up[n], down[n];
         for (Z& z : step) z = {0, 0};
         step[c] = {e, 0};
-        evaluation.value(moved<S, double>(q, step), t, up);
+        evaluation.value(moved(q, step), t, up);
         step[c] = {-e, 0};
-        evaluation.value(moved<S, double>(q, step), t, down);
+        evaluation.value(moved(q, step), t, down);
         for (int r = 0; r < n; ++r) CHECK(size((up[r] - down[r]) * (0.5 / e) - j[r][c]) < 1e-6 * (1 + size(j[r][c])));
     }
     for (auto& order : d)
@@ -83,7 +80,7 @@ void check_derivatives(const H& h, Generator& generator) {
     const auto rest = [&](double by) {
         Z step[n], value[n];
         for (int u = 0; u < n; ++u) step[u] = by * (d[0][u] + by * (d[1][u] + by * d[2][u]));
-        evaluation.value(moved<S, double>(q, step), t + by, value);
+        evaluation.value(moved(q, step), t + by, value);
         double y = 0;
         for (int i = 0; i < n; ++i)
             y += size(value[i] - (series[0][i] + by * (series[1][i] + by * (series[2][i] + by * series[3][i]))));
@@ -99,31 +96,29 @@ void check_instance() {
     const auto from = random_parameters<M>(generator), to = random_parameters<M>(generator);
     const std::complex<double> gamma = unit_complex(generator);
     const ModelHomotopy<M, Moving<M>> unrolled(ModelSystem<M>(to), Moving<M>(coefficients<M, double>(from), gamma, {}));
-    using Instance = SolvedInstance<n_angles<M>, n_coordinates<M>>;
     const auto target = sparse_system<M>(to);
-    const Instance start(sparse_system<M>(from), target, gamma, {});
-    using H = SparseHomotopy<n_angles<M>, n_coordinates<M>, Instance>;
-    const H data(target, start);
+    const SolvedInstance start(sparse_system<M>(from), target, gamma, {});
+    const PolynomialHomotopy data(target, start), same = unrolled.polynomials();
     typename ModelHomotopy<M, Moving<M>>::template Evaluation<double, double> a(unrolled);
-    typename H::template Evaluation<double, double> b(data);
+    PolynomialHomotopy::Evaluation<double, double> b(data), c(same);
     for (const double t : {0.0, 0.3, 1.0}) {
         const auto q = random_point<M>(generator);
-        Z f[n], g[n];
+        Z f[n], g[n], h[n];
         a.value(q, t, f);
-        b.value(as<typename H::System>(q), t, g);
+        b.value(at_run_time_of(q), t, g);
+        c.value(at_run_time_of(q), t, h);
         for (int i = 0; i < n; ++i) CHECK(size(f[i] - g[i]) < 1e-12 * (1 + size(f[i])));
+        for (int i = 0; i < n; ++i) CHECK(size(f[i] - h[i]) < 1e-12 * (1 + size(f[i])));
     }
-    check_derivatives(data, generator);
+    check_derivatives<n>(data, generator);
 }
 
 template <class M>
 void check_linear_product(const Array<int, n_unknowns<M>>& grouping) {
     Generator generator(12);
-    const auto target = sparse_system<M>(random_parameters<M>(generator));
-    using Start = LinearProduct<n_angles<M>, n_coordinates<M>>;
-    const Start start(target, grouping, unit_complex(generator), generator);
-    const SparseHomotopy<n_angles<M>, n_coordinates<M>, Start> h(target, start);
-    check_derivatives(h, generator);
+    const SparseSystem target = sparse_system<M>(random_parameters<M>(generator));
+    const LinearProduct start(target, grouping, unit_complex(generator), generator);
+    check_derivatives<n_unknowns<M>>(PolynomialHomotopy(target, start), generator);
 }
 
 }  // namespace
@@ -142,14 +137,14 @@ TEST_CASE("a linear product in its own form: the derivatives are those of the va
 }
 
 TEST_CASE("systems that share no term have a homotopy too: the terms of both") {
-    using System = SparseSystem<0, 1>;
-    using Polynomial = System::Polynomial;
+    using Polynomial = TrigonometricPolynomial<0, 1>;
+    using Polynomials = std::vector<Polynomial>;
     const auto power = [](int k) { return Polynomial(Polynomial::Basis::single(0, k), 1.0); };
-    const System from({power(2) - Polynomial(1)}), to({power(3)});
-    const SolvedInstance<0, 1> start(from, to, 1.0, {});
-    const SparseHomotopy<0, 1, SolvedInstance<0, 1>> h(to, start);
-    SparseHomotopy<0, 1, SolvedInstance<0, 1>>::Evaluation<double, double> evaluation(h);
-    Point<UnknownsOf<0, 1>, double> q;
+    const SparseSystem from(Polynomials{power(2) - Polynomial(1)}), to(Polynomials{power(3)});
+    const SolvedInstance start(from, to, 1.0, {});
+    const PolynomialHomotopy h(to, start);
+    PolynomialHomotopy::Evaluation<double, double> evaluation(h);
+    auto q = point_of_zeros<RuntimeUnknowns, double>(h.sizes());
     q.x[0] = {2, 0};
     Z f[1];
     evaluation.value(q, 0.25, f);
@@ -157,11 +152,12 @@ TEST_CASE("systems that share no term have a homotopy too: the terms of both") {
 }
 
 TEST_CASE("what is no square system is refused") {
-    using System = SparseSystem<0, 2>;
-    using Polynomial = System::Polynomial;
+    using System = SparseSystem;
+    using Polynomial = TrigonometricPolynomial<0, 2>;
+    using Polynomials = std::vector<Polynomial>;
     const Polynomial x(Polynomial::Basis::single(0, 1), 1.0);
-    CHECK_THROWS_WITH(System({x}), "equations = 1: must be as many as there are unknowns");
-    CHECK_THROWS_WITH(System({x, Polynomial()}), "equations = equation 1: must not be 0");
-    CHECK_THROWS_WITH(System({x, Polynomial(std::numeric_limits<double>::infinity())}),
+    CHECK_THROWS_WITH(System(Polynomials{x}), "equations = 1: must be as many as there are unknowns");
+    CHECK_THROWS_WITH(System(Polynomials{x, Polynomial()}), "equations = equation 1: must not be 0");
+    CHECK_THROWS_WITH(System(Polynomials{x, Polynomial(std::numeric_limits<double>::infinity())}),
                       "equations = equation 1: has a coefficient that is not finite");
 }

@@ -1,0 +1,106 @@
+/// \file
+/// Vectors and square matrices of a size that is known at compile time, or at run time alone: code that is written over
+/// their extent serves both, by loops whose bounds the compiler knows or does not.
+///
+/// What has a size at compile time lies where it is declared and is not initialised, as a C array; what has not lies on
+/// the heap, made once and used again.
+#pragma once
+
+#include <cstddef>
+#include <initializer_list>
+#include <utility>
+#include <vector>
+
+namespace equilibria {
+
+/// The extent of what has its size at run time.
+inline constexpr int at_run_time = -1;
+
+/// A size: N, or a number where N is at_run_time.
+template <int N>
+struct Extent {
+    constexpr Extent() = default;
+    constexpr explicit Extent(int) {}
+    constexpr operator int() const { return N; }
+};
+template <>
+struct Extent<at_run_time> {
+    constexpr Extent() = default;
+    constexpr explicit Extent(int n) : size(n) {}
+    constexpr operator int() const { return size; }
+    int size = 0;
+};
+
+/// n entries.
+template <class T, int N>
+class SizedArray {
+public:
+    SizedArray() = default;
+    explicit SizedArray(int) {}
+
+    static constexpr int size() { return N; }
+    T& operator[](int i) { return entries_[i]; }
+    const T& operator[](int i) const { return entries_[i]; }
+    T* begin() { return entries_; }
+    T* end() { return entries_ + N; }
+    const T* begin() const { return entries_; }
+    const T* end() const { return entries_ + N; }
+
+private:
+    T entries_[N];
+};
+
+template <class T>
+class SizedArray<T, at_run_time> {
+public:
+    SizedArray() = default;
+    /// n entries, value-initialised.
+    explicit SizedArray(int n) : entries_(static_cast<std::size_t>(n)) {}
+    SizedArray(std::initializer_list<T> entries) : entries_(entries) {}
+    explicit SizedArray(std::vector<T> entries) : entries_(std::move(entries)) {}
+
+    int size() const { return static_cast<int>(entries_.size()); }
+    void resize(int n) { entries_.resize(static_cast<std::size_t>(n)); }
+    T& operator[](int i) { return entries_[static_cast<std::size_t>(i)]; }
+    const T& operator[](int i) const { return entries_[static_cast<std::size_t>(i)]; }
+    T* begin() { return entries_.data(); }
+    T* end() { return entries_.data() + entries_.size(); }
+    const T* begin() const { return entries_.data(); }
+    const T* end() const { return entries_.data() + entries_.size(); }
+
+    friend bool operator==(const SizedArray&, const SizedArray&) = default;
+
+private:
+    std::vector<T> entries_;
+};
+
+/// n rows of n entries: m[row][column].
+template <class T, int N>
+class SizedMatrix {
+public:
+    SizedMatrix() = default;
+    explicit SizedMatrix(int) {}
+
+    T (&operator[](int row))[N] { return rows_[row]; }
+    const T (&operator[](int row) const)[N] { return rows_[row]; }
+
+private:
+    T rows_[N][N];
+};
+
+template <class T>
+class SizedMatrix<T, at_run_time> {
+public:
+    SizedMatrix() = default;
+    explicit SizedMatrix(int n)
+        : n_(static_cast<std::size_t>(n)), entries_(static_cast<std::size_t>(n) * static_cast<std::size_t>(n)) {}
+
+    T* operator[](int row) { return entries_.data() + static_cast<std::size_t>(row) * n_; }
+    const T* operator[](int row) const { return entries_.data() + static_cast<std::size_t>(row) * n_; }
+
+private:
+    std::size_t n_ = 0;
+    std::vector<T> entries_;
+};
+
+}  // namespace equilibria

@@ -1,0 +1,118 @@
+/// \file
+/// What a start adds in a form of its own (start_forms.hpp), evaluated.
+#pragma once
+
+#include <complex>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+#include <equilibria/core/complex.hpp>
+#include <equilibria/evaluation/factor_series.hpp>
+#include <equilibria/evaluation/start_forms.hpp>
+
+namespace equilibria::detail {
+
+/// G, its Taylor coefficients and its Jacobian: a form and its series first, then products of forms.
+template <class R>
+class StartFormSeries {
+public:
+    using Z = Complex<R>;
+
+    StartFormSeries(const StartForms& forms, const TermTables& tables) {
+        for (const auto& t : forms.terms)
+            terms_.push_back({t.equation, tables.factor(t.equation, t.code), t.coefficient});
+        for (const auto& product : forms.products) {
+            products_.push_back(
+                {product.equation, product.weight, forms_.size(), forms_.size() + product.forms.size()});
+            for (const auto& form : product.forms) {
+                Form entry{form.constant, {}};
+                for (const auto& part : form.parts)
+                    entry.parts.push_back({part.unknown, tables.factor(part.unknown, 1), part.factor});
+                forms_.push_back(std::move(entry));
+            }
+        }
+        series_.resize(forms_.size());
+        partial_.resize(forms_.size());
+    }
+    bool empty() const { return terms_.empty() && products_.empty(); }
+
+    /// The Taylor coefficients k of G, those below being known.
+    void series(int k, const FactorSeries<R>& factors, auto& g) {
+        for (Z& entry : g) entry = zero();
+        for (const Term& t : terms_)
+            if (t.factor >= 0)
+                g[t.equation] += broadcast_complex<R>(t.coefficient) * factors(k, t.factor);
+            else if (k == 0)
+                g[t.equation] += broadcast_complex<R>(t.coefficient);
+        for (std::size_t m = 0; m < forms_.size(); ++m) {
+            Z sum = k == 0 ? broadcast_complex<R>(forms_[m].constant) : zero();
+            for (const Part& part : forms_[m].parts) sum += broadcast_complex<R>(part.by) * factors(k, part.factor);
+            series_[m][k] = sum;
+        }
+        for (const Product& product : products_) {
+            for (std::size_t m = product.first; m < product.last; ++m) {
+                const auto& form = series_[m];
+                auto& so_far = partial_[m];
+                if (m == product.first) {
+                    so_far[k] = broadcast_complex<R>(product.weight) * form[k];
+                    continue;
+                }
+                const auto& before = partial_[m - 1];
+                so_far[k] = before[0] * form[k];
+                for (int l = 1; l <= k; ++l) so_far[k] += before[l] * form[k - l];
+            }
+            g[product.equation] += partial_[product.last - 1][k];
+        }
+    }
+
+    /// After `series(0, ..)`.
+    void slopes(const FactorSeries<R>& factors, auto& j) const {
+        for (const Term& t : terms_)
+            if (t.factor >= 0)
+                j[t.equation][t.equation] += broadcast_complex<R>(t.coefficient) * factors.slope(t.factor);
+        for (const Product& product : products_) {
+            Z behind = broadcast_complex<R>(1.0);  // of the forms behind number m
+            for (std::size_t m = product.last; m-- > product.first;) {
+                const Z others = m == product.first ? Z(broadcast_complex<R>(product.weight) * behind)
+                                                    : Z(partial_[m - 1][0] * behind);
+                for (const Part& part : forms_[m].parts)
+                    j[product.equation][part.unknown] +=
+                        others * (broadcast_complex<R>(part.by) * factors.slope(part.factor));
+                behind = behind * series_[m][0];
+            }
+        }
+    }
+
+private:
+    struct Term {
+        int equation, factor;
+        std::complex<double> coefficient;
+    };
+    struct Part {
+        int unknown, factor;
+        std::complex<double> by;
+    };
+    struct Form {
+        std::complex<double> constant;
+        std::vector<Part> parts;
+    };
+    struct Product {
+        int equation;
+        std::complex<double> weight;
+        std::size_t first, last;  // of the forms
+    };
+    struct Series {
+        Z value[FactorSeries<R>::order + 1];
+        Z& operator[](int k) { return value[k]; }
+        const Z& operator[](int k) const { return value[k]; }
+    };
+    static Z zero() { return {broadcast<R>(0.0), broadcast<R>(0.0)}; }
+
+    std::vector<Term> terms_;
+    std::vector<Form> forms_;
+    std::vector<Product> products_;
+    std::vector<Series> series_, partial_;  // of each form; of each product up to form number m
+};
+
+}  // namespace equilibria::detail

@@ -1,0 +1,60 @@
+/// \file
+/// How many unknowns a system has: angles, then plain coordinates. Numbers of a type, or of a system that is data.
+#pragma once
+
+#include <type_traits>
+
+#include <equilibria/core/array.hpp>
+#include <equilibria/core/sized_array.hpp>
+#include <equilibria/model/model.hpp>
+
+namespace equilibria {
+
+/// The unknowns of a system that is data, as a type: how many there are is known at run time alone.
+struct RuntimeUnknowns {};
+
+/// The numbers of angles, coordinates and all unknowns: of a model, or of the unknowns of a system.
+template <class M>
+struct Sizes {
+    static constexpr int angles = n_angles<M>, coordinates = n_coordinates<M>, unknowns = n_unknowns<M>;
+    static constexpr int extent = unknowns;  ///< of vectors of unknowns
+};
+template <>
+struct Sizes<RuntimeUnknowns> {
+    static constexpr int extent = at_run_time;
+    int angles = 0, coordinates = 0, unknowns = 0;
+
+    constexpr Sizes() = default;
+    constexpr Sizes(int n_angles, int n_coordinates)
+        : angles(n_angles), coordinates(n_coordinates), unknowns(n_angles + n_coordinates) {}
+    /// Those of a type.
+    template <class M>
+    constexpr Sizes(const Sizes<M>&) : Sizes(Sizes<M>::angles, Sizes<M>::coordinates) {}
+};
+using RuntimeSizes = Sizes<RuntimeUnknowns>;
+
+namespace detail {
+template <class M, class T>
+struct UnknownArrayOf {
+    using type = Array<T, n_unknowns<M>>;
+};
+template <class T>
+struct UnknownArrayOf<RuntimeUnknowns, T> {
+    using type = SizedArray<T, at_run_time>;
+};
+}  // namespace detail
+
+/// A number T of each unknown.
+template <class M, class T>
+using UnknownArray = typename detail::UnknownArrayOf<M, T>::type;
+
+/// One, value-initialised.
+template <class M, class T>
+UnknownArray<M, T> unknown_array(const Sizes<M>& sizes) {
+    if constexpr (std::is_same_v<M, RuntimeUnknowns>)
+        return UnknownArray<M, T>(sizes.unknowns);
+    else
+        return {};
+}
+
+}  // namespace equilibria

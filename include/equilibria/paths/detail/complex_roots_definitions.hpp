@@ -1,0 +1,35 @@
+/// \file
+/// See paths/complex_roots.hpp.
+#pragma once
+
+#include <utility>
+
+#include <equilibria/core/random.hpp>
+#include <equilibria/paths/complex_roots.hpp>
+#include <equilibria/start/linear_product.hpp>
+#include <equilibria/start/solved_instance.hpp>
+
+namespace equilibria {
+
+EQUILIBRIA_INLINE ComplexRoots<> solve_multihomogeneous(const SparseSystem& system, std::span<const int> grouping,
+                                                        const RunOptions& run, const TrackerOptions& options,
+                                                        MoreDigits<> resort) {
+    options.validate();
+    Generator generator(run.seed), forms(run.seed);
+    const LinearProduct start(system, grouping, unit_complex(generator), forms);
+    return complex_roots(PolynomialHomotopy(system, start), start, run, options, resort);
+}
+
+EQUILIBRIA_INLINE ComplexRoots<> solve_from(const std::vector<Root<RuntimeUnknowns>>& roots, const SparseSystem& from,
+                                            const SparseSystem& to, const RunOptions& run,
+                                            const TrackerOptions& options) {
+    options.validate();
+    SolvedInstance::Points points;
+    points.reserve(roots.size());
+    for (const auto& root : roots) points.push_back(root.q);
+    Generator generator(run.seed);
+    const SolvedInstance start(from, to, unit_complex(generator), std::move(points));
+    return complex_roots(PolynomialHomotopy(to, start), start, run, options);
+}
+
+}  // namespace equilibria

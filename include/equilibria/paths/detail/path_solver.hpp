@@ -1,0 +1,264 @@
+/// \file
+/// All paths of a homotopy: in blocks, tracked, polished, ended, tracked again where it is hard, and uncrossed.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <chrono>
+#include <cstdint>
+#include <mutex>
+#include <numeric>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include <equilibria/homotopy/endgame.hpp>
+#include <equilibria/homotopy/lane_tracker.hpp>
+#include <equilibria/paths/detail/coincidence_finder.hpp>
+#include <equilibria/paths/path_set.hpp>
+#include <equilibria/paths/track.hpp>
+#include <equilibria/run/elapsed.hpp>
+#include <equilibria/storage/checkpoint.hpp>
+#include <equilibria/storage/endpoint_store.hpp>
+#include <equilibria/storage/fingerprint.hpp>
+
+namespace equilibria::detail {
+
+/// H: a homotopy of a system that is data.
+template <class H>
+class PathSolver {
+public:
+    using Pack = Lanes<native_lanes>;
+
+    PathSolver(const H& homotopy, PathProblem problem, const RunOptions& run, const TrackerOptions& options,
+               MoreDigits<H> resort)
+        : homotopy_(&homotopy), problem_(std::move(problem)), numbering_(problem_.start.numbering), polisher_(homotopy),
+          run_(&run), options_(options), more_digits_(resort) {}
+    PathSolver(const PathSolver&) = delete;
+
+    /// Where it was cancelled, not all paths are finished.
+    PathSet track() {
+        PathSet paths(numbering_, store(), resting());
+        track_unfinished(paths);
+        if (paths.ends().complete()) {
+            track_with_more_digits(paths);
+            uncross(paths);
+            track_with_more_digits(paths);
+        }
+        return paths;
+    }
+
+private:
+    RuntimePoint<double> start_point(std::uint64_t k) const { return problem_.start.point(k); }
+
+    void track_block(std::span<const std::uint64_t> paths, std::span<Endpoint> ends) const {
+        if (problem_.track_block)
+            problem_.track_block(paths, ends);
+        else
+            track_lanes<Pack, false>(*homotopy_, options_, paths, problem_.start.point, ends);
+    }
+
+    /// Solutions that rest at every t, and at which no other path may end.
+    std::vector<Endpoint> resting() const {
+        std::vector<Endpoint> y(numbering_.resting());
+        for (std::size_t k = 0; k < y.size(); ++k) {
+            y[k].q = problem_.start.resting_point(k);
+            y[k].arrival = Arrival::end;
+            polisher_.assess(y[k].q, &y[k].evidence);
+            y[k].status = y[k].evidence.condition < regular_condition ? PathStatus::finite : PathStatus::singular;
+        }
+        return y;
+    }
+
+    /// Where the endpoints go: to memory, or to the checkpoint that the options name, and, unless streamed, to both.
+    EndpointStore store() const {
+        const std::uint64_t size = numbering_.tracked();
+        if (run_->checkpoint.empty()) return {size, block(size), homotopy_->sizes()};
+        require(!problem_.model.empty(), "checkpoint", run_->checkpoint,
+                "must be empty: it keeps the enumeration of a model");
+        Fingerprint numbers;
+        homotopy_->for_each_number([&](const auto& number) { numbers(number); });
+        for (std::uint64_t k = 0; k < size; ++k) {
+            const RuntimePoint<double> q = start_point(k);
+            for (const auto* part : {&q.c, &q.s, &q.x})
+                for (const auto& z : *part) numbers(z.re), numbers(z.im);
+        }
+        return {
+            size,
+            block(size),
+            run_->checkpoint,
+            checkpoint_header(problem_.model, {run_->seed, problem_.start.name, numbers, size, block(size)}, options_),
+            !problem_.streamed,
+            homotopy_->sizes()};
+    }
+
+    void track_unfinished(PathSet& paths) {
+        const detail::Stopwatch begin;
+        EndpointStore& ends = paths.ends();
+        std::atomic<std::int64_t> tracking = 0, working = 0;
+        const auto now = [] { return std::chrono::steady_clock::now().time_since_epoch().count(); };
+        report(ends.finished(), ends.size());
+        run_->executor.for_blocks(ends.size(), ends.block(), [&](std::size_t first, std::size_t last) {
+            const std::uint64_t which = first / ends.block();
+            if (ends.has_block(which) || run_->cancelled()) return;
+            const auto started = now();
+            std::vector<std::uint64_t> numbers(last - first);
+            std::iota(numbers.begin(), numbers.end(), first);
+            std::vector<Endpoint> block(numbers.size());
+            track_block(numbers, block);
+            tracking += now() - started;
+            polish(block);
+            const std::uint64_t retracked = finish(block, first);
+            working += now() - started;
+            ends.put(which, block, retracked);
+            report(last - first, ends.size());
+        });
+        // the trackers' share, polishing and endgames left out
+        paths.effort.tracking_seconds = begin.seconds();
+        if (working > 0) paths.effort.tracking_seconds *= static_cast<double>(tracking) / static_cast<double>(working);
+        paths.effort.retracked += ends.retracked();
+    }
+
+    std::size_t block(std::size_t size) const {
+        // lanes idle at the end of a block: few blocks, but enough to keep all workers busy, and to lose little of the
+        // work where the run is cancelled or killed
+        if (run_->cancel || !run_->checkpoint.empty()) return std::clamp<std::size_t>(size / 64, 8 * native_lanes, 512);
+        if (run_->executor.workers() == 1) return 4096;
+        return std::clamp<std::size_t>(size / (8 * run_->executor.workers()), 8 * native_lanes, 4096);
+    }
+    void report(std::uint64_t more, std::uint64_t all) {
+        if (!run_->progress) return;
+        const std::lock_guard lock(progress_guard_);
+        run_->progress(done_ += more, all);
+    }
+
+    void polish(std::span<Endpoint> ends) const {
+        std::array<std::size_t, native_lanes> member{};
+        int filled = 0;
+        auto q = point_of_zeros<RuntimeUnknowns, Pack>(homotopy_->sizes());
+        typename Polisher<H>::template Workspace<Pack> with(*homotopy_);
+        const auto flush = [&] {
+            if (filled == 0) return;
+            for (int k = filled; k < native_lanes; ++k) copy_lane(q, 0, q, k);
+            std::array<PolishedEvidence, native_lanes> evidence;
+            polisher_.run(q, evidence.data(), with);
+            for (int k = 0; k < filled; ++k) {
+                Endpoint& end = ends[member[static_cast<std::size_t>(k)]];
+                end.evidence = evidence[static_cast<std::size_t>(k)];
+                // an ill-conditioned endpoint is not believed: the endgame decides
+                if (end.evidence.condition < regular_condition && end.evidence.correction < 1e-8) {
+                    copy_lane(q, k, end.q, 0);
+                    end.status = PathStatus::finite;
+                }
+            }
+            filled = 0;
+        };
+        for (std::size_t k = 0; k < ends.size(); ++k) {
+            if (ends[k].arrival != Arrival::end) continue;
+            member[static_cast<std::size_t>(filled)] = k;
+            copy_lane(ends[k].q, 0, q, filled);
+            if (++filled == native_lanes) flush();
+        }
+        flush();
+    }
+
+    /// Decides the paths of a block that the lanes left open; returns how many were tracked again from their start.
+    std::uint64_t finish(std::span<Endpoint> block, std::size_t first) const {
+        std::vector<Endpoint*> arrived;
+        for (Endpoint& end : block)
+            if (end.status == PathStatus::failed && end.arrival == Arrival::endgame) arrived.push_back(&end);
+        Endgame<H>(*homotopy_, polisher_, options_).finish(arrived);
+        std::uint64_t retracked = 0;
+        TrackerOptions careful = options_;
+        for (int round = 0; round < 2; ++round) {
+            std::vector<std::uint64_t> failed;
+            for (std::size_t k = 0; k < block.size(); ++k)
+                if (block[k].status == PathStatus::failed) failed.push_back(k);
+            if (round == 0) retracked = failed.size();
+            if (failed.empty()) break;
+            careful = careful.tightened();
+            std::vector<Endpoint> ends = track_again(failed, first, careful);
+            for (std::size_t m = 0; m < failed.size(); ++m) {
+                ends[m].steps += block[failed[m]].steps;
+                block[failed[m]] = ends[m];
+            }
+        }
+        return retracked;
+    }
+    /// The paths of these numbers, `first` added, from their start.
+    std::vector<Endpoint> track_again(std::span<const std::uint64_t> paths, std::uint64_t first,
+                                      const TrackerOptions& options) const {
+        std::vector<RuntimePoint<double>> starts;
+        for (const std::uint64_t k : paths) starts.push_back(start_point(first + k));
+        std::vector<Endpoint> ends(paths.size());
+        Endgame<H>(*homotopy_, polisher_, options).from_starts(starts, ends);
+        return ends;
+    }
+
+    /// The failed paths, each once.
+    void track_with_more_digits(PathSet& paths) const {
+        if (!more_digits_) return;
+        EndpointStore& ends = paths.ends();
+        std::vector<std::pair<std::uint64_t, Endpoint>> failed;
+        for (std::uint64_t k = 0; k < ends.size(); ++k)
+            if (const Endpoint& end = ends[k]; end.status == PathStatus::failed && !end.more_digits)
+                failed.emplace_back(k, end);
+        TrackerOptions careful = options_.tightened();
+        careful.most_steps = std::max(careful.most_steps, 20000);
+        run_->executor.for_blocks(failed.size(), 1, [&](std::size_t at, std::size_t) {
+            auto& [k, end] = failed[at];
+            more_digits_(*homotopy_, polisher_, careful, start_point(k), end);
+            end.more_digits = true;
+        });
+        for (const auto& [k, end] : failed) ends.replace(k, end);
+        paths.effort.more_digits += failed.size();
+    }
+
+    /// Two paths cannot end at one regular solution: where they seem to, one of them jumped.
+    void uncross(PathSet& paths) const {
+        EndpointStore& ends = paths.ends();
+        const CoincidenceFinder finder(paths.symmetric(), paths.sizes());
+        const auto point = [&](std::size_t k) -> const RuntimePoint<double>* {
+            const Endpoint& end = paths[k];
+            return end.status == PathStatus::finite ? &end.q : nullptr;
+        };
+        TrackerOptions careful = options_;
+        for (int round = 0; round < 3; ++round) {
+            const auto groups = finder.groups(paths.size(), point, 1e-9);
+            if (groups.empty()) return;
+            careful = careful.tightened();
+            std::vector<std::uint64_t> crossed;
+            for (const auto& group : groups)
+                for (const std::size_t k : group)
+                    if (paths.rests(k))
+                        continue;
+                    else if (run_->cancelled())
+                        ends.unsettle(k);
+                    else
+                        crossed.push_back(k);
+            const std::vector<Endpoint> again = track_again(crossed, 0, careful);
+            for (std::size_t m = 0; m < crossed.size(); ++m) {
+                const Endpoint before = ends[crossed[m]];
+                Endpoint end = again[m];
+                end.steps += before.steps;
+                ++paths.effort.retracked;
+                paths.effort.crossed += end.status != PathStatus::finite || !finder.same(before.q, end.q, 1e-9);
+                ends.replace(crossed[m], end);
+            }
+            if (!ends.complete()) return;
+        }
+    }
+
+    const H* homotopy_;
+    PathProblem problem_;
+    PathNumbering numbering_;
+    Polisher<H> polisher_;
+    const RunOptions* run_;
+    TrackerOptions options_;
+    MoreDigits<H> more_digits_;
+    std::mutex progress_guard_;
+    std::uint64_t done_ = 0;
+};
+
+}  // namespace equilibria::detail

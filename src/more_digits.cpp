@@ -1,0 +1,1 @@
+#include <equilibria/enumerate/detail/more_digits_definitions.hpp>

@@ -1,0 +1,1 @@
+#include <equilibria/system/detail/sparse_system_definitions.hpp>

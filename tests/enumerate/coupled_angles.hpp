@@ -9,11 +9,12 @@
 namespace tests {
 
 /// binomial(2N, N) distinct roots with all-to-all coupling, `neighbours` with nearest neighbours alone; the rest of the
-/// 4^N paths goes to infinity.
+/// 4^N paths goes to infinity. Returns how many enumerations were checked: two a seed.
 template <int N>
-void check_coupled_angles(std::uint64_t all_to_all, std::uint64_t neighbours, int seeds) {
+int check_coupled_angles(std::uint64_t all_to_all, std::uint64_t neighbours, int seeds) {
     using M = models::CoupledAngles<N>;
     Generator generator(50 + static_cast<std::uint64_t>(N));
+    int checked = 0;
     for (int seed = 1; seed <= seeds; ++seed) {
         Parameters<M> p;
         for (double& x : p) x = uniform(generator, 0.3, 1.3);
@@ -33,8 +34,10 @@ void check_coupled_angles(std::uint64_t all_to_all, std::uint64_t neighbours, in
             CHECK(r.real() % 2 == 0);
             CHECK_FALSE(r.morse_applies());
             CHECK(distance(conjugated(r.roots), r.roots) < 1e-8);
+            ++checked;
         }
     }
+    return checked;
 }
 
 }  // namespace tests

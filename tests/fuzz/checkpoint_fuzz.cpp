@@ -31,8 +31,8 @@ constexpr std::size_t data_at = File::header_at + 5;
 Bytes with_right_sums(std::span<const std::uint8_t> input) {
     Bytes bytes(data_at);
     std::copy(File::magic.begin(), File::magic.end(), bytes.begin());
-    detail::put_number(&bytes[8], File::format, 4);
-    detail::put_number(&bytes[12], header_text.size(), 4);
+    detail::put_number<4>(&bytes[8], File::format);
+    detail::put_number<4>(&bytes[12], header_text.size());
     std::copy(header_text.begin(), header_text.end(), bytes.begin() + File::header_at);
     const auto head = std::span<const std::uint8_t>(bytes);
     const std::uint64_t sum = detail::Crc64().add(head.first(16)).add(head.subspan(File::header_at)).value();
@@ -40,14 +40,14 @@ Bytes with_right_sums(std::span<const std::uint8_t> input) {
     for (const std::uint64_t at : File::marks_at) {
         if (input.size() < 4) break;
         detail::put_number(&bytes[at], input[0]);
-        detail::put_number(&bytes[at + 8], data_at + detail::get_number(&input[1], 2));
+        detail::put_number(&bytes[at + 8], data_at + detail::get_number<2>(&input[1]));
         detail::put_number(&bytes[at + 16], input[3]);
         detail::put_number(&bytes[at + 24], detail::Crc64().add(sum).add(head.subspan(at, 24)).value());
         input = input.subspan(4);
     }
     bytes.insert(bytes.end(), input.begin(), input.end());
     for (std::size_t at = data_at; bytes.size() - at >= File::frame_size;) {
-        const std::uint64_t length = detail::get_number(&bytes[at], 2);
+        const std::uint64_t length = detail::get_number<2>(&bytes[at]);
         detail::put_number(&bytes[at], length);
         if (length > bytes.size() - at - File::frame_size) break;
         const auto record = std::span<const std::uint8_t>(bytes).subspan(at + 8, length);
@@ -70,13 +70,13 @@ Bytes with_changes(std::span<const std::uint8_t> input) {
     Bytes numbers(8);
     for (const std::size_t at : {std::size_t{0}, std::size_t{4}}) {
         numbers[at] = static_cast<std::uint8_t>(2 + at);
-        detail::put_number(&numbers[at + 1], at == 0 ? 32 + size : records.size(), 2);
+        detail::put_number<2>(&numbers[at + 1], at == 0 ? 32 + size : records.size());
         numbers[at + 3] = at == 0 ? 1 : 2;
     }
     numbers.insert(numbers.end(), records.begin(), records.end());
     Bytes bytes = with_right_sums(numbers);
     for (; input.size() >= 3; input = input.subspan(3)) {
-        auto& byte = bytes[detail::get_number(&input[0], 2) % bytes.size()];
+        auto& byte = bytes[detail::get_number<2>(&input[0]) % bytes.size()];
         byte = static_cast<std::uint8_t>(byte + input[2]);
     }
     return bytes;

@@ -7,19 +7,14 @@
 
 #include "support/catch.hpp"
 #include "support/models.hpp"
+#include "support/random_parameters.hpp"
 
 using namespace equilibria;
+using tests::random_parameters;
 
 namespace {
 
 using Z = Complex<double>;
-
-template <class M>
-Parameters<M> random_parameters(Generator& generator) {
-    Parameters<M> p;
-    for (double& x : p) x = uniform(generator, 0.3, 1.7);
-    return p;
-}
 
 template <class M>
 Point<M, double> random_point(Generator& generator) {

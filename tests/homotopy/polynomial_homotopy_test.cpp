@@ -13,21 +13,16 @@
 
 #include "support/catch.hpp"
 #include "support/models.hpp"
+#include "support/random_parameters.hpp"
 
 using namespace equilibria;
+using tests::random_parameters;
 
 namespace {
 
 using Z = Complex<double>;
 
 double size(const Z& z) { return std::sqrt(norm2(z)); }
-
-template <class M>
-Parameters<M> random_parameters(Generator& generator) {
-    Parameters<M> p;
-    for (double& x : p) x = uniform(generator, 0.3, 1.7);
-    return p;
-}
 
 template <class M>
 Point<M, double> random_point(Generator& generator, const Sizes<M>& sizes = {}) {
@@ -37,13 +32,6 @@ Point<M, double> random_point(Generator& generator, const Sizes<M>& sizes = {}) 
         q[u] = {re, uniform(generator, -0.5, 0.5)};
     }
     return point_of<M>(q, sizes);
-}
-
-template <class M>
-RuntimePoint<double> at_run_time_of(const Point<M, double>& q) {
-    RuntimePoint<double> y;
-    copy_lane(q, 0, y, 0);
-    return y;
 }
 
 /// The Jacobian against differences of the values; the Taylor coefficients against each other: with q(t) of the given
@@ -105,8 +93,8 @@ void check_instance() {
         const auto q = random_point<M>(generator);
         Z f[n], g[n], h[n];
         a.value(q, t, f);
-        b.value(at_run_time_of(q), t, g);
-        c.value(at_run_time_of(q), t, h);
+        b.value(runtime_point(q), t, g);
+        c.value(runtime_point(q), t, h);
         for (int i = 0; i < n; ++i) CHECK(size(f[i] - g[i]) < 1e-12 * (1 + size(f[i])));
         for (int i = 0; i < n; ++i) CHECK(size(f[i] - h[i]) < 1e-12 * (1 + size(f[i])));
     }

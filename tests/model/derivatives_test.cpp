@@ -10,8 +10,10 @@
 
 #include "support/catch.hpp"
 #include "support/models.hpp"
+#include "support/random_parameters.hpp"
 
 using namespace equilibria;
+using tests::random_parameters;
 using mechanisms::RotatingChain;
 
 namespace {
@@ -21,12 +23,6 @@ Unknowns<M> random_unknowns(Generator& generator) {
     Unknowns<M> q;
     for (double& value : q) value = uniform(generator, -3, 3);
     return q;
-}
-template <class M>
-Parameters<M> random_parameters(Generator& generator) {
-    Parameters<M> p;
-    for (double& value : p) value = uniform(generator, 0.3, 1.7);
-    return p;
 }
 template <class Values>
 Values moved(const Values& q, const Values& v, double h) {

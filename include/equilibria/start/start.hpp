@@ -36,17 +36,10 @@ public:
     /// The start has to outlive it.
     template <class T>
     explicit StartPoints(const T& start)
-        : numbering(start.numbering()), name(start.name()), point([&start](std::uint64_t k) {
-              Point q;
-              copy_lane(start.point(k), 0, q, 0);
-              return q;
-          }) {
+        : numbering(start.numbering()), name(start.name()),
+          point([&start](std::uint64_t k) { return runtime_point(start.point(k)); }) {
         if constexpr (requires { start.resting_point(std::uint64_t{}); })
-            resting_point = [&start](std::uint64_t k) {
-                Point q;
-                copy_lane(start.resting_point(k), 0, q, 0);
-                return q;
-            };
+            resting_point = [&start](std::uint64_t k) { return runtime_point(start.resting_point(k)); };
     }
 
     PathNumbering numbering;

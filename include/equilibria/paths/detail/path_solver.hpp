@@ -168,7 +168,7 @@ private:
         std::vector<Endpoint*> arrived;
         for (Endpoint& end : block)
             if (end.status == PathStatus::failed && end.arrival == Arrival::endgame) arrived.push_back(&end);
-        Endgame<H>(*homotopy_, polisher_, options_).finish(arrived);
+        if (!arrived.empty()) Endgame<H>(*homotopy_, polisher_, options_).finish(arrived);
         std::uint64_t retracked = 0;
         TrackerOptions careful = options_;
         for (int round = 0; round < 2; ++round) {

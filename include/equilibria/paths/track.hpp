@@ -4,7 +4,6 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <span>
 #include <utility>
 
@@ -13,6 +12,7 @@
 #include <equilibria/homotopy/lane_tracker.hpp>
 #include <equilibria/homotopy/polynomial_homotopy.hpp>
 #include <equilibria/homotopy/tracker_options.hpp>
+#include <equilibria/paths/detail/path_problem.hpp>
 #include <equilibria/paths/path_set.hpp>
 #include <equilibria/run/run_options.hpp>
 #include <equilibria/start/start.hpp>
@@ -22,29 +22,6 @@
 namespace equilibria {
 
 namespace detail {
-template <class H>
-class Polisher;
-}
-
-/// Tracks a path again that failed in double, with more digits (see enumerate/more_digits.hpp). A pointer, so that only
-/// those who want it compile it.
-template <class H = PolynomialHomotopy>
-using MoreDigits = void (*)(const H&, const detail::Polisher<H>&, const TrackerOptions&,
-                            const RuntimePoint<double>& start, Endpoint& end);
-
-namespace detail {
-
-/// What a run tracks, beside its homotopy.
-struct PathProblem {
-    using Ends = std::span<Endpoint>;
-
-    StartPoints start;
-    /// Tracks the paths of these numbers in lanes, each until it arrives, is near t = 1 or stuck (lane_tracker.hpp).
-    /// Empty: the homotopy itself is tracked.
-    std::function<void(std::span<const std::uint64_t>, Ends)> track_block = {};
-    CheckpointFields model = {};  ///< what a checkpoint says of the model; empty: there can be none
-    bool streamed = false;        ///< a checkpoint alone keeps the endpoints
-};
 
 PathSet track_paths(const PolynomialHomotopy& homotopy, PathProblem problem, const RunOptions& run,
                     const TrackerOptions& options, MoreDigits<> resort);

@@ -16,9 +16,10 @@
 #include <equilibria/homotopy/endgame.hpp>
 #include <equilibria/homotopy/lane_tracker.hpp>
 #include <equilibria/paths/detail/coincidence_finder.hpp>
+#include <equilibria/paths/detail/path_problem.hpp>
 #include <equilibria/paths/path_set.hpp>
-#include <equilibria/paths/track.hpp>
 #include <equilibria/run/elapsed.hpp>
+#include <equilibria/run/run_options.hpp>
 #include <equilibria/storage/checkpoint.hpp>
 #include <equilibria/storage/endpoint_store.hpp>
 #include <equilibria/storage/fingerprint.hpp>

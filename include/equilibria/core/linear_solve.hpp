@@ -8,6 +8,8 @@
 /// pivoting for everything else, and wherever the first was refused.
 #pragma once
 
+#include <iterator>
+
 #include <equilibria/core/complex.hpp>
 #include <equilibria/core/lanes.hpp>
 #include <equilibria/core/sized_array.hpp>
@@ -28,23 +30,29 @@ public:
         for (int i = 0; i < n; ++i)
             for (int j = i; j < n; ++j) l_[i][j] = a[i][j];
         for (int k = 0; k < n; ++k) {
-            const Z pivot = inverse(l_[k][k]);
+            auto&& row_k = l_[k];
+            const Z pivot = inverse(row_k[k]);
             for (int i = k + 1; i < n; ++i) {
-                const Z f = l_[k][i] * pivot;
-                for (int j = i; j < n; ++j) l_[i][j] -= f * l_[k][j];
+                auto&& row_i = l_[i];
+                const Z f = row_k[i] * pivot;
+                for (int j = i; j < n; ++j) row_i[j] -= f * row_k[j];
             }
-            for (int i = k + 1; i < n; ++i) l_[k][i] *= pivot;
-            l_[k][k] = pivot;
+            for (int i = k + 1; i < n; ++i) row_k[i] *= pivot;
+            row_k[k] = pivot;
         }
     }
     /// Overwrites b with the solution.
     void solve(auto& b) const {
         const int n = n_;
-        for (int k = 0; k < n; ++k)
-            for (int i = k + 1; i < n; ++i) b[i] -= l_[k][i] * b[k];
+        Z* x = std::begin(b);
+        for (int k = 0; k < n; ++k) {
+            auto&& row = l_[k];
+            for (int i = k + 1; i < n; ++i) x[i] -= row[i] * x[k];
+        }
         for (int k = n - 1; k >= 0; --k) {
-            b[k] *= l_[k][k];
-            for (int i = k + 1; i < n; ++i) b[k] -= l_[k][i] * b[i];
+            auto&& row = l_[k];
+            x[k] *= row[k];
+            for (int i = k + 1; i < n; ++i) x[k] -= row[i] * x[i];
         }
     }
 
@@ -67,27 +75,34 @@ public:
         for (int i = 0; i < n; ++i)
             for (int j = 0; j < n; ++j) l_[i][j] = a[i][j];
         for (int k = 0; k < n; ++k) {
+            auto&& row_k = l_[k];
             for (int i = k + 1; i < n; ++i) {
-                const Mask m = exchange_[k][i].mask = norm2(l_[i][k]) > norm2(l_[k][k]);
-                for (int j = 0; j < n; ++j) exchange(m, l_[k][j], l_[i][j]);
+                auto&& row_i = l_[i];
+                const Mask m = exchange_[k][i].mask = norm2(row_i[k]) > norm2(row_k[k]);
+                for (int j = 0; j < n; ++j) exchange(m, row_k[j], row_i[j]);
             }
-            l_[k][k] = inverse(l_[k][k]);
+            row_k[k] = inverse(row_k[k]);
             for (int i = k + 1; i < n; ++i) {
-                l_[i][k] *= l_[k][k];
-                for (int j = k + 1; j < n; ++j) l_[i][j] -= l_[i][k] * l_[k][j];
+                auto&& row_i = l_[i];
+                row_i[k] *= row_k[k];
+                for (int j = k + 1; j < n; ++j) row_i[j] -= row_i[k] * row_k[j];
             }
         }
     }
     /// Overwrites b with the solution.
     void solve(auto& b) const {
         const int n = n_;
+        Z* x = std::begin(b);
+        for (int k = 0; k < n; ++k) {
+            auto&& exchanged = exchange_[k];
+            for (int i = k + 1; i < n; ++i) exchange(exchanged[i].mask, x[k], x[i]);
+        }
         for (int k = 0; k < n; ++k)
-            for (int i = k + 1; i < n; ++i) exchange(exchange_[k][i].mask, b[k], b[i]);
-        for (int k = 0; k < n; ++k)
-            for (int i = k + 1; i < n; ++i) b[i] -= l_[i][k] * b[k];
+            for (int i = k + 1; i < n; ++i) x[i] -= l_[i][k] * x[k];
         for (int k = n - 1; k >= 0; --k) {
-            for (int j = k + 1; j < n; ++j) b[k] -= l_[k][j] * b[j];
-            b[k] *= l_[k][k];
+            auto&& row = l_[k];
+            for (int j = k + 1; j < n; ++j) x[k] -= row[j] * x[j];
+            x[k] *= row[k];
         }
     }
 

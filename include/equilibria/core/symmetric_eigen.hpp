@@ -30,7 +30,7 @@ void diagonalize(Matrix& a, Matrix* vectors) {
                 const Scalar longer = abs(difference) + hypot(difference, a(i, j));
                 const Scalar t =
                     difference < 0 ? Scalar(-a(i, j) / longer) : Scalar(a(i, j) / longer);  // tan, |t| <= 1
-                const Scalar c = 1 / hypot(Scalar(1), t), s = t * c;
+                const Scalar c = 1 / sqrt(1 + t * t), s = t * c;
                 const Scalar shift = t * a(i, j);
                 const auto turn = [&](Scalar& x, Scalar& y) {
                     const Scalar before = x;

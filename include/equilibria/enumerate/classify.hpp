@@ -7,6 +7,7 @@
 #include <complex>
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <span>
 #include <tuple>
 #include <vector>
@@ -40,7 +41,17 @@ public:
 
     void linearize(const double* q, double* f, double* jacobian) const override {
         constexpr int n = n_unknowns<M>;
-        const auto values = equations<M, Dual<double, n>>(variables<M, double>(unknowns(q)), lifted<M, double, n>(p_));
+        using D = Dual<double, n>;
+        AnglesOf<M, D> theta;
+        CoordinatesOf<M, D> x;
+        for (int i = 0; i < theta.size(); ++i) {
+            const double c = std::cos(q[i]), s = std::sin(q[i]);
+            theta[i] = {D(c), D(s)};
+            theta[i].c.derivative[i] = -s;
+            theta[i].s.derivative[i] = c;
+        }
+        for (int j = 0; j < x.size(); ++j) x[j] = D::variable(q[theta.size() + j], theta.size() + j);
+        const auto values = equations_at<M, D>(theta, x, p_);
         for (int r = 0; r < n; ++r) {
             f[r] = values[r].value;
             for (int c = 0; c < n; ++c) jacobian[r * n + c] = values[r].derivative[c];
@@ -62,16 +73,29 @@ private:
     Parameters<M> p_;
 };
 
-/// Whether a root is real, by Newton's method in real arithmetic from its real part: a regular root whose imaginary
-/// part is rounding is reached again. On success q is the real root.
-bool is_real(const RealEquations& equations, const RootView& root, std::span<double> q);
-
 /// What an Equilibrium says of its Jacobian.
 struct Classification {
     int index = 0, nullity = 0;
     double margin = 0, energy = 0;
 };
-Classification classified(const RealEquations& equations, std::span<const double> q);
+
+/// Tells the real roots and classifies them; for one thread, whatever the number of roots.
+class RootClassifier {
+public:
+    /// The equations have to outlive it.
+    explicit RootClassifier(const RealEquations& equations);
+    ~RootClassifier();
+
+    /// Whether a root is real, by Newton's method in real arithmetic from its real part: a regular root whose imaginary
+    /// part is rounding is reached again. On success q is the real root.
+    bool is_real(const RootView& root, std::span<double> q);
+    Classification classify(std::span<const double> q);
+
+private:
+    struct Workspace;
+    const RealEquations* equations_;
+    std::unique_ptr<Workspace> with_;
+};
 
 template <Model M>
 double largest_imaginary(const Root<M>& root) {
@@ -79,13 +103,9 @@ double largest_imaginary(const Root<M>& root) {
     for (const auto& q : root.q) y = std::max(y, std::abs(q.imag()));
     return y;
 }
+/// The equilibrium at q, the real root that a root is.
 template <Model M>
-bool is_real(const RealModelEquations<M>& equations, const Root<M>& root, Unknowns<M>& q) {
-    return is_real(equations, view(root), {q.begin(), q.end()});
-}
-template <Model M>
-Equilibrium<M> classified(const RealModelEquations<M>& equations, const Root<M>& root, const Unknowns<M>& q) {
-    const Classification found = classified(equations, {q.begin(), q.end()});
+Equilibrium<M> equilibrium_of(const Root<M>& root, const Unknowns<M>& q, const Classification& found) {
     Equilibrium<M> e;
     e.q = q;
     e.energy = found.energy;
@@ -114,13 +134,16 @@ RealRoots<M> classify(const std::vector<Root<M>>& roots, const Parameters<M>& p,
     std::vector<std::uint8_t> real(roots.size());
     std::vector<Unknowns<M>> at(roots.size());
     executor.for_blocks(roots.size(), 4096, [&](std::size_t first, std::size_t last) {
-        for (std::size_t k = first; k < last; ++k) real[k] = is_real(equations, roots[k], at[k]);
+        RootClassifier classifier(equations);
+        for (std::size_t k = first; k < last; ++k)
+            real[k] = classifier.is_real(view(roots[k]), {at[k].begin(), at[k].end()});
     });
+    RootClassifier classifier(equations);
     RealRoots<M> y;
     for (std::size_t k = 0; k < roots.size(); ++k) {
         const double imaginary = largest_imaginary(roots[k]);
         if (real[k]) {
-            y.equilibria.push_back(classified(equations, roots[k], at[k]));
+            y.equilibria.push_back(equilibrium_of(roots[k], at[k], classifier.classify({at[k].begin(), at[k].end()})));
             y.largest_real_imaginary = std::max(y.largest_real_imaginary, imaginary);
         } else {
             y.smallest_nonreal_imaginary = std::min(y.smallest_nonreal_imaginary, imaginary);

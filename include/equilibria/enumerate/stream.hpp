@@ -75,17 +75,18 @@ StreamedRoots<M> enumerate(const Parameters<M>& p, const RunOptions& run, Take&&
     set.failures = std::move(failures);
     set.tracking_seconds = paths.effort.tracking_seconds;
     const detail::RealModelEquations<M> equations(p);
+    detail::RootClassifier classifier(equations);
     if (!set.cancelled())
         merge<M>(paths, [&](const Root<M>& root) {
             ++set.distinct;
             const double imaginary = detail::largest_imaginary(root);
             Unknowns<M> q;
-            if (!detail::is_real(equations, root, q)) {
+            if (!classifier.is_real(detail::view(root), {q.begin(), q.end()})) {
                 set.smallest_nonreal_imaginary = std::min(set.smallest_nonreal_imaginary, imaginary);
                 take(root, static_cast<const Equilibrium<M>*>(nullptr));
                 return;
             }
-            const Equilibrium<M> e = detail::classified(equations, root, q);
+            const Equilibrium<M> e = detail::equilibrium_of(root, q, classifier.classify({q.begin(), q.end()}));
             ++set.real;
             set.degenerate += e.degenerate();
             if (!e.degenerate()) ++set.by_index[static_cast<std::size_t>(e.index)];

@@ -3,7 +3,6 @@
 /// coefficients along a path, and slopes.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -22,9 +21,7 @@ public:
 
     explicit FactorSeries(const TermTables& tables)
         : tables_(&tables), size_(static_cast<std::size_t>(tables.operands())), value_((order + 1) * size_),
-          slope_(static_cast<std::size_t>(tables.factors)) {
-        for (auto& coefficient : path_) coefficient = SizedArray<Z, at_run_time>(tables.sizes.unknowns);
-    }
+          slope_(static_cast<std::size_t>(tables.factors)), path_((order + 1) * index(tables.sizes.unknowns)) {}
 
     const TermTables& tables() const { return *tables_; }
     /// The Taylor coefficient k of an operand.
@@ -46,7 +43,7 @@ public:
                     at(0, first + 2 * k + 1) = s * q.c[u] + c * q.s[u];
                 }
             } else {
-                path(0)[u] = at(0, first) = q.x[u - tables_->sizes.angles];
+                path(0, u) = at(0, first) = q.x[u - tables_->sizes.angles];
                 for (int k = 1; k < highest; ++k) at(0, first + k) = at(0, first + k - 1) * at(0, first);
             }
         }
@@ -72,7 +69,7 @@ public:
     /// The Taylor coefficients k of the factors, the k-th of the path being 0.
     void extend(int k) {
         for (int u = 0; u < tables_->sizes.unknowns; ++u) {
-            path(k)[u] = {broadcast<R>(0.0), broadcast<R>(0.0)};
+            path(k, u) = {broadcast<R>(0.0), broadcast<R>(0.0)};
             if (u >= tables_->sizes.angles) {
                 raise_powers(u, k);
                 continue;
@@ -82,8 +79,8 @@ public:
                 Z cosine{broadcast<R>(0.0), broadcast<R>(0.0)}, sine = cosine;
                 for (int l = 1; l < k; ++l) {
                     const double weight = static_cast<double>(m * l) / k;
-                    cosine -= weight * (path(l)[u] * at(k - l, s));
-                    sine += weight * (path(l)[u] * at(k - l, c));
+                    cosine -= weight * (path(l, u) * at(k - l, s));
+                    sine += weight * (path(l, u) * at(k - l, c));
                 }
                 at(k, c) = cosine;
                 at(k, s) = sine;
@@ -94,7 +91,7 @@ public:
     /// And with the k-th of the path as it is.
     void complete(int k, const auto& d) {
         for (int u = 0; u < tables_->sizes.unknowns; ++u) {
-            path(k)[u] = d[u];
+            path(k, u) = d[u];
             if (u >= tables_->sizes.angles) {
                 raise_powers(u, k);
                 continue;
@@ -115,11 +112,12 @@ private:
         return value_[static_cast<std::size_t>(k) * size_ + static_cast<std::size_t>(operand)];
     }
 
-    SizedArray<Z, at_run_time>& path(int k) { return path_[index(k)]; }
+    /// The Taylor coefficient k of unknown u along the path.
+    Z& path(int k, int u) { return path_[index(k * tables_->sizes.unknowns + u)]; }
 
     void raise_powers(int u, int k) {
         const int first = tables_->offset[index(u)];
-        at(k, first) = path(k)[u];
+        at(k, first) = path(k, u);
         for (int m = 1; m < tables_->highest[index(u)]; ++m) {
             Z sum = at(0, first + m - 1) * at(k, first);
             for (int l = 1; l <= k; ++l) sum += at(l, first + m - 1) * at(k - l, first);
@@ -137,8 +135,7 @@ private:
 
     const TermTables* tables_;
     std::size_t size_;
-    std::vector<Z> value_, slope_;
-    std::array<SizedArray<Z, at_run_time>, order + 1> path_;
+    std::vector<Z> value_, slope_, path_;
 };
 
 }  // namespace equilibria::detail

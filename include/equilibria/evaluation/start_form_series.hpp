@@ -4,7 +4,7 @@
 
 #include <complex>
 #include <cstddef>
-#include <utility>
+#include <span>
 #include <vector>
 
 #include <equilibria/core/complex.hpp>
@@ -26,10 +26,10 @@ public:
             products_.push_back(
                 {product.equation, product.weight, forms_.size(), forms_.size() + product.forms.size()});
             for (const auto& form : product.forms) {
-                Form entry{form.constant, {}};
+                const std::size_t first = parts_.size();
                 for (const auto& part : form.parts)
-                    entry.parts.push_back({part.unknown, tables.factor(part.unknown, 1), part.factor});
-                forms_.push_back(std::move(entry));
+                    parts_.push_back({part.unknown, tables.factor(part.unknown, 1), part.factor});
+                forms_.push_back({form.constant, first, parts_.size()});
             }
         }
         series_.resize(forms_.size());
@@ -47,7 +47,7 @@ public:
                 g[t.equation] += broadcast_complex<R>(t.coefficient);
         for (std::size_t m = 0; m < forms_.size(); ++m) {
             Z sum = k == 0 ? broadcast_complex<R>(forms_[m].constant) : zero();
-            for (const Part& part : forms_[m].parts) sum += broadcast_complex<R>(part.by) * factors(k, part.factor);
+            for (const Part& part : parts_of(forms_[m])) sum += broadcast_complex<R>(part.by) * factors(k, part.factor);
             series_[m][k] = sum;
         }
         for (const Product& product : products_) {
@@ -59,8 +59,9 @@ public:
                     continue;
                 }
                 const auto& before = partial_[m - 1];
-                so_far[k] = before[0] * form[k];
-                for (int l = 1; l <= k; ++l) so_far[k] += before[l] * form[k - l];
+                Z sum = before[0] * form[k];
+                for (int l = 1; l <= k; ++l) sum += before[l] * form[k - l];
+                so_far[k] = sum;
             }
             g[product.equation] += partial_[product.last - 1][k];
         }
@@ -76,7 +77,7 @@ public:
             for (std::size_t m = product.last; m-- > product.first;) {
                 const Z others = m == product.first ? Z(broadcast_complex<R>(product.weight) * behind)
                                                     : Z(partial_[m - 1][0] * behind);
-                for (const Part& part : forms_[m].parts)
+                for (const Part& part : parts_of(forms_[m]))
                     j[product.equation][part.unknown] +=
                         others * (broadcast_complex<R>(part.by) * factors.slope(part.factor));
                 behind = behind * series_[m][0];
@@ -95,7 +96,7 @@ private:
     };
     struct Form {
         std::complex<double> constant;
-        std::vector<Part> parts;
+        std::size_t first, last;  // of the parts
     };
     struct Product {
         int equation;
@@ -107,9 +108,13 @@ private:
         Z& operator[](int k) { return value[k]; }
         const Z& operator[](int k) const { return value[k]; }
     };
+    std::span<const Part> parts_of(const Form& form) const {
+        return {parts_.data() + form.first, form.last - form.first};
+    }
     static Z zero() { return {broadcast<R>(0.0), broadcast<R>(0.0)}; }
 
     std::vector<Term> terms_;
+    std::vector<Part> parts_;
     std::vector<Form> forms_;
     std::vector<Product> products_;
     std::vector<Series> series_, partial_;  // of each form; of each product up to form number m

@@ -34,6 +34,7 @@ public:
           sum_(static_cast<std::size_t>(moving_ ? H::law_order + 1 : 1) * (order + 1) * groups_),
           blend_((order + 1) * groups_), node_slope_(tables_->nodes.size() * static_cast<std::size_t>(n_)),
           current_(moving_ ? tables_->operand.size() : 0), row_(n_) {
+        if (form_.empty()) return;
         for (auto& g : start_) g = SizedArray<Z, at_run_time>(n_);
     }
 
@@ -46,7 +47,7 @@ public:
         for (std::size_t g = 0; g < groups_; ++g) {
             const auto& group = tables_->groups[g];
             sum_terms(0, g);
-            f[group.equation] += group.own_factor < 0 ? blend(0, g) : Z(factors_(0, group.own_factor) * blend(0, g));
+            f[group.equation] += own(group, blend(0, g));
         }
         if (form_.empty()) return;
         form_.series(0, factors_, start_[0]);
@@ -65,7 +66,29 @@ public:
                 for (int u = 0; u < n_; ++u) j[i][u] = (1.0 - time_) * j[i][u];
         }
         multiply_slopes();
-        for (std::size_t g = 0; g < groups_; ++g) add_slopes(g, j);
+        for (std::size_t g = 0; g < groups_; ++g) {
+            const auto& group = tables_->groups[g];
+            if (moving_)
+                add_slopes(group, blend(0, g), current(), [](const Z& entry) { return entry; }, j);
+            else
+                add_slopes(group, blend(0, g), target(), [this](const Z& entry) { return Z(time_ * entry); }, j);
+        }
+    }
+
+    /// F(q), what H(q, 1) is, and its Jacobian, as of `jacobian`; nothing along a path may follow.
+    void target_jacobian(const RuntimePoint<R>& q, auto& f, auto& j) {
+        factors_.begin(q);
+        factors_.begin_slopes();
+        multiply_slopes();
+        for (int i = 0; i < n_; ++i) {
+            f[i] = zero();
+            for (int u = 0; u < n_; ++u) j[i][u] = zero();
+        }
+        for (const auto& group : tables_->groups) {
+            const Z sum = summed(0, group, target());
+            f[group.equation] += own(group, sum);
+            add_slopes(group, sum, target(), [](const Z& entry) { return entry; }, j);
+        }
     }
 
     /// The Taylor coefficient k of -H(q(t), t), given those of q(t) below k and taking its k-th as zero: the
@@ -102,6 +125,10 @@ private:
     /// Of a group: the sum over its terms of the coefficient's Taylor coefficient `law` times the operand's k-th.
     Z& sum(int law, int k, std::size_t g) {
         return sum_[(static_cast<std::size_t>(law) * (order + 1) + static_cast<std::size_t>(k)) * groups_ + g];
+    }
+    /// Times the group's own factor, where it has one.
+    Z own(const TermTables::Group& group, const Z& z) const {
+        return group.own_factor < 0 ? z : Z(factors_(0, group.own_factor) * z);
     }
     Z& blend(int k, std::size_t g) { return blend_[static_cast<std::size_t>(k) * groups_ + g]; }
 
@@ -163,27 +190,21 @@ private:
             slope += n_;
         }
     }
-    void add_slopes(std::size_t g, auto& j) {
-        const auto& group = tables_->groups[g];
+    /// sum: of the group's terms, without their own factor; it and `scaled` of what its terms' slopes are.
+    void add_slopes(const TermTables::Group& group, const Z& sum, const auto& coefficient, const auto& scaled,
+                    auto& j) {
         const int i = group.equation;
-        if (group.own_factor >= 0) j[i][i] += factors_.slope(group.own_factor) * blend(0, g);
+        if (group.own_factor >= 0) j[i][i] += factors_.slope(group.own_factor) * sum;
         if (group.unknowns.empty()) return;
         for (const int u : group.unknowns) row_[u] = zero();
-        moving_ ? add_row(group, current()) : add_row(group, target());
-        for (const int u : group.unknowns) {
-            if (symmetric_ && u < i) continue;
-            Z entry = group.own_factor < 0 ? row_[u] : Z(factors_(0, group.own_factor) * row_[u]);
-            if (!moving_) entry = time_ * entry;
-            j[i][u] += entry;
-        }
-    }
-    void add_row(const TermTables::Group& group, const auto& coefficient) {
         for (int term = group.first; term < group.last; ++term) {
             const int operand = tables_->operand[static_cast<std::size_t>(term)];
             if (operand < 0) continue;
             for (const int u : tables_->unknowns[static_cast<std::size_t>(operand)])
                 row_[u] += coefficient(term) * slope_of(operand, u);
         }
+        for (const int u : group.unknowns)
+            if (!symmetric_ || u >= i) j[i][u] += scaled(own(group, row_[u]));
     }
 
     const H* h_;

@@ -45,7 +45,7 @@ public:
 
     Endgame(const H& h, const Polisher<H>& polisher, const TrackerOptions& options)
         : sizes_(h.sizes()), options_(options), tracker_(h, options, shortest_step),
-          closing_(h, closing(options), shortest_step), polisher_(&polisher) {}
+          closing_(h, closing(options), shortest_step), polisher_(&polisher), polishing_(h) {}
 
     /// Ends paths that have come to t = ends[k]->t.
     void finish(std::span<Endpoint* const> ends) {
@@ -237,7 +237,7 @@ private:
             RuntimePoint<double> reached;
             copy_lane(segments[k].q, 0, reached, 0);
             RuntimePoint<double> q = reached;
-            polisher_->run(q, &end.evidence);
+            polisher_->run(q, &end.evidence, polishing_);
             if (!is_regular(end.evidence) || distance(q, reached) > 1e-6) continue;
             end.q = q;
             end.status = PathStatus::finite;
@@ -321,7 +321,7 @@ private:
         RuntimePoint<double> estimate;
         copy_lane(mean, 0, estimate, 0);
         RuntimePoint<double> q = estimate;
-        polisher_->run(q, &end.evidence);
+        polisher_->run(q, &end.evidence, polishing_);
         if (is_regular(end.evidence)) {
             if (winding > 1 || distance(q, estimate) > 1e-6) return false;  // a branch point near t = 1, not at it
             end.q = q;
@@ -330,8 +330,8 @@ private:
         }
         // loops around what looks like an endpoint at these radii, but is none, close as well: it fulfils no equations
         q = estimate;
-        if (!(polisher_->correct_determined(q) < 1e-10)) return false;
-        polisher_->assess(q, &end.evidence);
+        if (!(polisher_->correct_determined(q, polishing_) < 1e-10)) return false;
+        polisher_->assess(q, &end.evidence, polishing_);
         end.q = q;
         end.status = PathStatus::singular;
         end.winding_number = static_cast<std::int16_t>(winding);
@@ -342,6 +342,7 @@ private:
     TrackerOptions options_;
     SegmentLanes<H, R> tracker_, closing_;  // from the start, and near t = 1
     const Polisher<H>* polisher_;
+    typename Polisher<H>::template Workspace<double> polishing_;
 };
 
 }  // namespace detail

@@ -18,19 +18,14 @@ namespace equilibria {
 
 namespace detail {
 
+/// H: a homotopy of a system that is data.
 template <class H>
 class Polisher {
 public:
-    using M = typename H::System;
-    static constexpr int extent = Sizes<M>::extent;
     template <class T>
-    using Vector = SizedArray<T, extent>;
+    using Vector = SizedArray<T, at_run_time>;
     template <class T>
-    using Matrix = SizedMatrix<T, extent>;
-
-    /// Of the evaluations that the trackers use anyway.
-    template <class R>
-    using Time = std::conditional_t<is_pack<R>, R, Complex<R>>;
+    using Matrix = SizedMatrix<T, at_run_time>;
 
     explicit Polisher(const H& h) : h_(&h), n_(h.sizes().unknowns) {}
 
@@ -41,56 +36,58 @@ public:
             : evaluation(h), lu(h.sizes().unknowns), f(h.sizes().unknowns), column(h.sizes().unknowns),
               unit(h.sizes().unknowns), size(h.sizes().unknowns), row_sum(h.sizes().unknowns), j(h.sizes().unknowns) {}
 
-        typename H::template Evaluation<R, Time<R>> evaluation;
-        PivotedFactorization<R, extent> lu;
+        /// The one that the trackers use anyway.
+        typename H::template Evaluation<R, std::conditional_t<is_pack<R>, R, Complex<R>>> evaluation;
+        PivotedFactorization<R, at_run_time> lu;
         Vector<Complex<R>> f, column;
         Vector<R> unit, size, row_sum;
         Matrix<Complex<R>> j;
+        RuntimePoint<R> next;
     };
 
     /// Polishes the points q in place, one a lane.
     template <class R>
-    void run(Point<M, R>& q, PolishedEvidence* evidence, Workspace<R>& with) const {
-        auto& [evaluation, lu, f, column, unit, size, row_sum, j] = with;
+    void run(RuntimePoint<R>& q, PolishedEvidence* evidence, Workspace<R>& with) const {
+        auto& [evaluation, lu, f, column, unit, size, row_sum, j, next] = with;
         R last = broadcast<R>(0.0);
         for (int round = 0; round < 3; ++round) {
-            evaluation.jacobian(q, Time<R>{} + 1.0, f, j);
-            h_->residual(q, f);
-            complete(j);
+            evaluate(q, with);
             lu.factor(j);
             for (int i = 0; i < n_; ++i) f[i] = -f[i];
             lu.solve(f);
             last = correction_size(q, f);
             const auto small = last < R{} + 1e-4;  // otherwise this is not polishing: keep the point, tell the size
-            take_where(small, corrected(q, f), q);
+            next = q;
+            correct(next, f);
+            take_where(small, next, q);
         }
         assess(q, evidence, with);
         for (int k = 0; k < LaneTraits<R>::width; ++k)
             evidence[k].correction = std::sqrt(static_cast<double>(lane(last, k)));
     }
-    template <class R>
-    void run(Point<M, R>& q, PolishedEvidence* evidence) const {
-        Workspace<R> with(*h_);
-        run(q, evidence, with);
-    }
 
     /// The evidence at the points q as they are.
     template <class R>
-    void assess(const Point<M, R>& q, PolishedEvidence* evidence) const {
-        Workspace<R> with(*h_);
-        assess(q, evidence, with);
+    void assess(const RuntimePoint<R>& q, PolishedEvidence* evidence, Workspace<R>& with) const {
+        linearize(q, with);
+        const R condition = scaled_condition(with);
+        for (int k = 0; k < LaneTraits<R>::width; ++k) {
+            evidence[k] = {0, static_cast<double>(lane(condition, k)), 0};
+            for (int i = 0; i < n_; ++i)
+                evidence[k].residual =
+                    std::max(evidence[k].residual, std::abs(lane(with.f[i], k)) / h_->scale()[index(i)]);
+            if (!(evidence[k].condition < 1e300)) evidence[k].condition = 1e300;
+        }
     }
 
     /// Moves a point near a singular solution by least squares, damped where the equations do not determine it:
     /// singular values of the Jacobian, in the units of unknowns and equations, count from 1e-4 on. Returns the
     /// relative residual there: max_i |F_i(q)| / (size of the terms of F_i).
-    double correct_determined(Point<M, double>& q) const {
+    double correct_determined(RuntimePoint<double>& q, Workspace<double>& with) const {
+        auto& [evaluation, lu, f, d, unit, size, row_sum, j, next] = with;
         const int n = n_;
-        Vector<Complex<double>> f(n), d(n);
-        Matrix<Complex<double>> j(n), normal(n);
-        Vector<double> unit(n), size(n);
-        double y = 0;
-        linearize(q, f, j, unit, size);
+        Matrix<Complex<double>> normal(n);
+        linearize(q, with);
         for (int i = 0; i < n; ++i) {
             f[i] = (1 / size[i]) * f[i];
             for (int u = 0; u < n; ++u) j[i][u] = (unit[u] / size[i]) * j[i][u];
@@ -103,53 +100,32 @@ public:
                 for (int i = 0; i < n; ++i) normal[u][v] += conj(j[i][u]) * j[i][v];
             }
         }
-        PivotedFactorization<double, extent> lu(n);
         lu.factor(normal);
         lu.solve(d);
         for (int u = 0; u < n; ++u) d[u] = unit[u] * d[u];
         correct(q, d);
-        linearize(q, f, j, unit, size);
+        linearize(q, with);
+        double y = 0;
         for (int i = 0; i < n; ++i) y = std::max(y, std::sqrt(norm2(f[i])) / size[i]);
         return y;
     }
 
-    /// The residual and the Jacobian at q, and the size of each equation's terms there: see `measure`.
-    void linearize(const Point<M, double>& q, auto& f, auto& j, auto& size) const {
-        Vector<double> unit(n_);
-        linearize(q, f, j, unit, size);
+    /// The system's own equations at q and the Jacobian there, with the units and sizes that they are measured in.
+    template <class R>
+    void linearize(const RuntimePoint<R>& q, Workspace<R>& with) const {
+        evaluate(q, with);
+        measure(q, with.j, with.unit, with.size);
     }
 
 private:
     template <class R>
-    void assess(const Point<M, R>& q, PolishedEvidence* evidence, Workspace<R>& with) const {
-        auto& [evaluation, lu, f, column, unit, size, row_sum, j] = with;
-        evaluation.jacobian(q, Time<R>{} + 1.0, f, j);
-        h_->residual(q, f);
-        complete(j);
-        measure(q, j, unit, size);
-        const R condition = scaled_condition(with);
-        for (int k = 0; k < LaneTraits<R>::width; ++k) {
-            evidence[k] = {0, static_cast<double>(lane(condition, k)), 0};
-            for (int i = 0; i < n_; ++i)
-                evidence[k].residual = std::max(evidence[k].residual, std::abs(lane(f[i], k)) / h_->scale()[index(i)]);
-            if (!(evidence[k].condition < 1e300)) evidence[k].condition = 1e300;
-        }
-    }
-
-    void linearize(const Point<M, double>& q, auto& f, auto& j, auto& unit, auto& size) const {
-        typename H::template Evaluation<double, Complex<double>> evaluation(*h_);
-        evaluation.jacobian(q, Complex<double>(1.0), f, j);
-        h_->residual(q, f);
-        complete(j);
-        measure(q, j, unit, size);
+    void evaluate(const RuntimePoint<R>& q, Workspace<R>& with) const {
+        with.evaluation.target_jacobian(q, with.f, with.j);
+        h_->residual(q, with.f);
+        complete(with.j);
     }
     void complete(auto& j) const {
-        bool symmetric;
-        if constexpr (extent == at_run_time)
-            symmetric = h_->symmetric();
-        else
-            symmetric = H::symmetric;
-        if (!symmetric) return;
+        if (!h_->symmetric()) return;
         const int n = n_;
         for (int r = 0; r < n; ++r)
             for (int c = 0; c < r; ++c) j[r][c] = j[c][r];
@@ -158,7 +134,7 @@ private:
     /// correction_size; and the size of each equation's terms: the row's sum of |J| times the units, or the equation's
     /// largest coefficient where that is more: measured by itself, a row of rounding errors would look regular.
     template <class R>
-    void measure(const Point<M, R>& q, const auto& j, auto& unit, auto& size) const {
+    void measure(const RuntimePoint<R>& q, const auto& j, auto& unit, auto& size) const {
         const int n = n_;
         for (int u = 0; u < n; ++u) unit[u] = u < q.c.size() ? R{} + 1.0 : R(1.0 + square_root(unknown_size2(q, u)));
         for (int r = 0; r < n; ++r) {
@@ -171,7 +147,7 @@ private:
     /// || E^-1 J^-1 D || in the infinity norm, E and D being the units of the unknowns and the sizes of the equations.
     template <class R>
     R scaled_condition(Workspace<R>& with) const {
-        auto& [evaluation, lu, f, e, unit, size, row_sum, j] = with;
+        auto& [evaluation, lu, f, e, unit, size, row_sum, j, next] = with;
         const int n = n_;
         for (int r = 0; r < n; ++r)
             for (int c = 0; c < n; ++c) j[r][c] = (1.0 / size[r]) * j[r][c];
@@ -194,7 +170,7 @@ private:
     static constexpr std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
     const H* h_;
-    Extent<extent> n_;
+    int n_;
 };
 
 }  // namespace detail

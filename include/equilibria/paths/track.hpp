@@ -45,9 +45,8 @@ requires requires(const H& homotopy) { homotopy.polynomials(); }
 PathSet track(const H& homotopy, const PolynomialHomotopy& polynomials, const StartSystem& start,
               const RunOptions& run = {}, const TrackerOptions& options = {}, MoreDigits<> resort = nullptr,
               bool streamed = false) {
-    detail::PathProblem problem{.start = StartPoints(start),
-                                .model = detail::model_fields<typename H::System>(homotopy.parameters()),
-                                .streamed = streamed};
+    detail::PathProblem problem{.start = StartPoints(start), .streamed = streamed};
+    if (!run.checkpoint.empty()) problem.model = detail::model_fields<typename H::System>(homotopy.parameters());
     if constexpr (H::unrolls)
         problem.track_block = [&](std::span<const std::uint64_t> paths, detail::PathProblem::Ends ends) {
             track_lanes<Lanes<native_lanes>, false>(

@@ -20,11 +20,13 @@ struct Inertia {
 /// An eigenvalue counts as zero when its size is below this share of the largest one.
 inline constexpr double zero_eigenvalue = 1e-7;
 
-/// The inertia by the eigenvalues; backward stability makes `margin` honest: an eigenvalue is wrong by a few
-/// roundings of the largest one at most.
+namespace detail {
+
+/// The same, with the matrix overwritten.
 template <class Matrix>
-Inertia inertia(const Matrix& symmetric) {
-    const auto values = symmetric_eigenvalues(symmetric);
+Inertia inertia_in_place(Matrix& symmetric) {
+    diagonalize<Matrix>(symmetric, nullptr);
+    const auto values = symmetric.diagonal();
     const double largest = static_cast<double>(values.cwiseAbs().maxCoeff());
     Inertia y;
     for (int k = 0; k < values.size(); ++k) {
@@ -36,6 +38,15 @@ Inertia inertia(const Matrix& symmetric) {
     }
     if (largest > 0) y.margin = static_cast<double>(values.cwiseAbs().minCoeff()) / largest;
     return y;
+}
+
+}  // namespace detail
+
+/// The inertia by the eigenvalues; backward stability makes `margin` honest: an eigenvalue is wrong by a few
+/// roundings of the largest one at most.
+template <class Matrix>
+Inertia inertia(Matrix symmetric) {
+    return detail::inertia_in_place(symmetric);
 }
 
 }  // namespace equilibria

@@ -15,20 +15,31 @@
 
 namespace equilibria::detail {
 
-EQUILIBRIA_INLINE bool is_real(const RealEquations& equations, const RootView& root, std::span<double> q) {
-    const auto n = q.size(), angles = static_cast<std::size_t>(equations.sizes.angles);
+struct RootClassifier::Workspace {
+    Eigen::VectorXd f, step;
+    Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> jacobian;
+    Eigen::PartialPivLU<decltype(jacobian)> lu;
+
+    explicit Workspace(Eigen::Index n) : f(n), step(n), jacobian(n, n), lu(n) {}
+};
+
+EQUILIBRIA_INLINE RootClassifier::RootClassifier(const RealEquations& equations)
+    : equations_(&equations), with_(std::make_unique<Workspace>(equations.sizes.unknowns)) {}
+EQUILIBRIA_INLINE RootClassifier::~RootClassifier() = default;
+
+EQUILIBRIA_INLINE bool RootClassifier::is_real(const RootView& root, std::span<double> q) {
+    auto& [f, step, jacobian, lu] = *with_;
+    const auto n = q.size(), angles = static_cast<std::size_t>(equations_->sizes.angles);
     double imaginary = 0;
     for (const auto& z : root.q) imaginary = std::max(imaginary, std::abs(z.imag()));
     if (!(imaginary < 1e-5)) return false;
     for (std::size_t u = 0; u < n; ++u) q[u] = root.q[u].real();
     if (root.singular) return true;
-    const auto size_of = static_cast<Eigen::Index>(n);
-    Eigen::VectorXd f(size_of);
-    Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> jacobian(size_of, size_of);
     double moved = 0;
     for (int round = 0; round < 3; ++round) {
-        equations.linearize(q.data(), f.data(), jacobian.data());
-        const Eigen::VectorXd step = jacobian.partialPivLu().solve(f);
+        equations_->linearize(q.data(), f.data(), jacobian.data());
+        lu.compute(jacobian);
+        step.noalias() = lu.solve(f);
         if (!std::isfinite(step.sum())) return imaginary < 1e-12;
         const double size = step.cwiseAbs().maxCoeff();
         for (std::size_t u = 0; u < n; ++u) q[u] -= step[static_cast<Eigen::Index>(u)];
@@ -45,22 +56,21 @@ EQUILIBRIA_INLINE bool is_real(const RealEquations& equations, const RootView& r
     return imaginary <= 1e-13 * root.condition + 1e-12;
 }
 
-EQUILIBRIA_INLINE Classification classified(const RealEquations& equations, std::span<const double> q) {
-    const auto n = static_cast<Eigen::Index>(q.size());
-    Eigen::VectorXd f(n);
-    Eigen::MatrixXd jacobian(n, n);
-    equations.linearize(q.data(), f.data(), jacobian.data());
-    jacobian.transposeInPlace();
+EQUILIBRIA_INLINE Classification RootClassifier::classify(std::span<const double> q) {
+    auto& jacobian = with_->jacobian;
+    equations_->linearize(q.data(), with_->f.data(), jacobian.data());
     Classification y;
-    y.energy = equations.energy(q.data());
-    if (equations.has_potential) {
-        const Inertia hessian = inertia(jacobian);
+    y.energy = equations_->energy(q.data());
+    if (equations_->has_potential) {
+        const Inertia hessian = inertia_in_place(jacobian);
         y.index = hessian.negative;
         y.nullity = hessian.zero;
         y.margin = hessian.margin;
         return y;
     }
-    const auto values = eigenvalues<double>(static_cast<int>(n), {jacobian.data(), jacobian.data() + jacobian.size()});
+    jacobian.transposeInPlace();  // column after column
+    const auto values =
+        eigenvalues<double>(static_cast<int>(jacobian.rows()), {jacobian.data(), jacobian.data() + jacobian.size()});
     double largest = 0, smallest = std::numeric_limits<double>::infinity();
     for (const auto& z : values) {
         largest = std::max(largest, std::abs(z));

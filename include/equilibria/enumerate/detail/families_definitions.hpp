@@ -15,24 +15,23 @@
 
 namespace equilibria::detail {
 
-/// The equations of the polisher as a system for a FamilyProbe, near a point whose coordinates have the sizes `unit`.
-EQUILIBRIA_INLINE FamilyProbe::System family_system(const Polisher<PolynomialHomotopy>& polisher,
-                                                    const RuntimeSizes& sizes, const std::vector<double>& unit) {
-    return [&polisher, sizes, unit](const FamilyProbe::Vector& q, FamilyProbe::Vector& f, FamilyProbe::Vector& j) {
+/// The equations of the target as a system for a FamilyProbe, near a point whose coordinates have the sizes `unit`.
+EQUILIBRIA_INLINE FamilyProbe::System family_system(const PolynomialHomotopy& homotopy,
+                                                    const std::vector<double>& unit) {
+    return [&homotopy, sizes = homotopy.sizes(), unit](const FamilyProbe::Vector& q, FamilyProbe::Vector& f,
+                                                       FamilyProbe::Vector& j) {
         const int n = sizes.unknowns;
         constexpr auto at = [](int i) { return static_cast<std::size_t>(i); };
         SizedArray<std::complex<double>, at_run_time> place(n);
         for (int i = 0; i < n; ++i) place[i] = unit[at(i)] * q[at(i)];
         const auto point = point_of<RuntimeUnknowns>(place, sizes);
-        SizedArray<Complex<double>, at_run_time> value(n);
-        SizedMatrix<Complex<double>, at_run_time> slope(n);
-        SizedArray<double, at_run_time> size(n);
-        polisher.linearize(point, value, slope, size);
+        Polisher<PolynomialHomotopy>::Workspace<double> with(homotopy);
+        Polisher(homotopy).linearize(point, with);
         f.assign(at(n), 0.0);
         j.assign(at(n * n), 0.0);
         for (int r = 0; r < n; ++r) {
-            f[at(r)] = lane(value[r], 0) / size[r];
-            for (int c = 0; c < n; ++c) j[at(c * n + r)] = lane(slope[r][c], 0) * unit[at(c)] / size[r];
+            f[at(r)] = lane(with.f[r], 0) / with.size[r];
+            for (int c = 0; c < n; ++c) j[at(c * n + r)] = lane(with.j[r][c], 0) * unit[at(c)] / with.size[r];
         }
     };
 }
@@ -45,8 +44,7 @@ EQUILIBRIA_INLINE std::vector<FoundFamily> find_families(const PolynomialHomotop
     std::vector<double> unit(n, 1.0);
     for (const auto& q : solutions)
         for (std::size_t u = angles; u < n; ++u) unit[u] = std::max(unit[u], std::abs(q[u]));
-    const Polisher polisher(homotopy);
-    const FamilyProbe probe(sizes.unknowns, family_system(polisher, sizes, unit));
+    const FamilyProbe probe(sizes.unknowns, family_system(homotopy, unit));
     std::vector<FamilyProbe::Vector> points(solutions.size());
     std::vector<FamilyProbe::Finding> found(solutions.size());
     executor.for_blocks(solutions.size(), 16, [&](std::size_t first, std::size_t last) {

@@ -7,12 +7,12 @@
 #include <cmath>
 #include <complex>
 #include <cstdint>
+#include <random>
 #include <utility>
 #include <vector>
 
 #include <boost/pending/disjoint_sets.hpp>
 
-#include <equilibria/core/random.hpp>
 #include <equilibria/evaluation/point.hpp>
 
 namespace equilibria::detail {
@@ -21,9 +21,10 @@ class CoincidenceFinder {
 public:
     /// reflected: a point and its mirror image theta -> -theta count as the same.
     explicit CoincidenceFinder(bool reflected, const RuntimeSizes& sizes) : reflected_(reflected) {
-        Generator generator(0x9e3779b97f4a7c15);
+        std::minstd_rand generator(0x9e3779b9);
         const auto draw = [&](std::vector<double>& weights, int n) {
-            for (int k = 0; k < n; ++k) weights.push_back(uniform(generator, 0.5, 1.5));
+            for (int k = 0; k < n; ++k)
+                weights.push_back(0.5 + static_cast<double>(generator()) / static_cast<double>(generator.max()));
         };
         draw(cosine_, sizes.angles), draw(sine_, sizes.angles), draw(coordinate_, sizes.coordinates);
     }

@@ -20,10 +20,15 @@ class MergedPaths {
 public:
     explicit MergedPaths(PathSet& paths)
         : paths_(&paths), merged_(paths.size()), others_(paths.size()), winding_(paths.size()) {
-        for (std::size_t k = 0; k < paths.size(); ++k)
-            if (paths.finished(k)) winding_[k] = paths[k].winding_number;
+        bool singular = false;
+        for (std::size_t k = 0; k < paths.size(); ++k) {
+            if (!paths.finished(k)) continue;
+            const Endpoint& end = paths[k];
+            winding_[k] = end.winding_number;
+            singular |= end.status == PathStatus::singular;
+        }
         merge(PathStatus::finite, 1e-9);
-        merge(PathStatus::singular, 1e-5);
+        if (singular) merge(PathStatus::singular, 1e-5);
     }
 
     /// Calls take(root) for each root, in the order of the tracked paths, a mirror image after its original; those that

@@ -63,10 +63,12 @@ private:
     /// Solutions that rest at every t, and at which no other path may end.
     std::vector<Endpoint> resting() const {
         std::vector<Endpoint> y(numbering_.resting());
+        if (y.empty()) return y;
+        typename Polisher<H>::template Workspace<double> with(*homotopy_);
         for (std::size_t k = 0; k < y.size(); ++k) {
             y[k].q = problem_.start.resting_point(k);
             y[k].arrival = Arrival::end;
-            polisher_.assess(y[k].q, &y[k].evidence);
+            polisher_.assess(y[k].q, &y[k].evidence, with);
             y[k].status = y[k].evidence.condition < regular_condition ? PathStatus::finite : PathStatus::singular;
         }
         return y;

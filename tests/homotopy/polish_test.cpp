@@ -3,6 +3,7 @@
 #include <complex>
 
 #include <equilibria/enumerate/enumerate.hpp>
+#include <equilibria/evaluation/table_evaluation.hpp>
 #include <equilibria/homotopy/polish.hpp>
 #include <equilibria/mechanisms/rotating_chain.hpp>
 

@@ -1,3 +1,3 @@
-#include <equilibria/continuation/detail/bordered_definitions.hpp>
-#include <equilibria/continuation/detail/redundant_constraints_definitions.hpp>
-#include <equilibria/continuation/detail/sparse_ldlt_definitions.hpp>
+#include <equilibria/continuation/factorization/detail/bordered_definitions.hpp>
+#include <equilibria/continuation/factorization/detail/redundant_constraints_definitions.hpp>
+#include <equilibria/continuation/factorization/detail/sparse_ldlt_definitions.hpp>

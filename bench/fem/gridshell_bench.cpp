@@ -6,7 +6,7 @@
 
 #include <chrono>
 #include <equilibria/continuation/branch.hpp>
-#include <equilibria/continuation/sparse_ldlt.hpp>
+#include <equilibria/continuation/factorization/sparse_ldlt.hpp>
 #include <equilibria/fem/mesh.hpp>
 #include <equilibria/fem/structure.hpp>
 

@@ -16,10 +16,10 @@
 #include <string>
 #include <utility>
 
-#include <equilibria/continuation/bordered.hpp>
 #include <equilibria/continuation/branch_options.hpp>
 #include <equilibria/continuation/branch_point.hpp>
 #include <equilibria/continuation/corrector.hpp>
+#include <equilibria/continuation/factorization/bordered.hpp>
 #include <equilibria/continuation/problem.hpp>
 
 namespace equilibria {

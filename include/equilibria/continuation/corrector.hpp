@@ -14,7 +14,7 @@
 
 #include <Eigen/Core>
 
-#include <equilibria/continuation/bordered.hpp>
+#include <equilibria/continuation/factorization/bordered.hpp>
 #include <equilibria/continuation/problem.hpp>
 #include <equilibria/core/error.hpp>
 

@@ -36,8 +36,8 @@
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 
-#include <equilibria/continuation/generic_vector.hpp>
-#include <equilibria/continuation/redundant_constraints.hpp>
+#include <equilibria/continuation/factorization/generic_vector.hpp>
+#include <equilibria/continuation/factorization/redundant_constraints.hpp>
 #include <equilibria/core/error.hpp>
 
 namespace equilibria {

@@ -30,10 +30,9 @@ RootSet<M> enumerate_from(const ModelSystem<M>& target, const StartSystem& start
                           const TrackerOptions& options, MoreDigits<> resort = nullptr) {
     const detail::Stopwatch begin;
     const ModelHomotopy<M, StartSystem> homotopy(target, start);
-    const PolynomialHomotopy polynomials = homotopy.polynomials();
-    auto paths = track(homotopy, polynomials, start, run, options, resort);
+    auto paths = track(homotopy, start, run, options, resort);
     auto [counts, failures] = account_for<M>(paths);
-    auto [isolated, families, regular_paths] = split_families(merge<M>(paths), polynomials, run.executor);
+    auto [isolated, families, regular_paths] = split_families(merge<M>(paths), homotopy.polynomials(), run.executor);
     auto real = classify(isolated, target.parameters, run.executor);
     RootSet<M> set{.parameters = target.parameters,
                    .seed = run.seed,

@@ -66,7 +66,7 @@ StreamedRoots<M> enumerate(const Parameters<M>& p, const RunOptions& run, Take&&
     const ModelSystem<M> target(p);
     const StartSystem start(target, generator);
     const ModelHomotopy<M, StartSystem> homotopy(target, start);
-    auto paths = track(homotopy, homotopy.polynomials(), start, run, options, nullptr, true);
+    auto paths = track(homotopy, start, run, options, nullptr, true);
     auto [counts, failures] = account_for<M>(paths);
     StreamedRoots<M> set;
     set.parameters = p;

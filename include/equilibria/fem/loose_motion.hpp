@@ -8,8 +8,8 @@
 #include <Eigen/SparseCore>
 #include <Eigen/SparseLU>
 
-#include <equilibria/continuation/bordered.hpp>
-#include <equilibria/continuation/generic_vector.hpp>
+#include <equilibria/continuation/factorization/bordered.hpp>
+#include <equilibria/continuation/factorization/generic_vector.hpp>
 #include <equilibria/fem/structure.hpp>
 
 namespace equilibria::fem {

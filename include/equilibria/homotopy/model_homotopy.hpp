@@ -93,6 +93,7 @@ public:
         for (int g = 0; g < Plan::n_groups; ++g)
             if (Plan::groups[g].in_start)
                 start_[g] = start.coefficient(Plan::groups[g].equation, Plan::groups[g].own_code);
+        polynomials_ = std::make_shared<PolynomialHomotopy>(parts());
     }
 
     /// The coefficients at t = 1, and how much less they are at t = 0 where they move.
@@ -112,30 +113,33 @@ public:
         detail::own_equations<M>(q, system_.parameters, f);
     }
     /// The same homotopy as data.
-    PolynomialHomotopy polynomials() const {
-        PolynomialHomotopy::Parts parts{.sizes = sizes(), .terms = {}, .from = {}, .forms = {}, .scale = {}};
-        for (int k = 0; k < Formulation<M>::terms; ++k) {
-            const auto& term = Formulation<M>::support[k];
-            parts.terms.push_back({term.equation, sparse_monomial(term.monomial), system_.coefficients[k]});
-            if constexpr (moving) parts.from.push_back(system_.coefficients[k] - difference_[k]);
-        }
-        for (int g = 0; g < Plan::n_groups; ++g)
-            if (Plan::groups[g].in_start && start_[g] != std::complex<double>())
-                parts.forms.terms.push_back({Plan::groups[g].equation, Plan::groups[g].own_code, start_[g]});
-        parts.scale.assign(scale().begin(), scale().end());
-        parts.symmetric = symmetric;
-        parts.own = std::make_shared<detail::ModelEquations<M>>(system_.parameters);
-        parts.degrees.assign(Formulation<M>::degrees.begin(), Formulation<M>::degrees.end());
-        return PolynomialHomotopy(std::move(parts));
-    }
+    const PolynomialHomotopy& polynomials() const { return *polynomials_; }
 
     const Parameters<M>& parameters() const { return system_.parameters; }
 
 private:
+    PolynomialHomotopy::Parts parts() const {
+        PolynomialHomotopy::Parts y{.sizes = sizes(), .terms = {}, .from = {}, .forms = {}, .scale = {}};
+        for (int k = 0; k < Formulation<M>::terms; ++k) {
+            const auto& term = Formulation<M>::support[k];
+            y.terms.push_back({term.equation, sparse_monomial(term.monomial), system_.coefficients[k]});
+            if constexpr (moving) y.from.push_back(system_.coefficients[k] - difference_[k]);
+        }
+        for (int g = 0; g < Plan::n_groups; ++g)
+            if (Plan::groups[g].in_start && start_[g] != std::complex<double>())
+                y.forms.terms.push_back({Plan::groups[g].equation, Plan::groups[g].own_code, start_[g]});
+        y.scale.assign(scale().begin(), scale().end());
+        y.symmetric = symmetric;
+        y.own = std::make_shared<detail::ModelEquations<M>>(system_.parameters);
+        y.degrees.assign(Formulation<M>::degrees.begin(), Formulation<M>::degrees.end());
+        return y;
+    }
+
     ModelSystem<M> system_;
     Array<Coefficient, Formulation<M>::terms> target_{};
     Array<std::complex<double>, Formulation<M>::terms> difference_{};
     Array<std::complex<double>, Plan::n_groups> start_{};
+    std::shared_ptr<const PolynomialHomotopy> polynomials_;
 };
 
 }  // namespace equilibria

@@ -45,7 +45,7 @@ template <class H, class StartSystem>
 requires requires(const H& homotopy) { homotopy.polynomials(); }
 ComplexRoots<typename H::System> complex_roots(const H& homotopy, const StartSystem& start, const RunOptions& run = {},
                                                const TrackerOptions& options = {}, MoreDigits<> resort = nullptr) {
-    return complex_roots<typename H::System>(track(homotopy, homotopy.polynomials(), start, run, options, resort));
+    return complex_roots<typename H::System>(track(homotopy, start, run, options, resort));
 }
 
 /// Every isolated solution of the system, by paths from a linear-product start for the groups of unknowns: as many

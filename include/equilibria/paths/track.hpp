@@ -38,13 +38,12 @@ PathSet track(const PolynomialHomotopy& homotopy, const StartSystem& start, cons
 }
 
 /// The same of a model's homotopy, whose paths are tracked by code for it alone; what is left of them, near t = 1 and
-/// where it is hard, is left to `polynomials`, the same homotopy as data. streamed: a checkpoint alone keeps the
-/// endpoints. Throws CheckpointError where the checkpoint that `run` names cannot be used.
+/// where it is hard, is left to the same homotopy as data. streamed: a checkpoint alone keeps the endpoints. Throws
+/// CheckpointError where the checkpoint that `run` names cannot be used.
 template <class H, class StartSystem>
 requires requires(const H& homotopy) { homotopy.polynomials(); }
-PathSet track(const H& homotopy, const PolynomialHomotopy& polynomials, const StartSystem& start,
-              const RunOptions& run = {}, const TrackerOptions& options = {}, MoreDigits<> resort = nullptr,
-              bool streamed = false) {
+PathSet track(const H& homotopy, const StartSystem& start, const RunOptions& run = {},
+              const TrackerOptions& options = {}, MoreDigits<> resort = nullptr, bool streamed = false) {
     detail::PathProblem problem{.start = StartPoints(start), .streamed = streamed};
     if (!run.checkpoint.empty()) problem.model = detail::model_fields<typename H::System>(homotopy.parameters());
     if constexpr (H::unrolls)
@@ -52,7 +51,7 @@ PathSet track(const H& homotopy, const PolynomialHomotopy& polynomials, const St
             track_lanes<Lanes<native_lanes>, false>(
                 homotopy, options, paths, [&](std::uint64_t k) { return start.point(k); }, ends);
         };
-    return detail::track_paths(polynomials, std::move(problem), run, options, resort);
+    return detail::track_paths(homotopy.polynomials(), std::move(problem), run, options, resort);
 }
 
 }  // namespace equilibria

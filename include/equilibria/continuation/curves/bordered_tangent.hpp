@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include <equilibria/continuation/bordered.hpp>
+#include <equilibria/continuation/factorization/bordered.hpp>
 #include <equilibria/continuation/problem.hpp>
 
 namespace equilibria {

@@ -12,7 +12,7 @@
 
 #include <Eigen/SparseCore>
 
-#include <equilibria/continuation/redundant_constraints.hpp>
+#include <equilibria/continuation/factorization/redundant_constraints.hpp>
 #include <equilibria/core/error.hpp>
 #include <equilibria/fem/structure.hpp>
 #include <equilibria/fem/structure_model.hpp>

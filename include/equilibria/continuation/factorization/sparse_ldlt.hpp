@@ -39,5 +39,5 @@ private:
 }  // namespace equilibria
 
 #ifndef EQUILIBRIA_COMPILED
-#include <equilibria/continuation/detail/sparse_ldlt_definitions.hpp>
+#include <equilibria/continuation/factorization/detail/sparse_ldlt_definitions.hpp>
 #endif

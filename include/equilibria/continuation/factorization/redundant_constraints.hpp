@@ -38,5 +38,5 @@ private:
 }  // namespace equilibria
 
 #ifndef EQUILIBRIA_COMPILED
-#include <equilibria/continuation/detail/redundant_constraints_definitions.hpp>
+#include <equilibria/continuation/factorization/detail/redundant_constraints_definitions.hpp>
 #endif

@@ -4,7 +4,7 @@
 #include <Eigen/Dense>
 #include <Eigen/SparseCore>
 
-#include <equilibria/continuation/sparse_ldlt.hpp>
+#include <equilibria/continuation/factorization/sparse_ldlt.hpp>
 #include <equilibria/core/random.hpp>
 
 #include "support/catch.hpp"

@@ -1,5 +1,5 @@
 /// \file
-/// See continuation/redundant_constraints.hpp.
+/// See continuation/factorization/redundant_constraints.hpp.
 #pragma once
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseQR>
 
-#include <equilibria/continuation/redundant_constraints.hpp>
+#include <equilibria/continuation/factorization/redundant_constraints.hpp>
 
 namespace equilibria {
 

@@ -4,7 +4,7 @@
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 
-#include <equilibria/continuation/redundant_constraints.hpp>
+#include <equilibria/continuation/factorization/redundant_constraints.hpp>
 #include <equilibria/core/random.hpp>
 
 #include "support/catch.hpp"

@@ -1,5 +1,5 @@
 /// \file
-/// See continuation/bordered.hpp.
+/// See continuation/factorization/bordered.hpp.
 #pragma once
 
 #include <algorithm>
@@ -9,9 +9,9 @@
 #include <Eigen/LU>
 #include <Eigen/SparseLU>
 
-#include <equilibria/continuation/bordered.hpp>
-#include <equilibria/continuation/generic_vector.hpp>
-#include <equilibria/continuation/sparse_ldlt.hpp>
+#include <equilibria/continuation/factorization/bordered.hpp>
+#include <equilibria/continuation/factorization/generic_vector.hpp>
+#include <equilibria/continuation/factorization/sparse_ldlt.hpp>
 
 namespace equilibria {
 

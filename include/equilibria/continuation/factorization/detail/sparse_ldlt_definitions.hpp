@@ -1,5 +1,5 @@
 /// \file
-/// See continuation/sparse_ldlt.hpp.
+/// See continuation/factorization/sparse_ldlt.hpp.
 #pragma once
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 #include <Eigen/OrderingMethods>
 #include <Eigen/SparseCholesky>
 
-#include <equilibria/continuation/sparse_ldlt.hpp>
+#include <equilibria/continuation/factorization/sparse_ldlt.hpp>
 
 namespace equilibria {
 

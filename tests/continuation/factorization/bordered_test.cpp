@@ -7,7 +7,7 @@
 #include <Eigen/Dense>
 #include <Eigen/SparseCore>
 
-#include <equilibria/continuation/bordered.hpp>
+#include <equilibria/continuation/factorization/bordered.hpp>
 #include <equilibria/core/random.hpp>
 
 #include "support/catch.hpp"

@@ -134,5 +134,5 @@ std::optional<WeakDirection> factor_at_weakest(BorderedSolver<Matrix>& solver, c
 }  // namespace equilibria
 
 #ifndef EQUILIBRIA_COMPILED
-#include <equilibria/continuation/detail/bordered_definitions.hpp>
+#include <equilibria/continuation/factorization/detail/bordered_definitions.hpp>
 #endif

@@ -12,10 +12,10 @@ using namespace equilibria;
 namespace {
 
 using M = models::ElasticPendulum;
-using Box = Enclosure<M, double>;
+using Box = Enclosure<double>;
 
 Box draw(Generator& generator, double spread, double off) {
-    Box y;
+    Box y{Sizes<M>()};
     const auto z = [&] {
         const double re = uniform(generator, -spread, spread);
         return Complex<double>(re, uniform(generator, -spread, spread));
@@ -46,12 +46,12 @@ TEST_CASE("groups of enclosures, as comparing all pairs finds them") {
                         changed = true;
                     }
         }
-        CHECK(groups_of_enclosures<M>(boxes) == slow);
+        CHECK(groups_of_enclosures(boxes) == slow);
     }
 }
 
 TEST_CASE("touching enclosures are not disjoint, separated ones are") {
-    Box a{}, b{};
+    Box a{Sizes<M>()}, b = a;
     for (auto* box : {&a, &b}) {
         box->center.c[0] = box->center.s[0] = box->center.x[0] = Complex<double>(0.0);
         for (double& r : box->off) r = 0.5;
@@ -66,7 +66,7 @@ TEST_CASE("touching enclosures are not disjoint, separated ones are") {
 
 TEST_CASE("an enclosure over doubles contains the one over more digits") {
     using S = Multiprecision<34>;
-    Enclosure<M, S> sharp;
+    Enclosure<S> sharp{Sizes<M>()};
     const auto third = [](int k) { return Complex<S>(S(k) / S(3), S(k) / S(7)); };
     sharp.center.c[0] = third(1);
     sharp.center.s[0] = third(2);

@@ -29,11 +29,11 @@ Point<Parabola, double> at(double re, double im = 0) {
     q.x[0] = Complex<double>(re, im);
     return q;
 }
-BallSystem<Parabola, double> parabola(double a, double b) {
-    return BallSystem<Parabola, double>(ExactSystem<Parabola>::at(Parameters<Parabola>{{a, b}}));
+BallSystem<double> parabola(double a, double b) {
+    return BallSystem<double>(ExactSystem<Parabola>::at(Parameters<Parabola>{{a, b}}));
 }
-BallSystem<Parabola, double> parabola(double a, double low, double high) {
-    return BallSystem<Parabola, double>(
+BallSystem<double> parabola(double a, double low, double high) {
+    return BallSystem<double>(
         ExactSystem<Parabola>::at(Parameters<Parabola, ExactBall>{{ExactBall(a), ExactBall::between(low, high)}}));
 }
 
@@ -79,8 +79,8 @@ TEST_CASE("a root in 68 digits confirms the radius in doubles") {
     using S = Multiprecision<68>;
     const Parameters<M> p{{.3, 1.5, 2.0}};
     const auto exact = ExactSystem<M>::at(p);
-    const BallSystem<M, double> system(exact);
-    const BallSystem<M, S> fine(exact);
+    const BallSystem<double> system(exact);
+    const BallSystem<S> fine(exact);
     // 4 of the 12 equilibria, and 2 of the other roots near their README values or from Newton's method
     using Start = Array<std::complex<double>, 2>;
     for (const Start& start : {Start{{1.39806, 1.47023}}, Start{{1.23055, -2.58828}}, Start{{-0.68757, 1.26666}},
@@ -108,7 +108,7 @@ TEST_CASE("a root in 68 digits confirms the radius in doubles") {
 TEST_CASE("the index of the chain's equilibria with every angle 0 or pi, omega small: the number of angles pi") {
     using M = mechanisms::RotatingChain<3>;
     const Parameters<M> p{{1.387, 1.538, 1.087, .505, .364, .302, 0.1, 1}};
-    const BallSystem<M, double> system(ExactSystem<M>::at(p));
+    const BallSystem<double> system(ExactSystem<M>::at(p));
     for (int pattern = 0; pattern < 8; ++pattern) {
         Point<M, double> q;
         int up = 0;
@@ -120,7 +120,7 @@ TEST_CASE("the index of the chain's equilibria with every angle 0 or pi, omega s
         }
         const auto proof = krawczyk<M, double>(system, q, true);
         REQUIRE(proof.proved);
-        CHECK(proved_index<M, double>(proof, 0) == up);
+        CHECK(proved_index(proof, 0) == up);
     }
 }
 

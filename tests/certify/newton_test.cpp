@@ -15,8 +15,8 @@ namespace {
 using M = models::TorquePendulum;  // stiffness sin(theta) = torque
 
 template <class S>
-BallSystem<M, S> pendulum(double torque, double stiffness) {
-    return BallSystem<M, S>(ExactSystem<M>::at(Parameters<M>{{torque, stiffness}}));
+BallSystem<S> pendulum(double torque, double stiffness) {
+    return BallSystem<S>(ExactSystem<M>::at(Parameters<M>{{torque, stiffness}}));
 }
 
 }  // namespace

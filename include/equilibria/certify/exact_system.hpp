@@ -11,6 +11,7 @@
 #include <equilibria/core/error.hpp>
 #include <equilibria/core/exact_ball.hpp>
 #include <equilibria/model/model.hpp>
+#include <equilibria/model/sizes.hpp>
 
 namespace equilibria {
 
@@ -69,6 +70,32 @@ struct ExactSystem {
             const auto at = std::lower_bound(F::support.begin(), F::support.end(), key);
             return at != F::support.end() && *at == key;
         });
+    }
+};
+
+/// The terms of an exact system as data, whatever the model: what the proofs compute with.
+struct ExactTerms {
+    struct Factor {
+        int unknown, code;  ///< see Monomial: cos k, sin k (code -k), or x^k
+    };
+    struct Term {
+        int equation, first, last;  ///< its factors
+        ExactBall coefficient;
+    };
+    RuntimeSizes sizes;
+    bool symmetric = false;  ///< the equations are the gradient of a potential
+    std::vector<Term> terms;
+    std::vector<Factor> factors;
+
+    ExactTerms() = default;
+    template <class M>
+    ExactTerms(const ExactSystem<M>& system) : sizes(Sizes<M>()), symmetric(PotentialModel<M>) {
+        for (const auto& t : system.terms) {
+            const auto first = static_cast<int>(factors.size());
+            for (int u = 0; u < n_unknowns<M>; ++u)
+                if (const int code = t.monomial.code(u); code != 0) factors.push_back({u, code});
+            terms.push_back({t.equation, first, static_cast<int>(factors.size()), t.coefficient});
+        }
     }
 };
 

@@ -11,7 +11,7 @@
 /// interval arithmetic, ACM Trans. Math. Software 49 (2023).
 #pragma once
 
-#include <array>
+#include <utility>
 
 #include <equilibria/certify/detail/ball_evaluation.hpp>
 #include <equilibria/core/linear_solve.hpp>
@@ -19,136 +19,213 @@
 namespace equilibria {
 
 /// The outcome for one lane of points.
-template <class M, class R>
+template <class R>
 struct KrawczykResult {
     using Mask = typename LaneTraits<R>::Mask;
-    static constexpr int n = n_unknowns<M>;
+    using Numbers = SizedArray<R, at_run_time>;
+    using Matrix = SizedMatrix<Complex<R>, at_run_time>;
 
     Mask proved{};
-    R radius[n]{};       ///< |root - point| of each unknown, angles in radians; meaningful where proved
-    R weight[n]{};       ///< radii of the polydisc of e in which the root is alone: E weight < weight
-    Point<M, R> center;  ///< of the enclosure of (c, s, x)
-    R off[n]{};          ///< radius of the enclosures of c_u and s_u, or of x_u, around `center`
+    Numbers radius;          ///< |root - point| of each unknown, angles in radians; meaningful where proved
+    Numbers weight;          ///< radii of the polydisc of e in which the root is alone: E weight < weight
+    RuntimePoint<R> center;  ///< of the enclosure of (c, s, x)
+    Numbers off;             ///< radius of the enclosures of c_u and s_u, or of x_u, around `center`
     // for proofs about the Jacobians over the polydisc
-    Complex<R> jacobian[n][n], inverse[n][n], basis[n][n];  ///< J at the point, Y, and B: displacements are B e
-    R contraction[n][n]{};                                  ///< E >= |1 - Y J B| over the polydisc of e
+    Matrix jacobian, inverse, basis;           ///< J at the point, Y, and B: displacements are B e
+    SizedMatrix<R, at_run_time> contraction;  ///< E >= |1 - Y J B| over the polydisc of e
+
+    KrawczykResult() = default;
+    explicit KrawczykResult(const RuntimeSizes& sizes)
+        : radius(sizes.unknowns),
+          weight(sizes.unknowns),
+          center(point_of_zeros<RuntimeUnknowns, R>(sizes)),
+          off(sizes.unknowns),
+          jacobian(sizes.unknowns),
+          inverse(sizes.unknowns),
+          basis(sizes.unknowns),
+          contraction(sizes.unknowns) {}
 };
 
+// What follows is for matrices and vectors of any type that is indexed by [row][column] and [u], of n unknowns.
 namespace detail {
 
+/// y becomes close to j^-1; lu and e are room.
 template <class R, int N>
-void approximate_inverse(const Complex<R> (&j)[N][N], Complex<R> (&y)[N][N]) {
-    PivotedFactorization<R, N> lu;
+void approximate_inverse(int n, PivotedFactorization<R, N>& lu, const auto& j, auto& e, auto& y) {
     lu.factor(j);
-    for (int c = 0; c < N; ++c) {
-        Complex<R> e[N];
-        for (int r = 0; r < N; ++r) e[r] = Complex<R>(r == c ? 1.0 : 0.0);
+    for (int c = 0; c < n; ++c) {
+        for (int r = 0; r < n; ++r) e[r] = Complex<R>(r == c ? 1.0 : 0.0);
         lu.solve(e);
-        for (int r = 0; r < N; ++r) y[r][c] = e[r];
+        for (int r = 0; r < n; ++r) y[r][c] = e[r];
     }
 }
 
 /// E >= |1 - Y J| for all J in the balls: a midpoint product with its a priori bound, and |Y| times the radii.
-template <class R, int N>
-void contraction(const Complex<R> (&y)[N][N], const R (&size_y)[N][N], const Ball<R> (&j)[N][N], R (&e)[N][N]) {
-    const R unit = R{} + (N + 4) * rounding_unit<R>;
-    R spread[N][N];
-    for (int r = 0; r < N; ++r)
-        for (int c = 0; c < N; ++c) spread[r][c] = rounded_up<R>(j[r][c].rad + unit * magnitude_bound(j[r][c].mid));
-    for (int r = 0; r < N; ++r)
-        for (int c = 0; c < N; ++c) {
+/// The radii of j become their spread, with the rounding of the midpoints' products.
+template <class R>
+void contraction(int n, const auto& y, const auto& size_y, auto& j, auto& e) {
+    const R unit = R{} + (n + 4) * rounding_unit<R>;
+    for (int r = 0; r < n; ++r) {
+        auto* row = j[r];
+        for (int c = 0; c < n; ++c) row[c].rad = rounded_up<R>(row[c].rad + unit * magnitude_bound(row[c].mid));
+    }
+    for (int r = 0; r < n; ++r) {
+        const auto *y_row = y[r], *size_row = size_y[r];
+        for (int c = 0; c < n; ++c) {
             Complex<R> product(r == c ? 1.0 : 0.0);
-            R sum = R{} + (r == c ? static_cast<double>(N) * rounding_unit<R> : 0 * rounding_unit<R>);
-            for (int k = 0; k < N; ++k) {
-                product -= y[r][k] * j[k][c].mid;
-                sum = sum + size_y[r][k] * spread[k][c];
+            R sum = R{} + (r == c ? static_cast<double>(n) * rounding_unit<R> : 0 * rounding_unit<R>);
+            for (int k = 0; k < n; ++k) {
+                const Ball<R>& entry = j[k][c];
+                product -= y_row[k] * entry.mid;
+                sum = sum + size_row[k] * entry.rad;
             }
             e[r][c] = rounded_up<R>(magnitude_bound(product) + sum * (1 + unit));
         }
+    }
 }
 
-}  // namespace detail
-
-namespace detail {
-
 /// The bound of |Y v| for the balls v.
-template <class R, int N>
-void product_bound(const Complex<R> (&y)[N][N], const R (&size_y)[N][N], const Ball<R> (&v)[N], R (&bound)[N]) {
-    const R unit = R{} + (N + 4) * rounding_unit<R>;
-    for (int u = 0; u < N; ++u) {
+template <class R>
+void product_bound(int n, const auto& y, const auto& size_y, const auto& v, auto& bound) {
+    const R unit = R{} + (n + 4) * rounding_unit<R>;
+    for (int u = 0; u < n; ++u) {
+        const auto *y_row = y[u], *size_row = size_y[u];
         Complex<R> sum(0.0);
         R error = R{} + 0.0;
-        for (int k = 0; k < N; ++k) {
-            sum += y[u][k] * v[k].mid;
-            error = error + size_y[u][k] * (v[k].rad + unit * magnitude_bound(v[k].mid));
+        for (int k = 0; k < n; ++k) {
+            sum += y_row[k] * v[k].mid;
+            error = error + size_row[k] * (v[k].rad + unit * magnitude_bound(v[k].mid));
         }
         bound[u] = rounded_up<R>(magnitude_bound(sum) + error * (1 + unit));
     }
 }
 
 /// Fills in what a proof says of the enclosure of (c, s, x), given the factors over the radii.
-template <class M, class R>
-void enclose(const FactorBalls<M, R>& wide, KrawczykResult<M, R>& out) {
-    for (int u = 0; u < n_unknowns<M>; ++u) {
+template <class R>
+void enclose(const RuntimeSizes& sizes, const FactorBalls<R>& wide, KrawczykResult<R>& out) {
+    for (int u = 0; u < sizes.unknowns; ++u) {
         const Ball<R>& first = wide.at(u, 1);
         out.off[u] = first.rad;
-        if (u < n_angles<M>) {
+        if (u < sizes.angles) {
+            const Ball<R>& sine = wide.at(u, -1);
             out.center.c[u] = first.mid;
-            out.center.s[u] = wide.at(u, -1).mid;
-            out.off[u] = lane_max(first.rad, wide.at(u, -1).rad);
+            out.center.s[u] = sine.mid;
+            out.off[u] = lane_max(first.rad, sine.rad);
         } else {
-            out.center.x[u - n_angles<M>] = first.mid;
+            out.center.x[u - sizes.angles] = first.mid;
         }
     }
 }
 
 }  // namespace detail
 
-/// The test at the points q, one a lane. real: the polydisc is centred at the real point next to q, so that the root
-/// it holds is real: its conjugate is a root in it as well.
-template <class M, class R, class S>
-KrawczykResult<M, R> krawczyk(const BallSystem<M, S>& system, const Point<M, R>& q, bool real) {
-    using Mask = typename LaneTraits<R>::Mask;
-    constexpr int n = n_unknowns<M>;
-    KrawczykResult<M, R> out;
-    const FactorBalls<M, R> at(system, q, real);
-    Ball<R> f[n], j[n][n];
-    ball_values(system, at, f);
-    ball_jacobian(system, at, j);
-    for (int r = 0; r < n; ++r)
-        for (int c = 0; c < n; ++c) out.jacobian[r][c] = j[r][c].mid, out.basis[r][c] = Complex<R>(r == c ? 1.0 : 0.0);
-    detail::approximate_inverse(out.jacobian, out.inverse);
-    R size_y[n][n], newton[n], r[n];
-    const R unit = R{} + (n + 4) * rounding_unit<R>;
-    for (int u = 0; u < n; ++u)
-        for (int k = 0; k < n; ++k) size_y[u][k] = rounded_up<R>(magnitude_bound(out.inverse[u][k]));
-    detail::product_bound(out.inverse, size_y, f, newton);
-    for (int u = 0; u < n; ++u) r[u] = rounded_up<R>(2.0 * newton[u] + rounding_unit<R> * (R{} + 1e-3));
-    out.proved = R{} > R{} + 1.0;
-    for (int round = 0; round < 6; ++round) {
-        ball_jacobian(system, at.widened(r), j);
-        R e[n][n], reach[n];
-        detail::contraction(out.inverse, size_y, j, e);
-        Mask holds = R{} < R{} + 1.0;
-        for (int u = 0; u < n; ++u) {
-            R sum = R{} + 0.0;
-            for (int k = 0; k < n; ++k) sum = sum + e[u][k] * r[k];
-            sum = rounded_up<R>(sum * (1 + unit));
-            reach[u] = rounded_up<R>(newton[u] + sum);
-            holds = mask_and<Mask>(holds, mask_and<Mask>(reach[u] <= r[u], sum < r[u]));
-        }
-        const Mask fresh = mask_and<Mask>(holds, mask_not(out.proved));
-        out.proved = mask_not(mask_and<Mask>(mask_not(out.proved), mask_not(holds)));
-        for (int u = 0; u < n; ++u) {
-            out.radius[u] = select(fresh, reach[u], out.radius[u]);
-            out.weight[u] = select(fresh, r[u], out.weight[u]);
-            for (int k = 0; k < n; ++k) out.contraction[u][k] = select(fresh, e[u][k], out.contraction[u][k]);
-        }
-        if (all_lanes(out.proved)) break;
-        for (int u = 0; u < n; ++u) r[u] = select(out.proved, r[u], R(1.3 * reach[u]));
+/// The test for a system, which is referred to: made once, for any number of points, whose numbers take its room.
+template <class R>
+class KrawczykTest {
+public:
+    using S = typename LaneTraits<R>::Scalar;
+
+    explicit KrawczykTest(const BallSystem<S>& system)
+        : system_(&system),
+          n_(system.sizes.unknowns),
+          at_(system),
+          wide_(system),
+          out_(system.sizes),
+          lu_(n_),
+          column_(n_),
+          f_(n_),
+          j_(n_),
+          size_y_(n_),
+          e_(n_),
+          newton_(n_),
+          r_(n_),
+          reach_(n_) {
+        for (int u = 0; u < n_; ++u)
+            for (int k = 0; k < n_; ++k) out_.basis[u][k] = Complex<R>(u == k ? 1.0 : 0.0);
     }
-    detail::enclose(at.widened(out.radius), out);
-    return out;
+
+    /// At the points q, one a lane; the result holds until the next call. real: the polydisc is centred at the real
+    /// point next to q, so that the root it holds is real: its conjugate is a root in it as well.
+    template <class M>
+    const KrawczykResult<R>& operator()(const Point<M, R>& q, bool real) {
+        const int n = n_;
+        precondition(q, real);
+        const R unit = R{} + (n + 4) * rounding_unit<R>;
+        for (int u = 0; u < n; ++u) r_[u] = rounded_up<R>(2.0 * newton_[u] + rounding_unit<R> * (R{} + 1e-3));
+        out_.proved = R{} > R{} + 1.0;
+        for (int round = 0; round < 6; ++round) {
+            wide_.widen(at_, r_);
+            ball_jacobian(*system_, wide_, j_);
+            detail::contraction<R>(n, out_.inverse, size_y_, j_, e_);
+            Mask holds = R{} < R{} + 1.0;
+            for (int u = 0; u < n; ++u) {
+                const R* row = e_[u];
+                R sum = R{} + 0.0;
+                for (int k = 0; k < n; ++k) sum = sum + row[k] * r_[k];
+                sum = rounded_up<R>(sum * (1 + unit));
+                reach_[u] = rounded_up<R>(newton_[u] + sum);
+                holds = mask_and<Mask>(holds, mask_and<Mask>(reach_[u] <= r_[u], sum < r_[u]));
+            }
+            const Mask fresh = mask_and<Mask>(holds, mask_not(out_.proved));
+            out_.proved = mask_not(mask_and<Mask>(mask_not(out_.proved), mask_not(holds)));
+            for (int u = 0; u < n; ++u) {
+                out_.radius[u] = select(fresh, reach_[u], out_.radius[u]);
+                out_.weight[u] = select(fresh, r_[u], out_.weight[u]);
+                const R* row = e_[u];
+                R* best = out_.contraction[u];
+                for (int k = 0; k < n; ++k) best[k] = select(fresh, row[k], best[k]);
+            }
+            if (all_lanes(out_.proved)) break;
+            for (int u = 0; u < n; ++u) r_[u] = select(out_.proved, r_[u], R(1.3 * reach_[u]));
+        }
+        wide_.widen(at_, out_.radius);
+        detail::enclose(system_->sizes, wide_, out_);
+        return out_;
+    }
+    KrawczykResult<R> result() && { return std::move(out_); }
+
+private:
+    using Mask = typename LaneTraits<R>::Mask;
+    template <class T>
+    using Numbers = SizedArray<T, at_run_time>;
+    template <class T>
+    using Matrix = SizedMatrix<T, at_run_time>;
+
+    /// J and Y at the points, |Y F|; nothing is proved yet.
+    template <class M>
+    void precondition(const Point<M, R>& q, bool real) {
+        const int n = n_;
+        at_.enclose(q, real);
+        ball_values(*system_, at_, f_);
+        ball_jacobian(*system_, at_, j_);
+        for (int r = 0; r < n; ++r) {
+            out_.radius[r] = out_.weight[r] = R{} + 0.0;
+            for (int c = 0; c < n; ++c) out_.jacobian[r][c] = j_[r][c].mid, out_.contraction[r][c] = R{} + 0.0;
+        }
+        detail::approximate_inverse(n, lu_, out_.jacobian, column_, out_.inverse);
+        for (int u = 0; u < n; ++u)
+            for (int k = 0; k < n; ++k) size_y_[u][k] = rounded_up<R>(magnitude_bound(out_.inverse[u][k]));
+        detail::product_bound<R>(n, out_.inverse, size_y_, f_, newton_);
+    }
+
+    const BallSystem<S>* system_;
+    int n_;
+    FactorBalls<R> at_, wide_;
+    KrawczykResult<R> out_;
+    PivotedFactorization<R, at_run_time> lu_;
+    Numbers<Complex<R>> column_;
+    Numbers<Ball<R>> f_;
+    Matrix<Ball<R>> j_;
+    Matrix<R> size_y_, e_;  // |Y|, E
+    Numbers<R> newton_, r_, reach_;
+};
+
+/// The test at one pack of points, see KrawczykTest.
+template <class M, class R>
+KrawczykResult<R> krawczyk(const BallSystem<typename LaneTraits<R>::Scalar>& system, const Point<M, R>& q, bool real) {
+    KrawczykTest<R> test(system);
+    test(q, real);
+    return std::move(test).result();
 }
 
 }  // namespace equilibria

@@ -20,15 +20,19 @@ namespace equilibria {
 /// Systems at all parameters in intervals, over S; see ExactSystems.
 template <class M, class S, int N>
 struct BallSystems {
-    BallSystem<M, S> center, all;
-    std::vector<BallSystem<M, S>> derivative;
+    BallSystem<S> center, all;
+    std::vector<BallSystem<S>> derivative;
     Array<S, N> half_width;
 
     explicit BallSystems(const ExactSystems<M, N>& exact) : center(exact.center), all(exact.all) {
         // one table of factors serves them all
-        for (int u = 0; u < n_unknowns<M>; ++u) center.highest[u] = std::max(all.highest[u], center.highest[u]);
+        auto highest = all.highest;
+        for (int u = 0; u < n_unknowns<M>; ++u) highest[u] = std::max(highest[u], center.highest[u]);
+        center.use_table(highest);
+        all.use_table(highest);
         for (int k = 0; k < N; ++k) {
             derivative.emplace_back(exact.derivative[k]);
+            derivative.back().use_table(highest);
             half_width[k] = static_cast<S>(exact.half_width[k]);
         }
     }
@@ -38,7 +42,7 @@ namespace detail {
 
 /// Columns that span those of y, orthonormal to rounding: the directions that y makes longest come first.
 template <class R, int N>
-void weak_directions(const Complex<R> (&y)[N][N], Complex<R> (&b)[N][N]) {
+void weak_directions(const Complex<R> (&y)[N][N], auto& b) {
     for (int c = 0; c < N; ++c) {
         for (int r = 0; r < N; ++r) b[r][c] = y[r][c];
         for (int round = 0; round < 2; ++round)
@@ -58,7 +62,7 @@ template <class R, int N>
 using BallMatrix = std::array<std::array<Ball<R>, N>, N>;
 
 template <class R, int N>
-BallMatrix<R, N> times(const Ball<R> (&a)[N][N], const Complex<R> (&b)[N][N]) {
+BallMatrix<R, N> times(const Ball<R> (&a)[N][N], const auto& b) {
     BallMatrix<R, N> y;
     for (int r = 0; r < N; ++r)
         for (int c = 0; c < N; ++c) {
@@ -74,11 +78,11 @@ template <class M, class R, class S, int N>
 class SystemsTest {
 public:
     SystemsTest(const BallSystems<M, S, N>& systems, const Point<M, R>& q, bool real)
-        : systems_(systems), at_(systems.center, q, real) {
+        : systems_(systems), at_(systems.center, q, real), out_(Sizes<M>()) {
         for (int m = 0; m < N; ++m) width_[m] = broadcast<R>(systems.half_width[m]);
     }
 
-    KrawczykResult<M, R> run() {
+    KrawczykResult<R> run() {
         precondition();
         bound_middle();
         follow_center();
@@ -101,7 +105,7 @@ public:
             for (int u = 0; u < n; ++u) s[u] = select(out_.proved, s[u], R(1.2 * reach[u]));
         }
         range(best, out_.radius);
-        enclose(at_.widened(out_.radius), out_);
+        enclose(RuntimeSizes(Sizes<M>()), at_.widened(out_.radius), out_);
         return out_;
     }
 
@@ -115,9 +119,9 @@ private:
     static Ball<R>& entry(Matrix& m, int r, int c) {
         return m[static_cast<std::size_t>(r)][static_cast<std::size_t>(c)];
     }
-    const BallSystem<M, S>& derivative(int m) const { return systems_.derivative[static_cast<std::size_t>(m)]; }
+    const BallSystem<S>& derivative(int m) const { return systems_.derivative[static_cast<std::size_t>(m)]; }
     /// |Y v|
-    void bound(const Ball<R> (&v)[n], R (&z)[n]) const { product_bound(out_.inverse, size_y_, v, z); }
+    void bound(const Ball<R> (&v)[n], R (&z)[n]) const { product_bound<R>(n, out_.inverse, size_y_, v, z); }
 
     /// The basis B, J B and the inverse Y of its middle.
     void precondition() {
@@ -126,12 +130,14 @@ private:
         Complex<R> y[n][n], middle[n][n];
         for (int r = 0; r < n; ++r)
             for (int c = 0; c < n; ++c) out_.jacobian[r][c] = j[r][c].mid;
-        approximate_inverse(out_.jacobian, y);
+        PivotedFactorization<R, n> lu;
+        Complex<R> column[n];
+        approximate_inverse(n, lu, out_.jacobian, column, y);
         weak_directions(y, out_.basis);
         jb_ = times(j, out_.basis);
         for (int r = 0; r < n; ++r)
             for (int c = 0; c < n; ++c) middle[r][c] = entry(jb_, r, c).mid;
-        approximate_inverse(middle, out_.inverse);
+        approximate_inverse(n, lu, middle, column, out_.inverse);
         for (int u = 0; u < n; ++u)
             for (int k = 0; k < n; ++k) {
                 size_y_[u][k] = rounded_up<R>(magnitude_bound(out_.inverse[u][k]));
@@ -177,7 +183,7 @@ private:
         }
     }
     /// How far the unknowns move by `rest` in the basis, and with the centre.
-    void range(const R (&rest)[n], R (&d)[n]) const {
+    void range(const R (&rest)[n], auto& d) const {
         for (int u = 0; u < n; ++u) {
             R sum = zero();
             for (int k = 0; k < n; ++k) sum = sum + size_b_[u][k] * (along_[k] + rest[k]);
@@ -198,7 +204,7 @@ private:
     void bound_over(const R (&s)[n], R (&second)[n], R (&e)[n][n]) {
         R d[n], part[n];
         range(s, d);
-        const FactorBalls<M, R> wide = at_.widened(d);
+        const FactorBalls<R> wide = at_.widened(d);
         for (int u = 0; u < n; ++u) {
             second[u] = zero();
             for (int k = 0; k < n; ++k) e[u][k] = fixed_e_[u][k];
@@ -252,9 +258,9 @@ private:
     }
 
     const BallSystems<M, S, N>& systems_;
-    FactorBalls<M, R> at_;
+    FactorBalls<R> at_;
     R width_[N];
-    KrawczykResult<M, R> out_;
+    KrawczykResult<R> out_;
     Matrix jb_;
     R size_y_[n][n], size_b_[n][n];  // |Y|, |B|
     R fixed_[n], fixed_e_[n][n];     // what the values at the middle, and 1 - Y J B there, contribute
@@ -267,7 +273,7 @@ private:
 /// The test at the points q, one a lane; see krawczyk for one system. The radii and the enclosures hold the roots of
 /// all parameters, and E the Jacobians at all of them.
 template <class M, class R, class S, int N>
-KrawczykResult<M, R> krawczyk(const BallSystems<M, S, N>& systems, const Point<M, R>& q, bool real) {
+KrawczykResult<R> krawczyk(const BallSystems<M, S, N>& systems, const Point<M, R>& q, bool real) {
     return detail::SystemsTest<M, R, S, N>(systems, q, real).run();
 }
 

@@ -3,9 +3,13 @@
 /// digits that a proof needs.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <complex>
-#include <numbers>
+#include <span>
+#include <type_traits>
+#include <utility>
+#include <vector>
 
 #include <equilibria/certify/krawczyk.hpp>
 #include <equilibria/evaluation/point_of.hpp>
@@ -18,31 +22,42 @@ ComplexUnknowns<M, S> unknowns_of(const Array<std::complex<double>, n_unknowns<M
     for (int u = 0; u < q.size(); ++u) y[u] = Complex<S>(S(q[u].real()), S(q[u].imag()));
     return y;
 }
+/// The same of any number of unknowns.
+template <class S>
+ComplexUnknowns<RuntimeUnknowns, S> unknowns_of(std::span<const std::complex<double>> q) {
+    std::vector<Complex<S>> y;
+    for (const auto& z : q) y.emplace_back(S(z.real()), S(z.imag()));
+    return ComplexUnknowns<RuntimeUnknowns, S>(std::move(y));
+}
 
 /// Improves q until a step changes nothing that S can hold beside the condition of the root, or `most` steps. Returns
 /// the size of the last step, NaN where the Jacobian is singular.
-template <class M, class S>
-S newton(const BallSystem<M, S>& system, ComplexUnknowns<M, S>& q, int most) {
+template <class S>
+S newton(const BallSystem<S>& system, std::type_identity_t<std::span<Complex<S>>> q, int most) {
     using std::sqrt;
-    constexpr int n = n_unknowns<M>;
+    const int n = system.sizes.unknowns;
+    FactorBalls<S> at(system);
+    SizedArray<Ball<S>, at_run_time> f(n);
+    SizedMatrix<Ball<S>, at_run_time> j(n);
+    SizedMatrix<Complex<S>, at_run_time> mid(n);
+    SizedArray<Complex<S>, at_run_time> unknowns(n), d(n);
+    PivotedFactorization<S, at_run_time> lu(n);
     S size(0), before(0);
     for (int step = 0; step < most; ++step) {
-        const FactorBalls<M, S> at(system, point_of<M, S>(q), false);
-        Ball<S> f[n], j[n][n];
+        std::copy(q.begin(), q.end(), unknowns.begin());
+        at.enclose(point_of<RuntimeUnknowns, S>(unknowns, system.sizes), false);
         ball_values(system, at, f);
         ball_jacobian(system, at, j);
-        Complex<S> mid[n][n], d[n];
         for (int r = 0; r < n; ++r) {
             d[r] = -f[r].mid;
             for (int c = 0; c < n; ++c) mid[r][c] = j[r][c].mid;
         }
-        PivotedFactorization<S, n> lu;
         lu.factor(mid);
         lu.solve(d);
         before = size;
         size = S(0);
         for (int u = 0; u < n; ++u) {
-            q[u] += d[u];
+            q[static_cast<std::size_t>(u)] += d[u];
             const S one = sqrt(norm2(d[u]));
             if (!(one <= size)) size = one;
         }

@@ -9,28 +9,29 @@
 
 #include <optional>
 
+#include <Eigen/Core>
+
 #include <equilibria/certify/krawczyk.hpp>
 #include <equilibria/core/symmetric_eigen.hpp>
-#include <equilibria/model/derivatives.hpp>
 
 namespace equilibria {
 
 /// The index of the root that lane k proves, or nothing where it cannot be proved. The test was made with real = true,
-/// and the model has a potential.
-template <PotentialModel M, class R>
-std::optional<int> proved_index(const KrawczykResult<M, R>& root, int k) {
+/// and the system has a potential.
+template <class R>
+std::optional<int> proved_index(const KrawczykResult<R>& root, int k) {
     using S = typename LaneTraits<R>::Scalar;
-    using Matrix = UnknownMatrix<M, S>;
-    constexpr int n = n_unknowns<M>;
+    using Matrix = Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic>;
+    const int n = root.radius.size();
     const auto size = [](const S& x) { return x < 0 ? S(-x) : x; };
-    Matrix a;
+    Matrix a(n, n);
     for (int r = 0; r < n; ++r)
         for (int c = 0; c < n; ++c) a(r, c) = lane(root.jacobian[r][c].re, k);
     const SymmetricEigen<Matrix> eigen(a);
     const Matrix& q = eigen.vectors;
     const S unit = (n + 6) * rounding_unit<S>;
     // |A - Q D Q^T|, and whether Q^T Q is so close to 1 that Q is regular
-    Matrix rest;
+    Matrix rest(n, n);
     for (int r = 0; r < n; ++r)
         for (int c = 0; c < n; ++c) {
             S sum(0), sizes(0), gram(r == c ? -1 : 0), gram_sizes(r == c ? 1 : 0);

@@ -31,7 +31,7 @@ struct AngleBox {
 
     /// That of the root which lane k of a test with real = true proves, for all parameters of the test.
     template <class M, class R>
-    static AngleBox of(const KrawczykResult<M, R>& proof, const Point<M, R>& q, int k) {
+    static AngleBox of(const KrawczykResult<R>& proof, const Point<M, R>& q, int k) {
         AngleBox y;
         for (int u = 0; u < n; ++u) {
             y.center[u] = std::atan2(lane(q.s[u].re, k), lane(q.c[u].re, k));
@@ -109,7 +109,7 @@ private:
                     set_lane(q.s[u].im, k, 0.0);
                     set_lane(r_[u], k, rounded_up(box.radius[u] + Box::angle_rounding));
                 }
-            const FactorBalls<M, Pack> at(systems.center, q, true), wide = at.widened(r_);
+            const FactorBalls<Pack> at(systems.center, q, true), wide = at.widened(r_);
             Ball<Pack> f[n], j[n][n], g[N][n];
             ball_values(systems.center, at, f);
             ball_jacobian(systems.all, wide, j);
@@ -133,14 +133,16 @@ private:
             Complex<Pack> middle[n][n], y[n][n];
             for (int r = 0; r < n; ++r)
                 for (int c = 0; c < n; ++c) middle[r][c] = j[r][c].mid;
-            approximate_inverse(middle, y);
+            PivotedFactorization<Pack, n> lu;
+            Complex<Pack> column[n];
+            approximate_inverse(n, lu, middle, column, y);
             Pack size_y[n][n], e[n][n], part[n], by_parameter[n];
             for (int r = 0; r < n; ++r)
                 for (int c = 0; c < n; ++c) size_y[r][c] = rounded_up<Pack>(magnitude_bound(y[r][c]));
-            contraction(y, size_y, j, e);
+            contraction<Pack>(n, y, size_y, j, e);
             for (int u = 0; u < n; ++u) by_parameter[u] = zero;
             for (int m = 0; m < N; ++m) {
-                product_bound(y, size_y, g[m], part);
+                product_bound<Pack>(n, y, size_y, g[m], part);
                 for (int u = 0; u < n; ++u) by_parameter[u] = by_parameter[u] + part[u] * search.width_[m];
             }
             for (int u = 0; u < n; ++u) {

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <complex>
+#include <vector>
 
 #include <equilibria/core/array.hpp>
 #include <equilibria/core/complex.hpp>
@@ -54,9 +55,10 @@ void copy_lane(const Point<M, R>& a, int from, Point<N, Q>& b, int to) {
 /// The same point, with its numbers of unknowns at run time.
 template <class M, class R>
 RuntimePoint<R> runtime_point(const Point<M, R>& q) {
-    RuntimePoint<R> y;
-    copy_lane(q, 0, y, 0);
-    return y;
+    const auto entries = [](const auto& a) {
+        return SizedArray<Complex<R>, at_run_time>(std::vector<Complex<R>>(a.begin(), a.end()));
+    };
+    return {entries(q.c), entries(q.s), entries(q.x)};
 }
 
 /// The complex angle, in radians, of the point (c, s): c + i s = exp(i theta). Real part in (-pi, pi].

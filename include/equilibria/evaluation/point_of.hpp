@@ -14,21 +14,21 @@ namespace equilibria {
 
 /// Angles in complex radians, then coordinates.
 template <class M, class S>
-using ComplexUnknowns = Array<Complex<S>, n_unknowns<M>>;
+using ComplexUnknowns = UnknownArray<M, Complex<S>>;
 
 /// The point of these unknowns: cos and sin of the angles, and the coordinates as they are. Angles far off the real
 /// axis overflow from |imaginary part| of about 700 in double.
 template <class M, class S>
-Point<M, S> point_of(const ComplexUnknowns<M, S>& q) {
+Point<M, S> point_of(const ComplexUnknowns<M, S>& q, const Sizes<M>& sizes = {}) {
     using std::cos, std::exp, std::sin;
-    Point<M, S> y;
-    for (int i = 0; i < n_angles<M>; ++i) {
+    auto y = point_of_zeros<M, S>(sizes);
+    for (int i = 0; i < sizes.angles; ++i) {
         const S c = cos(q[i].re), s = sin(q[i].re), e = exp(q[i].im);
         const S ch = (e + 1 / e) / 2, sh = (e - 1 / e) / 2;
         y.c[i] = Complex<S>(S(c * ch), S(-(s * sh)));
         y.s[i] = Complex<S>(S(s * ch), S(c * sh));
     }
-    for (int j = 0; j < n_coordinates<M>; ++j) y.x[j] = q[n_angles<M> + j];
+    for (int j = 0; j < sizes.coordinates; ++j) y.x[j] = q[sizes.angles + j];
     return y;
 }
 

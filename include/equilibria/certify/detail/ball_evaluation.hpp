@@ -1,7 +1,13 @@
 /// \file
 /// Values and Jacobians of the equations over balls: at a point, to rounding, and over a polydisc of displacements.
+///
+/// Nothing here depends on a model: a system is a table of terms, its numbers of unknowns are known at run time.
+/// Vectors and matrices of balls are of any type that is indexed by [u] and [row][column].
 #pragma once
 
+#include <algorithm>
+#include <cstdlib>
+#include <limits>
 #include <vector>
 
 #include <equilibria/certify/exact_system.hpp>
@@ -11,97 +17,131 @@
 namespace equilibria {
 
 /// The terms with coefficients enclosed over the scalar type S, ready to be evaluated over S or packs of it.
-template <class M, class S>
+template <class S>
 struct BallSystem {
     struct Factor {
         int unknown, code;  ///< see Monomial: cos k, sin k (code -k), or x^k
+        int ball;           ///< its place in a table of factors
     };
     struct Term {
         int equation, first, last;  ///< its factors
         Ball<S> coefficient;
     };
+    using Highest = SizedArray<int, at_run_time>;
+
+    RuntimeSizes sizes;
+    bool symmetric;  ///< the equations are the gradient of a potential: the Jacobian is a Hessian
     std::vector<Term> terms;
     std::vector<Factor> factors;
-    Array<int, n_unknowns<M>> highest;  ///< multiple or power of each unknown, at least 1
+    Highest highest;  ///< multiple or power of each unknown in the table of factors, at least 1
 
-    explicit BallSystem(const ExactSystem<M>& exact) {
-        for (int& h : highest) h = 1;
-        for (const auto& t : exact.terms) {
-            const int first = static_cast<int>(factors.size());
-            for (int u = 0; u < n_unknowns<M>; ++u)
-                if (const int code = t.monomial.code(u); code != 0) {
-                    factors.push_back({u, code});
-                    highest[u] = std::max(highest[u], t.monomial.degree(u));
-                }
-            const int last = static_cast<int>(factors.size());
-            terms.push_back({t.equation, first, last, t.coefficient.template enclosure<S>()});
+    explicit BallSystem(const ExactTerms& exact) : sizes(exact.sizes), symmetric(exact.symmetric) {
+        Highest most(sizes.unknowns);
+        for (int& h : most) h = 1;
+        for (const auto& f : exact.factors) {
+            factors.push_back({f.unknown, f.code, 0});
+            most[f.unknown] = std::max(most[f.unknown], std::abs(f.code));
         }
+        for (const auto& t : exact.terms)
+            terms.push_back({t.equation, t.first, t.last, t.coefficient.template enclosure<S>()});
+        use_table(most);
     }
+
+    /// Makes the factors refer to a table with these highest multiples and powers, not less than its own: systems with
+    /// the same ones share a table.
+    void use_table(const Highest& most) {
+        highest = most;
+        first_.resize(sizes.unknowns);
+        size_ = 0;
+        for (int u = 0; u < sizes.unknowns; ++u) {
+            first_[u] = size_;
+            size_ += (u < sizes.angles ? 2 : 1) * highest[u];
+        }
+        for (auto& f : factors) f.ball = place(f.unknown, f.code);
+    }
+    /// Of a factor in the table of factors: of an angle cos, sin, cos 2, sin 2, ..; of a coordinate its powers.
+    int place(int u, int code) const {
+        if (u >= sizes.angles) return first_[u] + code - 1;
+        return first_[u] + (code > 0 ? 2 * (code - 1) : 2 * (-code - 1) + 1);
+    }
+    int table_size() const { return size_; }
+
+private:
+    Highest first_;
+    int size_ = 0;
 };
 
-/// The factors of the terms at a point, R being a scalar or a pack.
+/// The factors of the terms of a system at a point, R being a scalar or a pack. The system is referred to.
 ///
 /// A point is exact: an angle by exp(i theta) or its inverse, whichever is larger, for which any nonzero number serves
 /// (`complex`); or by the real point of the circle nearest to (c, s) (`real`). Its cosine and sine are enclosed.
-template <class M, class R>
+template <class R>
 class FactorBalls {
 public:
     using S = typename LaneTraits<R>::Scalar;
 
+    /// Room for them.
+    explicit FactorBalls(const BallSystem<S>& system)
+        : system_(&system), balls_(static_cast<std::size_t>(system.table_size())) {}
     /// Encloses the factors at the point q. real: at the real point next to q, whose imaginary parts are ignored.
-    FactorBalls(const BallSystem<M, S>& system, const Point<M, R>& q, bool real) {
-        int size = 0;
-        for (int u = 0; u < n_unknowns<M>; ++u) {
-            offset_[u] = size;
-            size += (u < n_angles<M> ? 2 : 1) * system.highest[u];
-            highest_[u] = system.highest[u];
-        }
-        balls_.resize(static_cast<std::size_t>(size));
-        for (int i = 0; i < n_angles<M>; ++i) {
-            Ball<R>&c = at(i, 1), &s = at(i, -1);
-            real ? real_angle(q.c[i], q.s[i], c, s) : complex_angle(q.c[i], q.s[i], c, s);
-            for (int k = 2; k <= highest_[i]; ++k) {
-                at(i, k) = at(i, k - 1) * c - at(i, 1 - k) * s;
-                at(i, -k) = at(i, 1 - k) * c + at(i, k - 1) * s;
+    template <class M>
+    FactorBalls(const BallSystem<S>& system, const Point<M, R>& q, bool real) : FactorBalls(system) {
+        enclose(q, real);
+    }
+
+    template <class M>
+    void enclose(const Point<M, R>& q, bool real) {
+        const int angles = system_->sizes.angles, n = system_->sizes.unknowns;
+        Ball<R>* b = balls_.data();
+        for (int i = 0; i < angles; ++i, b += 2) {
+            const Ball<R>&c = b[0], &s = b[1];
+            real ? real_angle(q.c[i], q.s[i], b[0], b[1]) : complex_angle(q.c[i], q.s[i], b[0], b[1]);
+            for (int k = 2; k <= system_->highest[i]; ++k, b += 2) {
+                b[2] = b[0] * c - b[1] * s;
+                b[3] = b[1] * c + b[0] * s;
             }
         }
-        for (int u = n_angles<M>; u < n_unknowns<M>; ++u) {
-            const Complex<R>& x = q.x[u - n_angles<M>];
-            at(u, 1) = real ? Ball<R>(Complex<R>(x.re, R{} + 0.0)) : Ball<R>(x);
-            for (int k = 2; k <= highest_[u]; ++k) at(u, k) = at(u, k - 1) * at(u, 1);
+        for (int u = angles; u < n; ++u, ++b) {
+            const Complex<R>& x = q.x[u - angles];
+            const Ball<R>& first = b[0] = real ? Ball<R>(Complex<R>(x.re, R{} + 0.0)) : Ball<R>(x);
+            for (int k = 2; k <= system_->highest[u]; ++k, ++b) b[1] = b[0] * first;
         }
     }
 
-    Ball<R>& at(int u, int code) { return balls_[index(u, code)]; }
-    const Ball<R>& at(int u, int code) const { return balls_[index(u, code)]; }
+    const Ball<R>& at(int u, int code) const { return (*this)[system_->place(u, code)]; }
+    /// That in a place of the table.
+    const Ball<R>& operator[](int place) const { return balls_[static_cast<std::size_t>(place)]; }
 
     /// The factors over all displacements |d_u| <= r_u from the point: of angles in (complex) radians.
-    FactorBalls widened(const R (&r)[n_unknowns<M>]) const {
-        FactorBalls y = *this;
-        for (int i = 0; i < n_angles<M>; ++i)
-            for (int k = 1; k <= highest_[i]; ++k) {
+    FactorBalls widened(const auto& r) const {
+        FactorBalls y(*system_);
+        y.widen(*this, r);
+        return y;
+    }
+    /// Becomes those of `point`, of the same system, over all displacements |d_u| <= r_u.
+    void widen(const FactorBalls& point, const auto& r) {
+        const int angles = system_->sizes.angles, n = system_->sizes.unknowns;
+        const Ball<R>* a = point.balls_.data();
+        Ball<R>* y = balls_.data();
+        for (int i = 0; i < angles; ++i)
+            for (int k = 1; k <= system_->highest[i]; ++k, a += 2, y += 2) {
                 // |cos(a + d) - cos a| <= |cos a| (cosh|d| - 1) + |sin a| sinh|d|, and cosh x - 1 < 0.52 x^2,
                 // sinh x < 1.05 x for x < 0.5
                 const R x = static_cast<double>(k) * r[i];
                 const auto small = x < R{} + 0.5;
                 const R infinite = R{} + std::numeric_limits<S>::infinity();
                 const R cosh1 = select(small, R(0.52 * x * x), infinite), sinh = select(small, R(1.05 * x), infinite);
-                const R c = magnitude_bound(at(i, k)), s = magnitude_bound(at(i, -k));
-                y.at(i, k).rad = rounded_up<R>(at(i, k).rad + c * cosh1 + s * sinh);
-                y.at(i, -k).rad = rounded_up<R>(at(i, -k).rad + s * cosh1 + c * sinh);
+                const R c = magnitude_bound(a[0]), s = magnitude_bound(a[1]);
+                y[0] = {a[0].mid, rounded_up<R>(a[0].rad + c * cosh1 + s * sinh)};
+                y[1] = {a[1].mid, rounded_up<R>(a[1].rad + s * cosh1 + c * sinh)};
             }
-        for (int u = n_angles<M>; u < n_unknowns<M>; ++u) {
-            y.at(u, 1).rad = rounded_up<R>(at(u, 1).rad + r[u]);
-            for (int k = 2; k <= highest_[u]; ++k) y.at(u, k) = y.at(u, k - 1) * y.at(u, 1);
+        for (int u = angles; u < n; ++u, ++a, ++y) {
+            const Ball<R>& first = y[0] = {a[0].mid, rounded_up<R>(a[0].rad + r[u])};
+            for (int k = 2; k <= system_->highest[u]; ++k, ++a, ++y) y[1] = y[0] * first;
         }
-        return y;
     }
 
 private:
-    std::size_t index(int u, int code) const {
-        if (n_coordinates<M> != 0 && u >= n_angles<M>) return static_cast<std::size_t>(offset_[u] + code - 1);
-        return static_cast<std::size_t>(offset_[u] + (code > 0 ? 2 * (code - 1) : 2 * (-code - 1) + 1));
-    }
     static void complex_angle(const Complex<R>& c, const Complex<R>& s, Ball<R>& cosine, Ball<R>& sine) {
         const Complex<R> is(-s.im, s.re), plus = c + is, minus = c - is;  // exp(i theta), exp(-i theta)
         const auto upper = norm2(plus) >= norm2(minus);
@@ -123,20 +163,18 @@ private:
         sine = {y.mid, rounded_up<R>(share * magnitude_bound(y.mid))};
     }
 
-    Array<int, n_unknowns<M>> offset_, highest_;
+    const BallSystem<S>* system_;
     std::vector<Ball<R>> balls_;
 };
 
 /// F over the balls of the factors.
-template <class M, class R, class S>
-void ball_values(const BallSystem<M, S>& system, const FactorBalls<M, R>& at, Ball<R> (&f)[n_unknowns<M>]) {
-    for (auto& value : f) value = Ball<R>(Complex<R>(0.0));
+template <class R, class S>
+void ball_values(const BallSystem<S>& system, const FactorBalls<R>& at, auto&& f) {
+    for (int u = 0; u < system.sizes.unknowns; ++u) f[u] = Ball<R>(Complex<R>(0.0));
+    const auto* factors = system.factors.data();
     for (const auto& t : system.terms) {
         Ball<R> product = broadcast_ball<R>(t.coefficient);
-        for (int k = t.first; k < t.last; ++k) {
-            const auto& factor = system.factors[static_cast<std::size_t>(k)];
-            product = product * at.at(factor.unknown, factor.code);
-        }
+        for (int k = t.first; k < t.last; ++k) product = product * at[factors[k].ball];
         f[t.equation] += product;
     }
 }
@@ -144,75 +182,82 @@ void ball_values(const BallSystem<M, S>& system, const FactorBalls<M, R>& at, Ba
 namespace detail {
 
 /// The term's product, differentiated by its factor number `d` and then by its factor number `d2`; -1 stands for none.
-template <class M, class R, class S>
-Ball<R> term_derivative(const BallSystem<M, S>& system, const typename BallSystem<M, S>::Term& t,
-                        const FactorBalls<M, R>& at, int d, int d2 = -1) {
+template <class R, class S>
+Ball<R> term_derivative(const BallSystem<S>& system, const typename BallSystem<S>::Term& t, const FactorBalls<R>& at,
+                        int d, int d2 = -1) {
     Ball<R> product = broadcast_ball<R>(t.coefficient);
+    const auto* factors = system.factors.data();
+    const int angles = system.sizes.angles;
     for (int k = t.first; k < t.last; ++k) {
-        const auto& factor = system.factors[static_cast<std::size_t>(k)];
+        const auto& factor = factors[k];
         const int times = (k == d) + (k == d2);
-        if (n_coordinates<M> == 0 || factor.unknown < n_angles<M>) {
+        if (times == 0) {
+            product = product * at[factor.ball];
+        } else if (factor.unknown < angles) {
             // (cos k theta)' = -k sin k theta, (sin k theta)' = k cos k theta: with the code, -code and the other
             // factor
-            product = product * at.at(factor.unknown, times == 1 ? -factor.code : factor.code);
-            if (times == 1) product = -factor.code * product;
-            if (times == 2) product = -(factor.code * factor.code) * product;
+            const int other = factor.ball + (factor.code > 0 ? 1 : -1);
+            product = product * at[times == 1 ? other : factor.ball];
+            product = (times == 1 ? -factor.code : -(factor.code * factor.code)) * product;
         } else if (factor.code < times) {
             return Ball<R>(Complex<R>(0.0));
         } else {
-            if (factor.code > times) product = product * at.at(factor.unknown, factor.code - times);
-            if (times == 1) product = factor.code * product;
-            if (times == 2) product = factor.code * (factor.code - 1) * product;
+            if (factor.code > times) product = product * at[factor.ball - times];
+            product = (times == 1 ? factor.code : factor.code * (factor.code - 1)) * product;
         }
     }
     return product;
 }
 
-template <class M, class R>
-void clear(Ball<R> (&j)[n_unknowns<M>][n_unknowns<M>]) {
-    for (auto& row : j)
-        for (auto& entry : row) entry = Ball<R>(Complex<R>(0.0));
+template <class R>
+void clear(int n, auto&& j) {
+    for (int r = 0; r < n; ++r) {
+        auto* row = j[r];
+        for (int c = 0; c < n; ++c) row[c] = Ball<R>(Complex<R>(0.0));
+    }
 }
-/// Of a potential model only the entries on and above the diagonal were filled in.
-template <class M, class R>
-void complete(Ball<R> (&j)[n_unknowns<M>][n_unknowns<M>]) {
-    if constexpr (PotentialModel<M>)
-        for (int r = 0; r < n_unknowns<M>; ++r)
-            for (int c = 0; c < r; ++c) j[r][c] = j[c][r];
+/// Of a Hessian only the entries on and above the diagonal were filled in.
+void complete(bool symmetric, int n, auto&& j) {
+    if (!symmetric) return;
+    for (int r = 0; r < n; ++r)
+        for (int c = 0; c < r; ++c) j[r][c] = j[c][r];
 }
 
 }  // namespace detail
 
 /// dF/dq over the balls of the factors; of a potential model the Hessian.
-template <class M, class R, class S>
-void ball_jacobian(const BallSystem<M, S>& system, const FactorBalls<M, R>& at,
-                   Ball<R> (&j)[n_unknowns<M>][n_unknowns<M>]) {
-    detail::clear<M>(j);
-    for (const auto& t : system.terms)
+template <class R, class S>
+void ball_jacobian(const BallSystem<S>& system, const FactorBalls<R>& at, auto&& j) {
+    const int n = system.sizes.unknowns;
+    detail::clear<R>(n, j);
+    for (const auto& t : system.terms) {
+        auto* row = j[t.equation];
         for (int d = t.first; d < t.last; ++d) {
             const int by = system.factors[static_cast<std::size_t>(d)].unknown;
-            if (PotentialModel<M> && by < t.equation) continue;
-            j[t.equation][by] += detail::term_derivative(system, t, at, d);
+            if (system.symmetric && by < t.equation) continue;
+            row[by] += detail::term_derivative(system, t, at, d);
         }
-    detail::complete<M>(j);
+    }
+    detail::complete(system.symmetric, n, j);
 }
 
 /// The derivative of dF/dq by unknown number u.
-template <class M, class R, class S>
-void ball_jacobian_derivative(const BallSystem<M, S>& system, const FactorBalls<M, R>& at, int u,
-                              Ball<R> (&j)[n_unknowns<M>][n_unknowns<M>]) {
-    detail::clear<M>(j);
+template <class R, class S>
+void ball_jacobian_derivative(const BallSystem<S>& system, const FactorBalls<R>& at, int u, auto&& j) {
+    const int n = system.sizes.unknowns;
+    detail::clear<R>(n, j);
     for (const auto& t : system.terms) {
         int d2 = t.first;
         while (d2 < t.last && system.factors[static_cast<std::size_t>(d2)].unknown != u) ++d2;
         if (d2 == t.last) continue;
+        auto* row = j[t.equation];
         for (int d = t.first; d < t.last; ++d) {
             const int by = system.factors[static_cast<std::size_t>(d)].unknown;
-            if (PotentialModel<M> && by < t.equation) continue;
-            j[t.equation][by] += detail::term_derivative(system, t, at, d, d2);
+            if (system.symmetric && by < t.equation) continue;
+            row[by] += detail::term_derivative(system, t, at, d, d2);
         }
     }
-    detail::complete<M>(j);
+    detail::complete(system.symmetric, n, j);
 }
 
 }  // namespace equilibria

@@ -194,7 +194,7 @@ private:
     double proved_radius(const typename System::Numbers& numbers, Point<System, double> at, const Task& task) const {
         const auto place = unknowns(*task.at);
         for (int k = 0; k < 2; ++k) at.x[System::first_active + k] = place[k];
-        const BallSystem<System, double> system(ExactSystem<System>(System::template equations<ExactBall>(numbers)));
+        const BallSystem<double> system(ExactSystem<System>(System::template equations<ExactBall>(numbers)));
         const auto proof = krawczyk<System, double>(system, at, true);
         if (!proof.proved) return -1;
         double largest = 0;

@@ -169,7 +169,7 @@ private:
 
     /// The roots of a neighbouring point brought to this cell's middle by Newton's method; without those that did not
     /// come to a root.
-    static Candidates moved(const Candidates& from, const BallSystem<M, double>& system) {
+    static Candidates moved(const Candidates& from, const BallSystem<double>& system) {
         Candidates y;
         for (auto q : from)
             if (newton(system, q, 8) < 1e-8) y.push_back(q);
@@ -183,12 +183,12 @@ private:
 
     /// What is proved of some roots, for all parameters of a cell.
     struct ProvedRoots {
-        std::vector<Enclosure<M, double>> enclosures;
+        std::vector<Enclosure<double>> enclosures;
         std::vector<AngleBox<n_angles<M>>> boxes;  ///< of real roots
         std::vector<std::int64_t> by_index = std::vector<std::int64_t>(static_cast<std::size_t>(n) + 1);
 
         bool distinct() const {
-            const auto groups = groups_of_enclosures<M>(enclosures);
+            const auto groups = groups_of_enclosures(enclosures);
             for (std::size_t k = 0; k < groups.size(); ++k)
                 if (groups[k] != k) return false;
             return true;
@@ -229,9 +229,9 @@ private:
             const auto proof = krawczyk<M, Pack>(systems, q, real);
             for (int l = 0; l < native_lanes && at + static_cast<std::size_t>(l) < members.size(); ++l) {
                 if (!mask_lane(proof.proved, l)) return false;
-                out.enclosures.push_back(Enclosure<M, double>::of(proof, l));
+                out.enclosures.push_back(Enclosure<double>::of(proof, l));
                 if (real) {
-                    const auto index = proved_index<M, Pack>(proof, l);
+                    const auto index = proved_index(proof, l);
                     if (!index) return false;
                     ++out.by_index[static_cast<std::size_t>(*index)];
                     if constexpr (n_coordinates<M> == 0) out.boxes.push_back(AngleBox<n>::of(proof, q, l));

@@ -1,0 +1,266 @@
+/// \file
+/// See enumerate/prove.hpp.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <mutex>
+#include <optional>
+#include <ostream>
+#include <span>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include <equilibria/certify/enclosure.hpp>
+#include <equilibria/certify/krawczyk.hpp>
+#include <equilibria/certify/newton.hpp>
+#include <equilibria/certify/proved_index.hpp>
+#include <equilibria/core/multiprecision.hpp>
+#include <equilibria/enumerate/prove.hpp>
+#include <equilibria/evaluation/point_of.hpp>
+#include <equilibria/run/elapsed.hpp>
+
+namespace equilibria {
+
+EQUILIBRIA_INLINE std::ostream& operator<<(std::ostream& out, const ProofOfRoots& p) {
+    return out << p.distinct << " distinct roots proved, " << p.real << " real, " << p.non_real << " non-real, "
+               << p.undecided << " undecided, " << p.index << " with their index; "
+               << (p.complete ? "complete: " : "not proved complete: ") << p.reason;
+}
+
+namespace detail {
+
+class Prover {
+public:
+    using Pack = Lanes<native_lanes>;
+    static constexpr int most_digits = 68;
+    using Most = Multiprecision<most_digits>;
+
+    Prover(const RootsToProve& set, const RunOptions& run, const ProveOptions& options)
+        : set_(set), sizes_(set.equations.sizes), run_(run), options_(options), system_(set.equations) {}
+
+    ProofOfRoots run() {
+        const Stopwatch begin;
+        const std::size_t size = set_.roots.size();
+        proof_.certificates.resize(size);
+        enclosures_.resize(size);
+        for (std::size_t k = 0; k < size; ++k) proof_.certificates[k].path = set_.roots[k].path;
+        std::vector<std::size_t> real, other;
+        for (std::size_t k = 0; k < size; ++k) {
+            if (set_.roots[k].singular) continue;
+            (largest_imaginary(set_.roots[k].q) < 1e-8 ? real : other).push_back(k);
+        }
+        in_packs(real, true);
+        for (const std::size_t k : real)
+            if (!proof_.certificates[k].exists) other.push_back(k);
+        in_packs(other, false);
+        std::vector<std::size_t> hard;
+        for (std::size_t k = 0; k < size; ++k)
+            if (!set_.roots[k].singular && !settled(k)) hard.push_back(k);
+        with_more_digits(hard);
+        tell_apart();
+        count();
+        conclude();
+        proof_.seconds = begin.seconds();
+        return std::move(proof_);
+    }
+
+private:
+    static double largest_imaginary(std::span<const std::complex<double>> q) {
+        double y = 0;
+        for (const auto& z : q) y = std::max(y, std::abs(z.imag()));
+        return y;
+    }
+    bool has_index() const { return set_.equations.symmetric; }
+    /// Nothing is left that more digits could decide.
+    bool settled(std::size_t k) const {
+        const Certificate& c = proof_.certificates[k];
+        if (!c.exists || c.reality == Reality::undecided) return false;
+        return !has_index() || c.reality == Reality::non_real || c.index_proved;
+    }
+
+    template <class R>
+    void record(std::size_t k, const KrawczykResult<R>& proof, int lane_of, bool real, int digits) {
+        using S = typename LaneTraits<R>::Scalar;
+        if (!mask_lane(proof.proved, lane_of)) return;
+        Certificate& c = proof_.certificates[k];
+        c.exists = true;
+        c.digits = digits;
+        c.radius = 0;
+        for (const R& radius : proof.radius) c.radius = std::max(c.radius, static_cast<double>(lane(radius, lane_of)));
+        const auto enclosure = Enclosure<S>::of(proof, lane_of);
+        if (real) {
+            c.reality = Reality::real;
+            const auto index = has_index() ? proved_index(proof, lane_of) : std::nullopt;
+            if (index) {
+                c.index_proved = true;
+                c.index = *index;
+            }
+        } else {
+            c.reality = enclosure.excludes_real_points() ? Reality::non_real : Reality::undecided;
+        }
+        enclosures_[k] = enclosure.template to<double>();
+        if constexpr (std::is_same_v<S, Most>) {
+            const std::lock_guard lock(guard_);
+            sharp_.insert_or_assign(k, enclosure);
+        }
+    }
+
+    /// The test in doubles, a root a lane.
+    void in_packs(const std::vector<std::size_t>& members, bool real) {
+        run_.executor.for_blocks(members.size(), 64 * native_lanes, [&](std::size_t first, std::size_t last) {
+            KrawczykTest<Pack> test(system_);
+            auto q = point_of_zeros<RuntimeUnknowns, Pack>(sizes_);
+            for (std::size_t at = first; at < last; at += native_lanes) {
+                for (int l = 0; l < native_lanes; ++l) {
+                    const auto* root = set_.roots[members[std::min(at + static_cast<std::size_t>(l), last - 1)]].q.data();
+                    for (int i = 0; i < sizes_.angles; ++i) {
+                        set_lane(q.c[i], l, real ? std::cos(root[i].real()) : std::cos(root[i]));
+                        set_lane(q.s[i], l, real ? std::sin(root[i].real()) : std::sin(root[i]));
+                    }
+                    for (int j = 0; j < sizes_.coordinates; ++j) set_lane(q.x[j], l, root[sizes_.angles + j]);
+                }
+                const auto& proof = test(q, real);
+                for (int l = 0; l < native_lanes && at + static_cast<std::size_t>(l) < last; ++l)
+                    record(members[at + static_cast<std::size_t>(l)], proof, l, real, 15);
+            }
+        });
+    }
+
+    void with_more_digits(const std::vector<std::size_t>& members) {
+        if (members.empty() || options_.most_digits < 34) return;
+        const BallSystem<Multiprecision<34>> twice(set_.equations);
+        const BallSystem<Most> most(set_.equations);
+        run_.executor.for_blocks(members.size(), 1, [&](std::size_t first, std::size_t last) {
+            for (std::size_t at = first; at < last; ++at) {
+                const std::size_t k = members[at];
+                with_digits<34>(twice, k);
+                if (!settled(k) && options_.most_digits >= most_digits) with_digits<most_digits>(most, k);
+            }
+        });
+        proof_.more_digits += members.size();
+    }
+    template <int Digits>
+    void with_digits(const BallSystem<Multiprecision<Digits>>& system, std::size_t k) {
+        using S = Multiprecision<Digits>;
+        auto q = unknowns_of<S>(set_.roots[k].q);
+        const S last = newton(system, {q.begin(), q.end()}, 100);
+        if (!(last < S(1e-3))) return;
+        S size(0);
+        for (const auto& z : q) size = std::max(size, z.im < 0 ? S(-z.im) : z.im);
+        const auto point = point_of<RuntimeUnknowns, S>(q, sizes_);
+        KrawczykTest<S> test(system);
+        // a root nearer to the real points than Newton's method can tell is tried as a real one first
+        if (size <= sqrt(rounding_unit<S>)) record(k, test(point, true), 0, true, Digits);
+        if (!settled(k) && proof_.certificates[k].reality != Reality::real)
+            record(k, test(point, false), 0, false, Digits);
+    }
+
+    /// Marks the roots that differ from all before them.
+    void tell_apart() {
+        std::vector<std::size_t> member;
+        std::vector<Enclosure<double>> boxes;
+        for (std::size_t k = 0; k < enclosures_.size(); ++k)
+            if (proof_.certificates[k].exists) {
+                member.push_back(k);
+                boxes.push_back(enclosures_[k]);
+            }
+        std::vector<std::vector<std::size_t>> groups(member.size());
+        const auto first = groups_of_enclosures(boxes);
+        for (std::size_t k = 0; k < member.size(); ++k) groups[first[k]].push_back(member[k]);
+        std::vector<std::size_t> close;
+        for (const auto& group : groups)
+            if (group.size() > 1) close.insert(close.end(), group.begin(), group.end());
+        if (options_.most_digits >= most_digits && !close.empty()) {
+            const BallSystem<Most> most(set_.equations);
+            for (const std::size_t k : close)
+                if (!sharp_.contains(k)) with_digits<most_digits>(most, k);
+        }
+        for (const auto& group : groups)
+            for (std::size_t a = 0; a < group.size(); ++a) {
+                bool apart = true;
+                for (std::size_t b = 0; b < a && apart; ++b) apart = differ(group[a], group[b]);
+                proof_.certificates[group[a]].distinct = apart;
+            }
+    }
+    bool differ(std::size_t a, std::size_t b) const {
+        const auto i = sharp_.find(a), j = sharp_.find(b);
+        return i != sharp_.end() && j != sharp_.end() ? disjoint(i->second, j->second)
+                                                      : disjoint(enclosures_[a], enclosures_[b]);
+    }
+
+    void count() {
+        if (has_index()) proof_.by_index.assign(static_cast<std::size_t>(sizes_.unknowns) + 1, 0);
+        for (const Certificate& c : proof_.certificates) {
+            if (!c.exists) {
+                ++proof_.undecided;
+                continue;
+            }
+            if (!c.distinct) {
+                ++proof_.duplicates;
+                continue;
+            }
+            ++proof_.distinct;
+            proof_.real += c.reality == Reality::real;
+            proof_.non_real += c.reality == Reality::non_real;
+            proof_.undecided += c.reality == Reality::undecided;
+            proof_.index += c.index_proved;
+            if (c.index_proved) ++proof_.by_index[static_cast<std::size_t>(c.index)];
+        }
+        // the classification's own view
+        std::map<std::uint64_t, const RootsToProve::Classified*> equilibrium;
+        for (const auto& e : set_.equilibria) equilibrium.emplace(e.path, &e);
+        for (const Certificate& c : proof_.certificates) {
+            const auto at = equilibrium.find(c.path);
+            const bool real = at != equilibrium.end();
+            proof_.contradictions +=
+                (c.reality == Reality::real && !real) || (c.reality == Reality::non_real && real) ||
+                (c.index_proved && real && !at->second->degenerate && at->second->index != c.index);
+        }
+    }
+
+    void conclude() {
+        const auto count = [](std::uint64_t k) { return std::to_string(k); };
+        proof_.bound = set_.bound;
+        if (!proof_.bound) {
+            proof_.reason = "an equation vanishes at these parameters, or the bound is too large to count";
+            return;
+        }
+        if (proof_.distinct < proof_.bound->value) proof_.bound = set_.smallest_bound();
+        const std::string bound = "the " + proof_.bound->name + " " + count(proof_.bound->value);
+        proof_.complete = proof_.distinct == proof_.bound->value;
+        if (proof_.complete)
+            proof_.reason = count(proof_.distinct) + " roots are proved to be distinct, as many as " + bound +
+                            " allows: by " + proof_.bound->theorem + " theorem there is no other";
+        else if (proof_.distinct == set_.roots.size())
+            proof_.reason = "all " + count(proof_.distinct) + " roots found are proved, but the best bound known, " +
+                            bound + ", allows more";
+        else
+            proof_.reason = count(proof_.distinct) + " of " + count(set_.roots.size()) +
+                            " roots are proved to be distinct, and " + bound + " allows more";
+    }
+
+    const RootsToProve& set_;
+    RuntimeSizes sizes_;
+    RunOptions run_;
+    ProveOptions options_;
+    BallSystem<double> system_;
+    ProofOfRoots proof_;
+    std::vector<Enclosure<double>> enclosures_;
+    std::map<std::size_t, Enclosure<Most>> sharp_;  // those that took the most digits
+    std::mutex guard_;
+};
+
+EQUILIBRIA_INLINE ProofOfRoots prove_roots(const RootsToProve& set, const RunOptions& run, const ProveOptions& options) {
+    return Prover(set, run, options).run();
+}
+
+}  // namespace detail
+
+}  // namespace equilibria

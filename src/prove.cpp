@@ -1,0 +1,1 @@
+#include <equilibria/enumerate/detail/prove_definitions.hpp>

@@ -15,15 +15,15 @@ using M = models::ElasticPendulum;
 using Box = Enclosure<double>;
 
 Box draw(Generator& generator, double spread, double off) {
-    Box y{Sizes<M>()};
+    Box y(n_unknowns<M>);
     const auto z = [&] {
         const double re = uniform(generator, -spread, spread);
         return Complex<double>(re, uniform(generator, -spread, spread));
     };
-    y.center.c[0] = z();
-    y.center.s[0] = z();
-    y.center.x[0] = z();
-    for (double& r : y.off) r = off * uniform(generator);
+    y.unknowns[0].value = z();
+    y.unknowns[0].sine = z();
+    y.unknowns[1].value = z();
+    for (auto& at : y.unknowns) at.off = off * uniform(generator);
     return y;
 }
 
@@ -51,14 +51,13 @@ TEST_CASE("groups of enclosures, as comparing all pairs finds them") {
 }
 
 TEST_CASE("touching enclosures are not disjoint, separated ones are") {
-    Box a{Sizes<M>()}, b = a;
+    Box a(n_unknowns<M>), b(n_unknowns<M>);
     for (auto* box : {&a, &b}) {
-        box->center.c[0] = box->center.s[0] = box->center.x[0] = Complex<double>(0.0);
-        for (double& r : box->off) r = 0.5;
+        for (auto& at : box->unknowns) at = {Complex<double>(0.0), Complex<double>(0.0), 0.5};
     }
-    b.center.x[0].im = 1;
+    b.unknowns[1].value.im = 1;
     CHECK_FALSE(disjoint(a, b));
-    b.center.x[0].im = 1 + 1e-12;
+    b.unknowns[1].value.im = 1 + 1e-12;
     CHECK(disjoint(a, b));
     CHECK_FALSE(a.excludes_real_points());
     CHECK(b.excludes_real_points());
@@ -66,14 +65,16 @@ TEST_CASE("touching enclosures are not disjoint, separated ones are") {
 
 TEST_CASE("an enclosure over doubles contains the one over more digits") {
     using S = Multiprecision<34>;
-    Enclosure<S> sharp{Sizes<M>()};
+    Enclosure<S> sharp(n_unknowns<M>);
     const auto third = [](int k) { return Complex<S>(S(k) / S(3), S(k) / S(7)); };
-    sharp.center.c[0] = third(1);
-    sharp.center.s[0] = third(2);
-    sharp.center.x[0] = third(5);
-    for (S& r : sharp.off) r = S(1e-30);
+    sharp.unknowns[0].value = third(1);
+    sharp.unknowns[0].sine = third(2);
+    sharp.unknowns[1].value = third(5);
+    for (auto& at : sharp.unknowns) at.off = S(1e-30);
     const Box box = sharp.to<double>();
-    const Complex<S> d = sharp.center.x[0] - Complex<S>(S(box.center.x[0].re), S(box.center.x[0].im));
-    CHECK(sqrt(norm2(d)) + sharp.off[1] <= S(box.off[1]));
-    CHECK(box.off[1] < 1e-14);
+    const auto& fine = sharp.unknowns[1];
+    const auto& rounded = box.unknowns[1];
+    const Complex<S> d = fine.value - Complex<S>(S(rounded.value.re), S(rounded.value.im));
+    CHECK(sqrt(norm2(d)) + fine.off <= S(rounded.off));
+    CHECK(rounded.off < 1e-14);
 }

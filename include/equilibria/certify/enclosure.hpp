@@ -11,68 +11,72 @@
 
 namespace equilibria {
 
-/// All points with |cos - c_u| <= off_u and |sin - s_u| <= off_u of each angle, |x - x_u| <= off_u of each coordinate.
+/// All points with |cos - value_u| <= off_u and |sin - sine_u| <= off_u of each angle, |x - value_u| <= off_u of each
+/// coordinate.
 template <class S>
 struct Enclosure {
-    RuntimePoint<S> center;
-    SizedArray<S, at_run_time> off;
+    struct Unknown {
+        Complex<S> value;             ///< of the cosine of an angle, or of a coordinate
+        Complex<S> sine{S(0), S(0)};  ///< 0 of a coordinate
+        S off{};
+    };
+    SizedArray<Unknown, at_run_time> unknowns;
 
     Enclosure() = default;
-    /// Room for one.
-    explicit Enclosure(const RuntimeSizes& sizes)
-        : center(point_of_zeros<RuntimeUnknowns, S>(sizes)), off(sizes.unknowns) {}
+    /// Room for one of n unknowns.
+    explicit Enclosure(int n) : unknowns(n) {}
 
     /// That of lane k of a proof.
     template <class R>
     static Enclosure of(const KrawczykResult<R>& proof, int k) {
-        Enclosure y;
-        copy_lane(proof.center, k, y.center, 0);
-        y.off.resize(proof.off.size());
-        for (int u = 0; u < y.off.size(); ++u) y.off[u] = lane(proof.off[u], k);
+        const auto at = [k](const Complex<R>& z) { return Complex<S>(lane(z.re, k), lane(z.im, k)); };
+        const auto& center = proof.center;
+        Enclosure y(proof.off.size());
+        for (int u = 0; u < y.unknowns.size(); ++u) {
+            Unknown& to = y.unknowns[u];
+            to.off = lane(proof.off[u], k);
+            if (u < center.c.size())
+                to.value = at(center.c[u]), to.sine = at(center.s[u]);
+            else
+                to.value = at(center.x[u - center.c.size()]);
+        }
         return y;
     }
     /// The smallest one over T that contains this one.
     template <class T>
     Enclosure<T> to() const {
-        Enclosure<T> y(sizes());
+        Enclosure<T> y(unknowns.size());
         const auto convert = [](const Complex<S>& a, Complex<T>& b) {
             b = Complex<T>(static_cast<T>(a.re), static_cast<T>(a.im));
             return rounded_up<T>(4 * rounding_unit<T> * magnitude_bound(b));
         };
-        for (int u = 0; u < off.size(); ++u) {
-            T moved(0);
-            if (u < center.c.size())
-                moved = std::max(convert(center.c[u], y.center.c[u]), convert(center.s[u], y.center.s[u]));
-            else
-                moved = convert(center.x[u - center.c.size()], y.center.x[u - center.c.size()]);
-            y.off[u] = rounded_up<T>(static_cast<T>(off[u]) * (1 + 4 * rounding_unit<T>)+moved);
+        for (int u = 0; u < unknowns.size(); ++u) {
+            const Unknown& from = unknowns[u];
+            auto& to = y.unknowns[u];
+            const T moved = convert(from.value, to.value), sine_moved = convert(from.sine, to.sine);
+            to.off = rounded_up<T>(static_cast<T>(from.off) * (1 + 4 * rounding_unit<T>)+std::max(moved, sine_moved));
         }
         return y;
     }
 
-    RuntimeSizes sizes() const { return {center.c.size(), center.x.size()}; }
-
     /// Whether no point in it is real.
     bool excludes_real_points() const {
         const auto outside = [](const Complex<S>& z, const S& rad) { return z.im > rad || -z.im > rad; };
-        for (int u = 0; u < off.size(); ++u)
-            if (u < center.c.size() ? outside(center.c[u], off[u]) || outside(center.s[u], off[u])
-                                : outside(center.x[u - center.c.size()], off[u]))
-                return true;
+        for (const Unknown& at : unknowns)
+            if (outside(at.value, at.off) || outside(at.sine, at.off)) return true;
         return false;
     }
     friend bool disjoint(const Enclosure& a, const Enclosure& b) {
-        for (int u = 0; u < a.off.size(); ++u) {
-            const S reach = rounded_up<S>(a.off[u] + b.off[u]);
+        for (int u = 0; u < a.unknowns.size(); ++u) {
+            const Unknown &at = a.unknowns[u], &other = b.unknowns[u];
+            const S reach = rounded_up<S>(at.off + other.off);
             const auto apart = [&](const Complex<S>& y, const Complex<S>& z) {
                 const Complex<S> d =
                     y - z;  // the differences of floats close to each other are exact, others nearly so
                 const S re = d.re < 0 ? S(-d.re) : d.re, im = d.im < 0 ? S(-d.im) : d.im;
                 return std::max(re, im) * (1 - 2 * rounding_unit<S>) > reach;
             };
-            if (u < a.center.c.size() ? apart(a.center.c[u], b.center.c[u]) || apart(a.center.s[u], b.center.s[u])
-                                : apart(a.center.x[u - a.center.c.size()], b.center.x[u - a.center.c.size()]))
-                return true;
+            if (apart(at.value, other.value) || apart(at.sine, other.sine)) return true;
         }
         return false;
     }

@@ -31,18 +31,13 @@ struct KrawczykResult {
     RuntimePoint<R> center;  ///< of the enclosure of (c, s, x)
     Numbers off;             ///< radius of the enclosures of c_u and s_u, or of x_u, around `center`
     // for proofs about the Jacobians over the polydisc
-    Matrix jacobian, inverse, basis;           ///< J at the point, Y, and B: displacements are B e
+    Matrix jacobian, inverse, basis;          ///< J at the point, Y, and B: displacements are B e
     SizedMatrix<R, at_run_time> contraction;  ///< E >= |1 - Y J B| over the polydisc of e
 
     KrawczykResult() = default;
     explicit KrawczykResult(const RuntimeSizes& sizes)
-        : radius(sizes.unknowns),
-          weight(sizes.unknowns),
-          center(point_of_zeros<RuntimeUnknowns, R>(sizes)),
-          off(sizes.unknowns),
-          jacobian(sizes.unknowns),
-          inverse(sizes.unknowns),
-          basis(sizes.unknowns),
+        : radius(sizes.unknowns), weight(sizes.unknowns), center(point_of_zeros<RuntimeUnknowns, R>(sizes)),
+          off(sizes.unknowns), jacobian(sizes.unknowns), inverse(sizes.unknowns), basis(sizes.unknowns),
           contraction(sizes.unknowns) {}
 };
 
@@ -126,20 +121,8 @@ public:
     using S = typename LaneTraits<R>::Scalar;
 
     explicit KrawczykTest(const BallSystem<S>& system)
-        : system_(&system),
-          n_(system.sizes.unknowns),
-          at_(system),
-          wide_(system),
-          out_(system.sizes),
-          lu_(n_),
-          column_(n_),
-          f_(n_),
-          j_(n_),
-          size_y_(n_),
-          e_(n_),
-          newton_(n_),
-          r_(n_),
-          reach_(n_) {
+        : system_(&system), n_(system.sizes.unknowns), at_(system), wide_(system), out_(system.sizes), lu_(n_),
+          column_(n_), f_(n_), j_(n_), size_y_(n_), e_(n_), newton_(n_), r_(n_), reach_(n_) {
         for (int u = 0; u < n_; ++u)
             for (int k = 0; k < n_; ++k) out_.basis[u][k] = Complex<R>(u == k ? 1.0 : 0.0);
     }

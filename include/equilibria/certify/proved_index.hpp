@@ -24,11 +24,11 @@ std::optional<int> proved_index(const KrawczykResult<R>& root, int k) {
     using Matrix = Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic>;
     const int n = root.radius.size();
     const auto size = [](const S& x) { return x < 0 ? S(-x) : x; };
-    Matrix a(n, n);
+    const auto a = [&](int r, int c) -> S { return lane(root.jacobian[r][c].re, k); };
+    Matrix diagonal(n, n), q = Matrix::Identity(n, n);
     for (int r = 0; r < n; ++r)
-        for (int c = 0; c < n; ++c) a(r, c) = lane(root.jacobian[r][c].re, k);
-    const SymmetricEigen<Matrix> eigen(a);
-    const Matrix& q = eigen.vectors;
+        for (int c = 0; c < n; ++c) diagonal(r, c) = a(r, c);
+    detail::diagonalize(diagonal, &q);
     const S unit = (n + 6) * rounding_unit<S>;
     // |A - Q D Q^T|, and whether Q^T Q is so close to 1 that Q is regular
     Matrix rest(n, n);
@@ -36,7 +36,7 @@ std::optional<int> proved_index(const KrawczykResult<R>& root, int k) {
         for (int c = 0; c < n; ++c) {
             S sum(0), sizes(0), gram(r == c ? -1 : 0), gram_sizes(r == c ? 1 : 0);
             for (int m = 0; m < n; ++m) {
-                const S product = q(r, m) * eigen.values(m) * q(c, m), square = q(m, r) * q(m, c);
+                const S product = q(r, m) * diagonal(m, m) * q(c, m), square = q(m, r) * q(m, c);
                 sum += product;
                 sizes += size(product);
                 gram += square;
@@ -47,8 +47,8 @@ std::optional<int> proved_index(const KrawczykResult<R>& root, int k) {
         }
     int negative = 0;
     for (int r = 0; r < n; ++r) {
-        if (!(eigen.values(r) != 0)) return {};
-        negative += eigen.values(r) < 0;
+        if (!(diagonal(r, r) != 0)) return {};
+        negative += diagonal(r, r) < 0;
         // row r of (E + |Y| rest |B|) weight < weight
         S sum(0);
         for (int c = 0; c < n; ++c) {

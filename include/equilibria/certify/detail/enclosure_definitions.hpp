@@ -16,9 +16,9 @@ namespace equilibria {
 
 EQUILIBRIA_INLINE std::vector<std::size_t> groups_of_enclosures(const std::vector<Enclosure<double>>& enclosures) {
     if (enclosures.empty()) return {};
-    const RuntimeSizes sizes = enclosures.front().sizes();
+    const int n = enclosures.front().unknowns.size();
     Generator generator(0x5eed);
-    SizedArray<double, at_run_time> weight(4 * sizes.unknowns);
+    SizedArray<double, at_run_time> weight(4 * n);
     for (double& w : weight) w = uniform(generator, 0.5, 1.5);
     struct Entry {
         double low, high;
@@ -33,16 +33,13 @@ EQUILIBRIA_INLINE std::vector<std::size_t> groups_of_enclosures(const std::vecto
             size += magnitude_bound(z) * 3;
             reach += 3 * rad;  // the weights of the real and imaginary part together
         };
-        for (int u = 0; u < sizes.unknowns; ++u) {
-            if (u < sizes.angles) {
-                add(e.center.c[u], e.off[u], 4 * u);
-                add(e.center.s[u], e.off[u], 4 * u + 2);
-            } else {
-                add(e.center.x[u - sizes.angles], e.off[u], 4 * u);
-            }
+        for (int u = 0; u < n; ++u) {
+            const auto& at = e.unknowns[u];
+            add(at.value, at.off, 4 * u);
+            add(at.sine, at.off, 4 * u + 2);
         }
-        reach = rounded_up(reach * (1 + 4 * sizes.unknowns * rounding_unit<double>)) +
-                rounded_up(8 * sizes.unknowns * rounding_unit<double> * size);
+        reach =
+            rounded_up(reach * (1 + 4 * n * rounding_unit<double>)) + rounded_up(8 * n * rounding_unit<double> * size);
         entries[k] = {key - reach, key + reach, k};
     }
     std::sort(entries.begin(), entries.end(),

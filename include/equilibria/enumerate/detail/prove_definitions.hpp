@@ -119,7 +119,8 @@ private:
             auto q = point_of_zeros<RuntimeUnknowns, Pack>(sizes_);
             for (std::size_t at = first; at < last; at += native_lanes) {
                 for (int l = 0; l < native_lanes; ++l) {
-                    const auto* root = set_.roots[members[std::min(at + static_cast<std::size_t>(l), last - 1)]].q.data();
+                    const auto* root =
+                        set_.roots[members[std::min(at + static_cast<std::size_t>(l), last - 1)]].q.data();
                     for (int i = 0; i < sizes_.angles; ++i) {
                         set_lane(q.c[i], l, real ? std::cos(root[i].real()) : std::cos(root[i]));
                         set_lane(q.s[i], l, real ? std::sin(root[i].real()) : std::sin(root[i]));
@@ -257,7 +258,8 @@ private:
     std::mutex guard_;
 };
 
-EQUILIBRIA_INLINE ProofOfRoots prove_roots(const RootsToProve& set, const RunOptions& run, const ProveOptions& options) {
+EQUILIBRIA_INLINE ProofOfRoots prove_roots(const RootsToProve& set, const RunOptions& run,
+                                           const ProveOptions& options) {
     return Prover(set, run, options).run();
 }
 

@@ -83,8 +83,9 @@ struct Enclosure {
 };
 
 /// Groups enclosures that could not be shown to be disjoint, directly or through others: two from different groups
-/// share no point. Returns for each the number of the first of its group. No all-pairs comparison: a linear form of
-/// the coordinates maps each enclosure to an interval, and only those with intersecting intervals are compared.
+/// share no point. Returns for each the number of the first of its group; one of no unknowns is a group by itself. No
+/// all-pairs comparison: a linear form of the coordinates maps each enclosure to an interval, and only those with
+/// intersecting intervals are compared.
 std::vector<std::size_t> groups_of_enclosures(const std::vector<Enclosure<double>>& enclosures);
 
 }  // namespace equilibria

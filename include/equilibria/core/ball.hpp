@@ -44,6 +44,9 @@ R magnitude_bound(const Complex<R>& z) {
 }
 
 template <class R>
+struct BallFactor;
+
+template <class R>
 struct Ball {
     Complex<R> mid;
     R rad;
@@ -62,13 +65,10 @@ struct Ball {
     }
     friend Ball operator-(const Ball& a, const Ball& b) { return a + (-b); }
     /// The error of a complex product is below sqrt(5) / 2 units (Brent, Percival, Zimmermann).
-    friend Ball operator*(const Ball& a, const Ball& b) {
-        const R size_a = magnitude_bound(a.mid), size_b = magnitude_bound(b.mid);
-        return {a.mid * b.mid,
-                rounded_up<R>(size_a * (b.rad + 2 * rounding_unit<R> * size_b) + a.rad * (size_b + b.rad))};
-    }
+    friend Ball operator*(const Ball& a, const Ball& b) { return a * BallFactor<R>(b); }
     /// By a small integer.
     friend Ball operator*(int k, const Ball& a) {
+        if (k == 1 || k == -1) return k == 1 ? a : -a;
         const R by = R{} + static_cast<double>(k), size = R{} + static_cast<double>(k < 0 ? -k : k);
         const Complex<R> product = by * a.mid;
         return {product, rounded_up<R>(size * a.rad + rounding_unit<R> * magnitude_bound(product))};
@@ -87,6 +87,24 @@ struct Ball {
         const auto& least = std::numeric_limits<typename LaneTraits<R>::Scalar>::min();
         const auto safe = square > R{} + least / rounding_unit<R>;  // no underflow in re^2 + im^2 that matters
         return {y, select(gap > R{} + 0.0, select(safe, rounded_up<R>(radius), infinite), infinite)};
+    }
+};
+
+/// A ball that many others are multiplied by, with what each product takes of it.
+template <class R>
+struct BallFactor {
+    Complex<R> mid;
+    R error, reach;  ///< rad and the rounding of a product, as a share of the other's size; |mid| + rad
+
+    BallFactor() = default;
+    BallFactor(const Ball<R>& b) : mid(b.mid) {
+        const R size = magnitude_bound(b.mid);
+        error = b.rad + 2 * rounding_unit<R> * size;
+        reach = size + b.rad;
+    }
+    /// As of two balls.
+    friend Ball<R> operator*(const Ball<R>& a, const BallFactor& b) {
+        return {a.mid * b.mid, rounded_up<R>(magnitude_bound(a.mid) * b.error + a.rad * b.reach)};
     }
 };
 

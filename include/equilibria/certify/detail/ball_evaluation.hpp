@@ -82,7 +82,7 @@ public:
 
     /// Room for them.
     explicit FactorBalls(const BallSystem<S>& system)
-        : system_(&system), balls_(static_cast<std::size_t>(system.table_size())) {}
+        : system_(&system), balls_(static_cast<std::size_t>(system.table_size())), factors_(balls_.size()) {}
     /// Encloses the factors at the point q. real: at the real point next to q, whose imaginary parts are ignored.
     template <class M>
     FactorBalls(const BallSystem<S>& system, const Point<M, R>& q, bool real) : FactorBalls(system) {
@@ -106,11 +106,12 @@ public:
             const Ball<R>& first = b[0] = real ? Ball<R>(Complex<R>(x.re, R{} + 0.0)) : Ball<R>(x);
             for (int k = 2; k <= system_->highest[u]; ++k, ++b) b[1] = b[0] * first;
         }
+        std::copy(balls_.begin(), balls_.end(), factors_.begin());
     }
 
-    const Ball<R>& at(int u, int code) const { return (*this)[system_->place(u, code)]; }
-    /// That in a place of the table.
-    const Ball<R>& operator[](int place) const { return balls_[static_cast<std::size_t>(place)]; }
+    const Ball<R>& at(int u, int code) const { return balls_[static_cast<std::size_t>(system_->place(u, code))]; }
+    /// The factors in their places of the table.
+    const BallFactor<R>* table() const { return factors_.data(); }
 
     /// The factors over all displacements |d_u| <= r_u from the point: of angles in (complex) radians.
     FactorBalls widened(const auto& r) const {
@@ -139,6 +140,7 @@ public:
             const Ball<R>& first = y[0] = {a[0].mid, rounded_up<R>(a[0].rad + r[u])};
             for (int k = 2; k <= system_->highest[u]; ++k, ++a, ++y) y[1] = y[0] * first;
         }
+        std::copy(balls_.begin(), balls_.end(), factors_.begin());
     }
 
 private:
@@ -165,6 +167,7 @@ private:
 
     const BallSystem<S>* system_;
     std::vector<Ball<R>> balls_;
+    std::vector<BallFactor<R>> factors_;
 };
 
 /// F over the balls of the factors.
@@ -172,9 +175,10 @@ template <class R, class S>
 void ball_values(const BallSystem<S>& system, const FactorBalls<R>& at, auto&& f) {
     for (int u = 0; u < system.sizes.unknowns; ++u) f[u] = Ball<R>(Complex<R>(0.0));
     const auto* factors = system.factors.data();
+    const BallFactor<R>* table = at.table();
     for (const auto& t : system.terms) {
         Ball<R> product = broadcast_ball<R>(t.coefficient);
-        for (int k = t.first; k < t.last; ++k) product = product * at[factors[k].ball];
+        for (int k = t.first; k < t.last; ++k) product = product * table[factors[k].ball];
         f[t.equation] += product;
     }
 }
@@ -187,22 +191,23 @@ Ball<R> term_derivative(const BallSystem<S>& system, const typename BallSystem<S
                         int d, int d2 = -1) {
     Ball<R> product = broadcast_ball<R>(t.coefficient);
     const auto* factors = system.factors.data();
+    const BallFactor<R>* table = at.table();
     const int angles = system.sizes.angles;
     for (int k = t.first; k < t.last; ++k) {
         const auto& factor = factors[k];
         const int times = (k == d) + (k == d2);
         if (times == 0) {
-            product = product * at[factor.ball];
+            product = product * table[factor.ball];
         } else if (factor.unknown < angles) {
             // (cos k theta)' = -k sin k theta, (sin k theta)' = k cos k theta: with the code, -code and the other
             // factor
             const int other = factor.ball + (factor.code > 0 ? 1 : -1);
-            product = product * at[times == 1 ? other : factor.ball];
+            product = product * table[times == 1 ? other : factor.ball];
             product = (times == 1 ? -factor.code : -(factor.code * factor.code)) * product;
         } else if (factor.code < times) {
             return Ball<R>(Complex<R>(0.0));
         } else {
-            if (factor.code > times) product = product * at[factor.ball - times];
+            if (factor.code > times) product = product * table[factor.ball - times];
             product = (times == 1 ? factor.code : factor.code * (factor.code - 1)) * product;
         }
     }

@@ -15,8 +15,8 @@
 namespace equilibria {
 
 EQUILIBRIA_INLINE std::vector<std::size_t> groups_of_enclosures(const std::vector<Enclosure<double>>& enclosures) {
-    if (enclosures.empty()) return {};
-    const int n = enclosures.front().unknowns.size();
+    int n = 0;
+    for (const auto& e : enclosures) n = std::max(n, e.unknowns.size());
     Generator generator(0x5eed);
     SizedArray<double, at_run_time> weight(4 * n);
     for (double& w : weight) w = uniform(generator, 0.5, 1.5);
@@ -24,9 +24,11 @@ EQUILIBRIA_INLINE std::vector<std::size_t> groups_of_enclosures(const std::vecto
         double low, high;
         std::size_t k;
     };
-    std::vector<Entry> entries(enclosures.size());
+    std::vector<Entry> entries;
+    entries.reserve(enclosures.size());
     for (std::size_t k = 0; k < enclosures.size(); ++k) {
         const auto& e = enclosures[k];
+        if (e.unknowns.size() == 0) continue;
         double key = 0, size = 0, reach = 0;
         const auto add = [&](const Complex<double>& z, double rad, int w) {
             key += weight[w] * z.re + weight[w + 1] * z.im;
@@ -40,7 +42,7 @@ EQUILIBRIA_INLINE std::vector<std::size_t> groups_of_enclosures(const std::vecto
         }
         reach =
             rounded_up(reach * (1 + 4 * n * rounding_unit<double>)) + rounded_up(8 * n * rounding_unit<double> * size);
-        entries[k] = {key - reach, key + reach, k};
+        entries.push_back({key - reach, key + reach, k});
     }
     std::sort(entries.begin(), entries.end(),
               [](const Entry& a, const Entry& b) { return std::pair(a.low, a.k) < std::pair(b.low, b.k); });

@@ -94,7 +94,7 @@ private:
         c.digits = digits;
         c.radius = 0;
         for (const R& radius : proof.radius) c.radius = std::max(c.radius, static_cast<double>(lane(radius, lane_of)));
-        const auto enclosure = Enclosure<S>::of(proof, lane_of);
+        auto enclosure = Enclosure<S>::of(proof, lane_of);
         if (real) {
             c.reality = Reality::real;
             const auto index = has_index() ? proved_index(proof, lane_of) : std::nullopt;
@@ -105,11 +105,14 @@ private:
         } else {
             c.reality = enclosure.excludes_real_points() ? Reality::non_real : Reality::undecided;
         }
-        enclosures_[k] = enclosure.template to<double>();
         if constexpr (std::is_same_v<S, Most>) {
             const std::lock_guard lock(guard_);
             sharp_.insert_or_assign(k, enclosure);
         }
+        if constexpr (std::is_same_v<S, double>)
+            enclosures_[k] = std::move(enclosure);
+        else
+            enclosures_[k] = enclosure.template to<double>();
     }
 
     /// The test in doubles, a root a lane.
@@ -165,25 +168,23 @@ private:
 
     /// Marks the roots that differ from all before them.
     void tell_apart() {
-        std::vector<std::size_t> member;
-        std::vector<Enclosure<double>> boxes;
-        for (std::size_t k = 0; k < enclosures_.size(); ++k)
-            if (proof_.certificates[k].exists) {
-                member.push_back(k);
-                boxes.push_back(enclosures_[k]);
-            }
-        std::vector<std::vector<std::size_t>> groups(member.size());
-        const auto first = groups_of_enclosures(boxes);
-        for (std::size_t k = 0; k < member.size(); ++k) groups[first[k]].push_back(member[k]);
+        const std::vector<std::size_t> first = groups_of_enclosures(enclosures_);
+        std::map<std::size_t, std::vector<std::size_t>> groups;  // of two or more, by their first
+        for (std::size_t k = 0; k < first.size(); ++k) {
+            proof_.certificates[k].distinct = proof_.certificates[k].exists;
+            if (first[k] == k) continue;
+            auto& group = groups[first[k]];
+            if (group.empty()) group.push_back(first[k]);
+            group.push_back(k);
+        }
         std::vector<std::size_t> close;
-        for (const auto& group : groups)
-            if (group.size() > 1) close.insert(close.end(), group.begin(), group.end());
+        for (const auto& [_, group] : groups) close.insert(close.end(), group.begin(), group.end());
         if (options_.most_digits >= most_digits && !close.empty()) {
             const BallSystem<Most> most(set_.equations);
             for (const std::size_t k : close)
                 if (!sharp_.contains(k)) with_digits<most_digits>(most, k);
         }
-        for (const auto& group : groups)
+        for (const auto& [_, group] : groups)
             for (std::size_t a = 0; a < group.size(); ++a) {
                 bool apart = true;
                 for (std::size_t b = 0; b < a && apart; ++b) apart = differ(group[a], group[b]);

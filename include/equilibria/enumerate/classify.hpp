@@ -42,16 +42,13 @@ public:
     void linearize(const double* q, double* f, double* jacobian) const override {
         constexpr int n = n_unknowns<M>;
         using D = Dual<double, n>;
-        AnglesOf<M, D> theta;
-        CoordinatesOf<M, D> x;
-        for (int i = 0; i < theta.size(); ++i) {
-            const double c = std::cos(q[i]), s = std::sin(q[i]);
-            theta[i] = {D(c), D(s)};
-            theta[i].c.derivative[i] = -s;
-            theta[i].s.derivative[i] = c;
-        }
-        for (int j = 0; j < x.size(); ++j) x[j] = D::variable(q[theta.size() + j], theta.size() + j);
-        const auto values = equations_at<M, D>(theta, x, p_);
+        AnglesOf<M, double> theta;
+        CoordinatesOf<M, double> x;
+        AnglesOf<M, D> angle;
+        CoordinatesOf<M, D> coordinate;
+        split<M, double>(unknowns(q), theta, x);
+        independent_at<M, double>(theta, x, angle, coordinate);
+        const auto values = equations_at<M, D>(angle, coordinate, p_);
         for (int r = 0; r < n; ++r) {
             f[r] = values[r].value;
             for (int c = 0; c < n; ++c) jacobian[r * n + c] = values[r].derivative[c];

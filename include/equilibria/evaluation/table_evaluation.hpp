@@ -47,7 +47,7 @@ public:
         for (std::size_t g = 0; g < groups_; ++g) {
             const auto& group = tables_->groups[g];
             sum_terms(0, g);
-            f[group.equation] += own(group, blend(0, g));
+            f[group.equation] += with_own_factor(group, blend(0, g));
         }
         if (form_.empty()) return;
         form_.series(0, factors_, start_[0]);
@@ -86,7 +86,7 @@ public:
         }
         for (const auto& group : tables_->groups) {
             const Z sum = summed(0, group, target());
-            f[group.equation] += own(group, sum);
+            f[group.equation] += with_own_factor(group, sum);
             add_slopes(group, sum, target(), [](const Z& entry) { return entry; }, j);
         }
     }
@@ -127,7 +127,7 @@ private:
         return sum_[(static_cast<std::size_t>(law) * (order + 1) + static_cast<std::size_t>(k)) * groups_ + g];
     }
     /// Times the group's own factor, where it has one.
-    Z own(const TermTables::Group& group, const Z& z) const {
+    Z with_own_factor(const TermTables::Group& group, const Z& z) const {
         return group.own_factor < 0 ? z : Z(factors_(0, group.own_factor) * z);
     }
     Z& blend(int k, std::size_t g) { return blend_[static_cast<std::size_t>(k) * groups_ + g]; }
@@ -190,7 +190,8 @@ private:
             slope += n_;
         }
     }
-    /// sum: of the group's terms, without their own factor; it and `scaled` of what its terms' slopes are.
+    /// Adds a group's share of the Jacobian. sum: of its terms at the time, without their own factor; scaled: brings
+    /// the sum of their slopes, which are by `coefficient`, to the time.
     void add_slopes(const TermTables::Group& group, const Z& sum, const auto& coefficient, const auto& scaled,
                     auto& j) {
         const int i = group.equation;
@@ -204,7 +205,7 @@ private:
                 row_[u] += coefficient(term) * slope_of(operand, u);
         }
         for (const int u : group.unknowns)
-            if (!symmetric_ || u >= i) j[i][u] += scaled(own(group, row_[u]));
+            if (!symmetric_ || u >= i) j[i][u] += scaled(with_own_factor(group, row_[u]));
     }
 
     const H* h_;

@@ -18,6 +18,20 @@ using Unknowns = Array<S, n_unknowns<M>>;
 
 namespace detail {
 
+/// The unknowns as independent variables, at points of the circles: by angles in radians, then by coordinates.
+template <class M, class S>
+constexpr void independent_at(const AnglesOf<M, S>& theta, const CoordinatesOf<M, S>& x,
+                              AnglesOf<M, Dual<S, n_unknowns<M>>>& angle,
+                              CoordinatesOf<M, Dual<S, n_unknowns<M>>>& coordinate) {
+    using D = Dual<S, n_unknowns<M>>;
+    for (int i = 0; i < theta.size(); ++i) {
+        angle[i] = {D(theta[i].c), D(theta[i].s)};
+        angle[i].c.derivative[i] = -theta[i].s;
+        angle[i].s.derivative[i] = theta[i].c;
+    }
+    for (int j = 0; j < x.size(); ++j) coordinate[j] = D::variable(x[j], theta.size() + j);
+}
+
 /// The model's equations at points of the circles: the residual the trackers polish with.
 /// theta: points (c, s); x: coordinates; the result has one entry an unknown.
 template <class M, class S, class P>
@@ -28,12 +42,7 @@ constexpr Unknowns<M, S> equations_at(const AnglesOf<M, S>& theta, const Coordin
         using D = Dual<S, n>;
         AnglesOf<M, D> angle;
         CoordinatesOf<M, D> coordinate;
-        for (int i = 0; i < theta.size(); ++i) {
-            angle[i] = {D(theta[i].c), D(theta[i].s)};
-            angle[i].c.derivative[i] = -theta[i].s;
-            angle[i].s.derivative[i] = theta[i].c;
-        }
-        for (int j = 0; j < x.size(); ++j) coordinate[j] = D::variable(x[j], theta.size() + j);
+        independent_at<M, S>(theta, x, angle, coordinate);
         const D v = call_potential(M{}, angle, coordinate, p);
         f = v.derivative;
     } else {

@@ -83,12 +83,12 @@ public:
     /// Room for them.
     explicit FactorBalls(const BallSystem<S>& system)
         : system_(&system), balls_(static_cast<std::size_t>(system.table_size())), factors_(balls_.size()) {}
-    /// Encloses the factors at the point q. real: at the real point next to q, whose imaginary parts are ignored.
     template <class M>
     FactorBalls(const BallSystem<S>& system, const Point<M, R>& q, bool real) : FactorBalls(system) {
         enclose(q, real);
     }
 
+    /// Encloses the factors at the point q. real: at the real point next to q, whose imaginary parts are ignored.
     template <class M>
     void enclose(const Point<M, R>& q, bool real) {
         const int angles = system_->sizes.angles, n = system_->sizes.unknowns;

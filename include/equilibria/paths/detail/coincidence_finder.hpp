@@ -21,7 +21,7 @@ class CoincidenceFinder {
 public:
     /// reflected: a point and its mirror image theta -> -theta count as the same.
     explicit CoincidenceFinder(bool reflected, const RuntimeSizes& sizes) : reflected_(reflected) {
-        std::minstd_rand generator(0x9e3779b9);
+        std::minstd_rand generator(0x9e3779b9);  // any numbers without relations; seeding a larger one takes longer
         const auto draw = [&](std::vector<double>& weights, int n) {
             for (int k = 0; k < n; ++k)
                 weights.push_back(0.5 + static_cast<double>(generator()) / static_cast<double>(generator.max()));

@@ -17,14 +17,14 @@
 namespace equilibria {
 
 template <class M, class S>
-ComplexUnknowns<M, S> unknowns_of(const Array<std::complex<double>, n_unknowns<M>>& q) {
+ComplexUnknowns<M, S> complex_unknowns(const Array<std::complex<double>, n_unknowns<M>>& q) {
     ComplexUnknowns<M, S> y;
     for (int u = 0; u < q.size(); ++u) y[u] = Complex<S>(S(q[u].real()), S(q[u].imag()));
     return y;
 }
 /// The same of any number of unknowns.
 template <class S>
-ComplexUnknowns<RuntimeUnknowns, S> unknowns_of(std::span<const std::complex<double>> q) {
+ComplexUnknowns<RuntimeUnknowns, S> complex_unknowns(std::span<const std::complex<double>> q) {
     std::vector<Complex<S>> y;
     for (const auto& z : q) y.emplace_back(S(z.real()), S(z.imag()));
     return ComplexUnknowns<RuntimeUnknowns, S>(std::move(y));

@@ -19,7 +19,7 @@ RefinedRoot<RuntimeUnknowns> refine_with(const ExactTerms& exact, std::span<cons
     RefinedRoot<RuntimeUnknowns> out;
     out.digits = digits;
     const BallSystem<S> system(exact);
-    auto z = unknowns_of<S>(q);
+    auto z = complex_unknowns<S>(q);
     newton(system, z, 200);
     S size(0), largest(0);
     for (const auto& a : z) {

@@ -153,7 +153,7 @@ private:
     template <int Digits>
     void with_digits(const BallSystem<Multiprecision<Digits>>& system, std::size_t k) {
         using S = Multiprecision<Digits>;
-        auto q = unknowns_of<S>(set_.roots[k].q);
+        auto q = complex_unknowns<S>(set_.roots[k].q);
         const S last = newton(system, {q.begin(), q.end()}, 100);
         if (!(last < S(1e-3))) return;
         S size(0);

@@ -65,7 +65,8 @@ void contraction(int n, const auto& y, const auto& size_y, auto& j, auto& e) {
         for (int c = 0; c < n; ++c) row[c].rad = rounded_up<R>(row[c].rad + unit * magnitude_bound(row[c].mid));
     }
     for (int r = 0; r < n; ++r) {
-        const auto *y_row = y[r], *size_row = size_y[r];
+        const auto* y_row = y[r];
+        const auto* size_row = size_y[r];
         for (int c = 0; c < n; ++c) {
             Complex<R> product(r == c ? 1.0 : 0.0);
             R sum = R{} + (r == c ? static_cast<double>(n) * rounding_unit<R> : 0 * rounding_unit<R>);
@@ -84,7 +85,8 @@ template <class R>
 void product_bound(int n, const auto& y, const auto& size_y, const auto& v, auto& bound) {
     const R unit = R{} + (n + 4) * rounding_unit<R>;
     for (int u = 0; u < n; ++u) {
-        const auto *y_row = y[u], *size_row = size_y[u];
+        const auto* y_row = y[u];
+        const auto* size_row = size_y[u];
         Complex<R> sum(0.0);
         R error = R{} + 0.0;
         for (int k = 0; k < n; ++k) {

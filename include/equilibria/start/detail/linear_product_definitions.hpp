@@ -69,7 +69,9 @@ EQUILIBRIA_INLINE double LinearProduct::largest_coefficient(const StartForms::Pr
     std::map<Codes, Number> sum{{Codes(at(sizes_.unknowns)), 1}};
     for (const LinearForm& form : product.forms) {
         std::map<Codes, Number> next;
-        for (const auto& [codes, coefficient] : sum) {
+        for (const auto& term : sum) {  // no structured binding: clang++ 14 cannot capture one
+            const Codes& codes = term.first;
+            const Number& coefficient = term.second;
             next[codes] += form.constant * coefficient;
             for (const auto& part : form.parts) {
                 const auto add = [&](int change, double share) {

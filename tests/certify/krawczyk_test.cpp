@@ -85,10 +85,10 @@ TEST_CASE("a root in 68 digits confirms the radius in doubles") {
     using Start = Array<std::complex<double>, 2>;
     for (const Start& start : {Start{{1.39806, 1.47023}}, Start{{1.23055, -2.58828}}, Start{{-0.68757, 1.26666}},
                                Start{{0.0, 0.0}}, Start{{{0.3, 1.2}, {1.4, 0.9}}}, Start{{{-1.0, 1.0}, {0.7, 1.3}}}}) {
-        auto q = complex_unknowns<M, S>(start);
+        auto q = complex_unknowns<S>({start.begin(), start.end()});
         REQUIRE(newton(fine, q, 100) < S(1e-60));
         Point<M, double> rounded;
-        const auto point = point_of<M, S>(q);
+        const auto point = point_of<RuntimeUnknowns, S>(q, Sizes<M>());
         for (int i = 0; i < 2; ++i) {
             rounded.c[i] = Complex<double>(static_cast<double>(point.c[i].re), static_cast<double>(point.c[i].im));
             rounded.s[i] = Complex<double>(static_cast<double>(point.s[i].re), static_cast<double>(point.s[i].im));

@@ -18,13 +18,17 @@ template <class S>
 BallSystem<S> pendulum(double torque, double stiffness) {
     return BallSystem<S>(ExactSystem<M>::at(Parameters<M>{{torque, stiffness}}));
 }
+template <class S>
+auto start(const std::complex<double>& angle) {
+    return complex_unknowns<S>({&angle, 1});
+}
 
 }  // namespace
 
 TEST_CASE("a root has the digits of its scalar type") {
     using S = Multiprecision<68>;
     const auto system = pendulum<S>(1, 2);
-    auto q = complex_unknowns<M, S>({0.5});
+    auto q = start<S>(0.5);
     CHECK(newton(system, q, 20) < 4 * rounding_unit<S>);
     CHECK(q[0].re > S(0.5235));  // pi / 6
     CHECK(q[0].re < S(0.5237));
@@ -36,7 +40,7 @@ TEST_CASE("the convergence is quadratic: each step is of the size of the last on
     const auto system = pendulum<double>(1, 2);
     double before = 1;
     for (int most = 1; most <= 4; ++most) {
-        auto q = complex_unknowns<M, double>({0.4});
+        auto q = start<double>(0.4);
         const double size = newton(system, q, most);
         CHECK(size < 2 * before * before);
         before = size;
@@ -45,7 +49,7 @@ TEST_CASE("the convergence is quadratic: each step is of the size of the last on
 
 TEST_CASE("a root that is not real is found beside a real point with an imaginary part") {
     const auto system = pendulum<double>(4, 2);  // sin(theta) = 2: theta = pi/2 +- i arcosh(2)
-    auto q = complex_unknowns<M, double>({std::complex<double>(1.5, 1)});
+    auto q = start<double>({1.5, 1});
     CHECK(newton(system, q, 20) < 1e-14);
     CHECK(q[0].re == Approx(std::acos(-1) / 2).epsilon(1e-14));
     CHECK(std::abs(q[0].im) == Approx(std::acosh(2)).epsilon(1e-14));
@@ -53,6 +57,6 @@ TEST_CASE("a root that is not real is found beside a real point with an imaginar
 
 TEST_CASE("where the Jacobian is singular the size of the step is no number") {
     const auto system = pendulum<double>(1, 0);
-    auto q = complex_unknowns<M, double>({0.5});
+    auto q = start<double>(0.5);
     CHECK_FALSE(newton(system, q, 5) < 1e3);
 }

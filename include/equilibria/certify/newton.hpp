@@ -16,13 +16,8 @@
 
 namespace equilibria {
 
-template <class M, class S>
-ComplexUnknowns<M, S> complex_unknowns(const Array<std::complex<double>, n_unknowns<M>>& q) {
-    ComplexUnknowns<M, S> y;
-    for (int u = 0; u < q.size(); ++u) y[u] = Complex<S>(S(q[u].real()), S(q[u].imag()));
-    return y;
-}
-/// The same of any number of unknowns.
+/// The unknowns of a root, complex angles in radians, then coordinates, over S, which has at least the digits of
+/// double: where Newton's method starts.
 template <class S>
 ComplexUnknowns<RuntimeUnknowns, S> complex_unknowns(std::span<const std::complex<double>> q) {
     std::vector<Complex<S>> y;

@@ -1,1 +1,4 @@
+#include <equilibria/system/detail/critical_system_definitions.hpp>
 #include <equilibria/system/detail/sparse_system_definitions.hpp>
+#include <equilibria/system/detail/symmetric_branches_definitions.hpp>
+#include <equilibria/system/detail/symmetric_system_definitions.hpp>

@@ -3,8 +3,10 @@
 #include <benchmark/benchmark.h>
 
 #include <equilibria/core/random.hpp>
-#include <equilibria/enumerate/enumerate.hpp>
+#include <equilibria/evaluation/table_evaluation.hpp>
+#include <equilibria/homotopy/model_homotopy.hpp>
 #include <equilibria/homotopy/tracker.hpp>
+#include <equilibria/start/total_degree.hpp>
 
 #include "../support.hpp"
 
@@ -13,16 +15,15 @@ using namespace equilibria;
 namespace {
 
 using R = Lanes<native_lanes>;
-template <int N>
-using H = ModelHomotopy<Chain<N>, Reflected<Chain<N>>>;
+using H = PolynomialHomotopy;
 
 template <int N>
 struct Setting {
     using M = Chain<N>;
     Generator generator{1};
     ModelSystem<M> target{benchmark_chain<N>()};
-    H<N> h{target, Reflected<M>(target, generator)};
-    Point<M, R> q{};
+    H h = model_homotopy(target, Reflected<M>(target, generator));
+    RuntimePoint<R> q = point_of_zeros<RuntimeUnknowns, R>(h.sizes());
 
     Setting() {
         for (int k = 0; k < native_lanes; ++k)
@@ -39,7 +40,7 @@ void count(benchmark::State& state) { state.SetItemsProcessed(state.iterations()
 template <int N>
 void jacobian(benchmark::State& state) {
     Setting<N> s;
-    typename H<N>::template Evaluation<R, R> evaluation(s.h);
+    H::Evaluation<R, R> evaluation(s.h);
     Complex<R> f[N], j[N][N];
     const R t = broadcast<R>(0.3);
     for (auto _ : state) {
@@ -60,7 +61,7 @@ void solve(benchmark::State& state) {
                 set_lane(a[r][c], k, {uniform(generator, -1, 1), uniform(generator, -1, 1)});
                 set_lane(a[c][r], k, lane(a[r][c], k));
             }
-    Factorization lu;
+    Factorization lu(N);
     for (auto _ : state) {
         benchmark::DoNotOptimize(a);
         lu.factor(a);
@@ -72,17 +73,17 @@ void solve(benchmark::State& state) {
 }
 template <int N>
 void solve_symmetric(benchmark::State& state) {
-    solve<N, SymmetricFactorization<R, N>>(state);
+    solve<N, SymmetricFactorization<R>>(state);
 }
 template <int N>
 void solve_pivoted(benchmark::State& state) {
-    solve<N, PivotedFactorization<R, N>>(state);
+    solve<N, PivotedFactorization<R>>(state);
 }
 
 template <int N>
 void step(benchmark::State& state) {
     Setting<N> s;
-    detail::Stepper<H<N>, R> stepper(s.h, TrackerOptions{});
+    detail::Stepper<H, R> stepper(s.h, TrackerOptions{});
     const R t = broadcast<R>(0.3), by = broadcast<R>(1e-6);
     for (auto _ : state) {
         auto q = s.q;

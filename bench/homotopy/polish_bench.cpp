@@ -17,9 +17,10 @@ void polish(benchmark::State& state) {
     constexpr int width = LaneTraits<R>::width;
     Generator generator(1);
     const ModelSystem<M> target(benchmark_chain<N>());
-    const ModelHomotopy<M, Reflected<M>> h(target, Reflected<M>(target, generator));
+    const PolynomialHomotopy h = model_homotopy(target, Reflected<M>(target, generator));
     const detail::Polisher polisher(h);
-    Point<M, R> straight{};  // theta = 0, a little off
+    detail::Polisher<PolynomialHomotopy>::Workspace<R> with(h);
+    auto straight = point_of_zeros<RuntimeUnknowns, R>(h.sizes());  // theta = 0, a little off
     for (int i = 0; i < N; ++i) {
         straight.c[i] = Complex<R>(std::cos(1e-7));
         straight.s[i] = Complex<R>(std::sin(1e-7));
@@ -28,7 +29,7 @@ void polish(benchmark::State& state) {
     for (auto _ : state) {
         auto q = straight;
         benchmark::DoNotOptimize(q);
-        polisher.run(q, evidence);
+        polisher.run(q, evidence, with);
         benchmark::DoNotOptimize(evidence);
     }
     state.SetItemsProcessed(state.iterations() * width);

@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <equilibria/locus/plane/locus_result.hpp>
 #include <equilibria/mechanisms/rotating_chain.hpp>
+#include <equilibria/model/torus.hpp>
 #include <map>
 #include <numbers>
 #include <utility>

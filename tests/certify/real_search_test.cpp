@@ -18,15 +18,15 @@ constexpr double pi = std::numbers::pi;
 
 /// A family in one parameter.
 template <class M>
-BallSystems<M, double, 1> family(const Parameters<M>& p, int varied, double low, double high) {
-    return BallSystems<M, double, 1>(ExactSystems<M, 1>(p, {{varied}}, {{low}}, {{high}}));
+BallSystems<double> family(const Parameters<M>& p, int varied, double low, double high) {
+    return BallSystems<double>(ExactSystems<M, 1>(p, {{varied}}, {{low}}, {{high}}));
 }
 
 /// The boxes of roots near the given angles, each of which must be proved for the whole family.
 template <class M>
-std::vector<AngleBox<n_angles<M>>> proved_boxes(const BallSystems<M, double, 1>& family,
-                                                const std::vector<Array<double, n_angles<M>>>& roots) {
-    std::vector<AngleBox<n_angles<M>>> boxes;
+std::vector<AngleBox> proved_boxes(const BallSystems<double>& family,
+                                   const std::vector<Array<double, n_angles<M>>>& roots) {
+    std::vector<AngleBox> boxes;
     for (const auto& root : roots) {
         Point<M, double> q;
         for (int u = 0; u < n_angles<M>; ++u) {
@@ -35,19 +35,18 @@ std::vector<AngleBox<n_angles<M>>> proved_boxes(const BallSystems<M, double, 1>&
         }
         const auto proof = krawczyk<M, double>(family, q, true);
         REQUIRE(proof.proved);
-        boxes.push_back(AngleBox<n_angles<M>>::of(proof, q, 0));
+        boxes.push_back(AngleBox::of(proof, q, 0));
     }
     return boxes;
 }
 
 /// Complete with all boxes, and not with any one of them left out.
-template <class M>
-void check_exactly(const BallSystems<M, double, 1>& family, const std::vector<AngleBox<n_angles<M>>>& boxes) {
-    CHECK(search_real_roots<M>(family, boxes, 20000).complete);
+void check_exactly(const BallSystems<double>& family, const std::vector<AngleBox>& boxes) {
+    CHECK(search_real_roots(family, boxes, 20000).complete);
     for (std::size_t k = 0; k < boxes.size(); ++k) {
         auto fewer = boxes;
         fewer.erase(fewer.begin() + static_cast<std::ptrdiff_t>(k));
-        CHECK_FALSE(search_real_roots<M>(family, fewer, 20000).complete);
+        CHECK_FALSE(search_real_roots(family, fewer, 20000).complete);
     }
 }
 
@@ -75,18 +74,18 @@ struct Multiples {
 
 TEST_CASE("sin(theta) = torque: two roots, none above 1, nothing proved where both meet") {
     const auto below = family<Pendulum>({{0}}, Pendulum::torque, 0.3, 0.5);
-    check_exactly(below, proved_boxes(below, {{{std::asin(0.4)}}, {{pi - std::asin(0.4)}}}));
+    check_exactly(below, proved_boxes<Pendulum>(below, {{{std::asin(0.4)}}, {{pi - std::asin(0.4)}}}));
     const auto above = family<Pendulum>({{0}}, Pendulum::torque, 1.001, 3.0);
-    CHECK(search_real_roots<Pendulum>(above, {}, 20000).complete);
+    CHECK(search_real_roots(above, {}, 20000).complete);
     const auto across = family<Pendulum>({{0}}, Pendulum::torque, 0.999, 1.001);
-    CHECK_FALSE(search_real_roots<Pendulum>(across, {}, 20000).complete);
+    CHECK_FALSE(search_real_roots(across, {}, 20000).complete);
 }
 
 TEST_CASE("the interval of parameters may reach as far as a fixed share of the distance to the fold") {
     // exclusion beside the fold needs no more than that the values do not meet 0
     for (double gap = 0.1; gap > 1e-6; gap /= 10) {
         const auto beside = family<Pendulum>({{0}}, Pendulum::torque, 1 + gap, 1 + 2 * gap);
-        const auto result = search_real_roots<Pendulum>(beside, {}, 20000);
+        const auto result = search_real_roots(beside, {}, 20000);
         CHECK(result.complete);
         CHECK(result.boxes < 2000);
     }
@@ -113,12 +112,12 @@ TEST_CASE("multiples of angles: 6 x 4 roots") {
     for (int k = 0; k < 3; ++k)
         for (const double first : {angle + 2 * k * pi / 3, pi / 3 - angle + 2 * k * pi / 3})
             for (int half = 0; half < 4; ++half) roots.push_back({{first, first / 2 + half * pi / 2}});
-    check_exactly(multiples, proved_boxes(multiples, roots));
+    check_exactly(multiples, proved_boxes<Multiples>(multiples, roots));
 }
 
 TEST_CASE("a search stops at the number of boxes that it was given") {
     const auto above = family<Pendulum>({{0}}, Pendulum::torque, 1.0001, 1.0002);
-    const auto result = search_real_roots<Pendulum>(above, {}, 8);
+    const auto result = search_real_roots(above, {}, 8);
     CHECK_FALSE(result.complete);
     CHECK(result.boxes <= 8);
 }

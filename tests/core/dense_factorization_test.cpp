@@ -82,3 +82,21 @@ TEST_CASE("A solution comes with its derivatives") {
         for (int k = 0; k < 2; ++k) CHECK(back[i].derivative[k] == Approx(b[i].derivative[k]).margin(1e-12));
     }
 }
+
+TEST_CASE("A dense factorisation of a size known at run time is the same, operation by operation") {
+    Generator generator(3);
+    const auto a = random_matrix<5>(generator);
+    RuntimeMatrix<double> same(5);
+    RuntimeArray<double> b(5);
+    Array<double, 5> right;
+    for (int i = 0; i < 5; ++i) {
+        b[i] = right[i] = uniform(generator, -1, 1);
+        for (int j = 0; j < 5; ++j) same[i][j] = a[i][j];
+    }
+    const DenseFactorization<double, at_run_time> factors(same);
+    REQUIRE(factors.regular());
+    const auto x = factors.solve(b);
+    const auto expected = DenseFactorization<double, 5>(a).solve(right);
+    for (int i = 0; i < 5; ++i) CHECK(x[i] == expected[i]);
+    CHECK_FALSE(DenseFactorization<double, at_run_time>(RuntimeMatrix<double>(2)).regular());
+}

@@ -42,7 +42,7 @@ double residual(const Complex<R> (&a)[N][N], const Complex<R> (&x)[N], const Com
 }
 
 /// A x = b for random A (complex symmetric for LDL^T, and dominant: it does not pivot), x overwriting b.
-template <template <class, int> class Factorization, class R, int N>
+template <template <class> class Factorization, class R, int N>
 void check(Generator& generator, bool symmetric) {
     for (int trial = 0; trial < 10; ++trial) {
         Complex<R> a[N][N], b[N], x[N];
@@ -51,7 +51,7 @@ void check(Generator& generator, bool symmetric) {
             for (int j = 0; j < N; ++j) a[i][j] = symmetric && j < i ? a[j][i] : draw<R>(generator);
             if (symmetric) a[i][i] += 2.0 * N * broadcast_complex<R>({0.8, 0.6});
         }
-        Factorization<R, N> factors;
+        Factorization<R> factors(N);
         factors.factor(a);
         factors.solve(x);
         double size = 1;
@@ -67,6 +67,8 @@ TEMPLATE_TEST_CASE("LDL^T leaves a small residual", "", double, long double, Pac
     Generator generator(1);
     check<SymmetricFactorization, TestType, 1>(generator, true);
     check<SymmetricFactorization, TestType, 2>(generator, true);
+    check<SymmetricFactorization, TestType, 3>(generator, true);
+    check<SymmetricFactorization, TestType, 4>(generator, true);
     check<SymmetricFactorization, TestType, 5>(generator, true);
     check<SymmetricFactorization, TestType, 8>(generator, true);
 }
@@ -75,6 +77,8 @@ TEMPLATE_TEST_CASE("LU with partial pivoting leaves a small residual", "", doubl
     Generator generator(2);
     check<PivotedFactorization, TestType, 1>(generator, false);
     check<PivotedFactorization, TestType, 2>(generator, false);
+    check<PivotedFactorization, TestType, 3>(generator, false);
+    check<PivotedFactorization, TestType, 4>(generator, false);
     check<PivotedFactorization, TestType, 5>(generator, false);
     check<PivotedFactorization, TestType, 8>(generator, false);
 }
@@ -82,7 +86,7 @@ TEMPLATE_TEST_CASE("LU with partial pivoting leaves a small residual", "", doubl
 TEST_CASE("only the upper triangle of a symmetric matrix is read") {
     Complex<double> a[2][2] = {{{2, 1}, {0.5, 0}}, {{99, 99}, {3, 0}}}, x[2] = {{1, 0}, {0, 1}};
     const Complex<double> b[2] = {x[0], x[1]};
-    SymmetricFactorization<double, 2> factors;
+    SymmetricFactorization<double> factors(2);
     factors.factor(a);
     factors.solve(x);
     a[1][0] = a[0][1];
@@ -92,11 +96,11 @@ TEST_CASE("only the upper triangle of a symmetric matrix is read") {
 TEST_CASE("a zero on the diagonal: LU exchanges rows, LDL^T gives what no test accepts") {
     const Complex<double> a[2][2] = {{{0, 0}, {1, 0}}, {{1, 0}, {1, 0}}}, b[2] = {{2, 0}, {5, 0}};
     Complex<double> x[2] = {b[0], b[1]}, y[2] = {b[0], b[1]};
-    PivotedFactorization<double, 2> lu;
+    PivotedFactorization<double> lu(2);
     lu.factor(a);
     lu.solve(x);
     CHECK(residual(a, x, b) < 1e-15);
-    SymmetricFactorization<double, 2> ldl;
+    SymmetricFactorization<double> ldl(2);
     ldl.factor(a);
     ldl.solve(y);
     CHECK_FALSE(norm2(y[0]) < 1e300);
@@ -109,7 +113,7 @@ TEST_CASE("each lane pivots for itself, and a singular lane leaves the others al
         for (int i = 0; i < 2; ++i)
             for (int j = 0; j < 2; ++j) set_lane(a[i][j], 0, first[i][j]), set_lane(a[i][j], 1, second[i][j]);
         for (int i = 0; i < 2; ++i) x[i] = broadcast_complex<Two>(i + 1.0);
-        PivotedFactorization<Two, 2> lu;
+        PivotedFactorization<Two> lu(2);
         lu.factor(a);
         lu.solve(x);
     };

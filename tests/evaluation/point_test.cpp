@@ -68,6 +68,17 @@ TEST_CASE("corrected does so for tiny steps") {
     check([](const auto& q, const auto& d) { return corrected<M, double>(q, d); }, 1e-4, 1e-12);
 }
 
+TEST_CASE("corrected roughly, an angle is wrong by the third power of its step, and on the circle") {
+    const auto roughly = [](const auto& q, const auto& d) {
+        auto moving = runtime_point(q);
+        correct_roughly(moving, d);
+        Point<M, double> y;
+        copy_lane(moving, 0, y, 0);
+        return y;
+    };
+    for (const double largest : {1e-2, 1e-3, 1e-4}) check(roughly, largest, 1.1 * std::pow(largest, 3) / 6 + 1e-12);
+}
+
 TEST_CASE("a thousand turns do not leave the circle") {
     Generator generator(2);
     auto q = point({0.3, 0.5}, 0.0);

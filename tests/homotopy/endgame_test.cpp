@@ -49,7 +49,7 @@ struct Ends {
         Generator generator(seed);
         const ModelSystem<M> target(p);
         const TotalDegree<M> start(target, generator);
-        const PolynomialHomotopy h = ModelHomotopy<M, TotalDegree<M>>(target, start).polynomials();
+        const PolynomialHomotopy h = model_homotopy(target, start);
         const detail::Polisher polisher(h);
         for (std::uint64_t path = 0; path < static_cast<std::uint64_t>(total_degree<M>()); ++path)
             ends.push_back(detail::Endgame(h, polisher, TrackerOptions{}).from_start(runtime_point(start.point(path))));

@@ -1,9 +1,11 @@
 // Evaluation of the homotopies: against the model's own function, finite differences, and Taylor's theorem.
 #include <complex>
 
-#include <equilibria/enumerate/enumerate.hpp>
 #include <equilibria/evaluation/table_evaluation.hpp>
+#include <equilibria/homotopy/model_homotopy.hpp>
 #include <equilibria/mechanisms/rotating_chain.hpp>
+#include <equilibria/start/moving.hpp>
+#include <equilibria/start/total_degree.hpp>
 
 #include "support/catch.hpp"
 #include "support/models.hpp"
@@ -28,7 +30,7 @@ Point<M, double> random_point(Generator& generator) {
     return q;
 }
 
-/// Two equations with all terms up to a degree: more than are unrolled.
+/// Two equations with all terms up to a degree.
 struct Dense {
     static constexpr int degree = 11, terms = (degree + 1) * (degree + 2) / 2;
     static constexpr int n_angles = 0, n_coordinates = 2, n_parameters = 2 * terms;
@@ -51,36 +53,26 @@ double size(const Z& z) { return std::sqrt(norm2(z)); }
 
 /// A homotopy of each kind at random parameters.
 template <class M, class StartSystem>
-ModelHomotopy<M, StartSystem> random_homotopy(Generator& generator, const Parameters<M>& p) {
+PolynomialHomotopy random_homotopy(Generator& generator, const Parameters<M>& p) {
     const ModelSystem<M> target(p);
     if constexpr (StartSystem::moving) {
         const auto from = coefficients<M, double>(random_parameters<M>(generator));
-        return {target, StartSystem(from, unit_complex(generator), {})};
+        return model_homotopy(target, StartSystem(from, unit_complex(generator), {}));
     } else {
-        return {target, StartSystem(target, generator)};
+        return model_homotopy(target, StartSystem(target, generator));
     }
 }
 
-/// H: the model's homotopy, or the same as data.
-template <class M, class StartSystem, class H = ModelHomotopy<M, StartSystem>>
+template <class M, class StartSystem>
 struct Case {
+    using H = PolynomialHomotopy;
     static constexpr int n = n_unknowns<M>;
     Generator generator{static_cast<std::uint64_t>(n) + 10};
     Parameters<M> p = random_parameters<M>(generator);
-    H h = [&] {
-        auto y = random_homotopy<M, StartSystem>(generator, p);
-        if constexpr (std::is_same_v<H, PolynomialHomotopy>)
-            return y.polynomials();
-        else
-            return y;
-    }();
-    typename H::template Evaluation<double, double> evaluation{h};
+    H h = random_homotopy<M, StartSystem>(generator, p);
+    H::Evaluation<double, double> evaluation{h};
 
-    auto point() {
-        Point<typename H::System, double> y;
-        copy_lane(random_point<M>(generator), 0, y, 0);
-        return y;
-    }
+    RuntimePoint<double> point() { return runtime_point(random_point<M>(generator)); }
     void at_the_target_it_is_the_model() {
         for (int k = 0; k < 20; ++k) {
             const auto q = point();
@@ -133,7 +125,7 @@ struct Case {
         const auto along = [&](double by, Z(&value)[n]) {
             Z step[n];
             for (int u = 0; u < n; ++u) step[u] = by * (given[0][u] + by * given[1][u]);
-            typename H::template Evaluation<double, double>(h).value(moved(q, step), t + by, value);
+            H::Evaluation<double, double>(h).value(moved(q, step), t + by, value);
         };
         Z minus2[n], minus1[n], plus1[n], plus2[n];
         along(-2 * e, minus2), along(-e, minus1), along(e, plus1), along(2 * e, plus2);
@@ -171,58 +163,7 @@ TEST_CASE("homotopy with multiples, powers and phases, from other parameters") {
     Case<models::Everything, Moving<models::Everything>>().all();
 }
 
-TEST_CASE("homotopy of more terms than are unrolled, from other parameters") {
-    static_assert(!ModelHomotopy<Dense, Moving<Dense>>::unrolls);
-    Case<Dense, Moving<Dense>, PolynomialHomotopy>().all();
-}
-
-TEST_CASE("the same homotopies as data") {
-    using Chain = mechanisms::RotatingChain<3>;
-    Case<Chain, Reflected<Chain>, PolynomialHomotopy>().all();
-    Case<Chain, TotalDegree<Chain>, PolynomialHomotopy>().all();
-    Case<Chain, Moving<Chain>, PolynomialHomotopy>().all();
-    Case<models::CoupledAngles<3>, TotalDegree<models::CoupledAngles<3>>, PolynomialHomotopy>().all();
-    Case<models::ElasticPendulum, TotalDegree<models::ElasticPendulum>, PolynomialHomotopy>().all();
-    Case<models::Everything, TotalDegree<models::Everything>, PolynomialHomotopy>().all();
-    Case<models::Everything, Moving<models::Everything>, PolynomialHomotopy>().all();
-}
-
-TEST_CASE(
-    "a total-degree start is the same homotopy, compiled alone or with the parameter homotopies, unrolled or not") {
-    const auto check = []<class M>(M) {
-        constexpr int n = n_unknowns<M>;
-        Generator generator(7);
-        const ModelSystem<M> target(random_parameters<M>(generator));
-        Generator one(3), two(3);
-        const ModelHomotopy<M, TotalDegree<M>> alone(target, TotalDegree<M>(target, one));
-        const ModelHomotopy<M, Moving<M>> together(target, Moving<M>(target, two));
-        typename ModelHomotopy<M, TotalDegree<M>>::template Evaluation<double, double> a(alone);
-        typename ModelHomotopy<M, Moving<M>>::template Evaluation<double, double> b(together);
-        for (const double t : {0.0, 0.3, 1.0}) {
-            const auto q = random_point<M>(generator);
-            Z f[n], g[n], j[n][n], k[n][n];
-            const auto agree = [&] {
-                for (int i = 0; i < n; ++i) CHECK(size(f[i] - g[i]) < 1e-12 * (1 + size(f[i])));
-            };
-            a.value(q, t, f), b.value(q, t, g);
-            agree();
-            a.jacobian(q, t, f, j), b.jacobian(q, t, g, k);
-            for (int r = 0; r < n; ++r)
-                for (int c = Formulation<M>::has_potential ? r : 0; c < n; ++c)
-                    CHECK(size(j[r][c] - k[r][c]) < 1e-12 * (1 + size(j[r][c])));
-            for (int order = 1; order <= 3; ++order) {
-                Z d[n];
-                for (Z& z : d) z = {uniform(generator, -1, 1), uniform(generator, -1, 1)};
-                a.taylor_right_side(order, f), b.taylor_right_side(order, g);
-                agree();
-                a.set_coefficient(order, d), b.set_coefficient(order, d);
-            }
-        }
-    };
-    check(models::Everything());
-    check(models::ElasticPendulum());
-    check(Dense());
-}
+TEST_CASE("homotopy of many terms, from other parameters") { Case<Dense, Moving<Dense>>().all(); }
 
 TEST_CASE("a total-degree homotopy is its start system at t = 0, and linear in t") {
     using M = mechanisms::RotatingChain<3>;
@@ -230,7 +171,7 @@ TEST_CASE("a total-degree homotopy is its start system at t = 0, and linear in t
     Generator generator(10 + 3);
     const auto p = random_parameters<M>(generator);
     const TotalDegree<M> start(ModelSystem<M>(p), generator);
-    Point<M, double> q;
+    auto q = point_of_zeros<RuntimeUnknowns, double>(c.h.sizes());
     for (int i = 0; i < 3; ++i) {
         set_lane(q.c[i], 0, start.system().points(i)[1].c);
         set_lane(q.s[i], 0, start.system().points(i)[1].s);
@@ -250,15 +191,15 @@ TEST_CASE("all lanes evaluate alike, and so do complex times") {
     using R = Lanes<native_lanes>;
     Generator generator(5);
     const auto h = random_homotopy<M, Reflected<M>>(generator, random_parameters<M>(generator));
-    using H = ModelHomotopy<M, Reflected<M>>;
+    using H = PolynomialHomotopy;
     H::Evaluation<R, R> lanes(h);
     H::Evaluation<double, double> scalar(h);
     H::Evaluation<double, Z> complex_time(h);
-    Point<M, R> pack{};
-    Point<M, double> q[native_lanes];
+    auto pack = point_of_zeros<RuntimeUnknowns, R>(h.sizes());
+    RuntimePoint<double> q[native_lanes];
     R t = broadcast<R>(0.0);
     for (int k = 0; k < native_lanes; ++k) {
-        q[k] = random_point<M>(generator);
+        q[k] = runtime_point(random_point<M>(generator));
         copy_lane(q[k], 0, pack, k);
         set_lane(t, k, 0.2 * k);
     }

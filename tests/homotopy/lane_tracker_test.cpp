@@ -3,8 +3,11 @@
 #include <numeric>
 #include <vector>
 
-#include <equilibria/enumerate/enumerate.hpp>
+#include <equilibria/evaluation/table_evaluation.hpp>
+#include <equilibria/homotopy/lane_tracker.hpp>
+#include <equilibria/homotopy/model_homotopy.hpp>
 #include <equilibria/mechanisms/rotating_chain.hpp>
+#include <equilibria/start/total_degree.hpp>
 
 #include "support/catch.hpp"
 
@@ -19,12 +22,12 @@ struct Paths {
     Generator generator{1};
     ModelSystem<M> target{Parameters<M>{.3, 1.5, 2}};
     TotalDegree<M> start{target, generator};
-    ModelHomotopy<M, TotalDegree<M>> h{target, start};
+    PolynomialHomotopy h = model_homotopy(target, start);
 
     template <class R, bool Pivoted = false>
     std::vector<Endpoint> track(const std::vector<std::uint64_t>& paths) const {
         std::vector<Endpoint> ends(paths.size());
-        const auto point = [&](std::uint64_t k) { return start.point(k); };
+        const auto point = [&](std::uint64_t k) { return runtime_point(start.point(k)); };
         track_lanes<R, Pivoted>(h, TrackerOptions{}, std::span(paths), point, std::span(ends));
         return ends;
     }

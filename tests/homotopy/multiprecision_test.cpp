@@ -2,9 +2,11 @@
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <vector>
 
-#include <equilibria/enumerate/enumerate.hpp>
 #include <equilibria/evaluation/table_evaluation.hpp>
 #include <equilibria/homotopy/endgame.hpp>
+#include <equilibria/homotopy/lane_tracker.hpp>
+#include <equilibria/homotopy/model_homotopy.hpp>
+#include <equilibria/start/total_degree.hpp>
 
 #include "support/catch.hpp"
 #include "support/models.hpp"
@@ -19,8 +21,8 @@ TEST_CASE("paths tracked with 50 digits arrive where those of double do") {
     Generator generator(1);
     const ModelSystem<M> target(p);
     const TotalDegree<M> start(target, generator);
-    const ModelHomotopy<M, TotalDegree<M>> h(target, start);
-    const auto points = [&](std::uint64_t k) { return start.point(k); };
+    const PolynomialHomotopy h = model_homotopy(target, start);
+    const auto points = [&](std::uint64_t k) { return runtime_point(start.point(k)); };
     const std::vector<std::uint64_t> paths{0, 1};
     std::vector<Endpoint> ends(2), exact(2);
     track_lanes<double, true>(h, TrackerOptions{}, std::span(paths), points, std::span(ends));
@@ -49,7 +51,7 @@ std::vector<Endpoint> ends(const Parameters<M>& p, std::uint64_t seed) {
     Generator generator(seed);
     const ModelSystem<M> target(p);
     const TotalDegree<M> start(target, generator);
-    const PolynomialHomotopy h = ModelHomotopy<M, TotalDegree<M>>(target, start).polynomials();
+    const PolynomialHomotopy h = model_homotopy(target, start);
     const detail::Polisher polisher(h);
     std::vector<Endpoint> y;
     for (std::uint64_t path = 0; path < static_cast<std::uint64_t>(total_degree<M>()); ++path)

@@ -35,7 +35,7 @@ struct Polished {
     static PolynomialHomotopy homotopy(const Parameters<M>& p) {
         const ModelSystem<M> target(p);
         Generator generator(1);
-        return ModelHomotopy(target, TotalDegree<M>(target, generator)).polynomials();
+        return model_homotopy(target, TotalDegree<M>(target, generator));
     }
 
     RuntimePoint<double> at(const Array<std::complex<double>, n_angles<M>>& theta) const {

@@ -22,7 +22,7 @@ struct Chain {
     Generator generator{1};
     ModelSystem<M> target{Parameters<M>{.3, 1.5, 2}};
     TotalDegree<M> start{target, generator};
-    H h = ModelHomotopy<M, TotalDegree<M>>(target, start).polynomials();
+    H h = model_homotopy(target, start);
     detail::SegmentLanes<H, double> lanes{h, TrackerOptions{}, 1e-9};
 
     /// From the starts of the first paths.

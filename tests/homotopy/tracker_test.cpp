@@ -2,9 +2,11 @@
 #include <cmath>
 #include <limits>
 
-#include <equilibria/enumerate/enumerate.hpp>
+#include <equilibria/evaluation/table_evaluation.hpp>
+#include <equilibria/homotopy/model_homotopy.hpp>
 #include <equilibria/homotopy/tracker.hpp>
 #include <equilibria/mechanisms/rotating_chain.hpp>
+#include <equilibria/start/total_degree.hpp>
 
 #include "support/catch.hpp"
 
@@ -13,7 +15,7 @@ using namespace equilibria;
 namespace {
 
 using M = mechanisms::RotatingChain<3>;
-using H = ModelHomotopy<M, TotalDegree<M>>;
+using H = PolynomialHomotopy;
 using Z = Complex<double>;
 
 /// A path of a chain, followed with small steps to t = 0.3.
@@ -21,10 +23,10 @@ struct OnAPath {
     ModelSystem<M> target{{1.1, 1.2, 1.3, 1.05, 1.2, 1.45, 1.7, 1}};
     Generator generator{3};
     TotalDegree<M> start{target, generator};
-    H h{target, start};
+    H h = model_homotopy(target, start);
     TrackerOptions options;
     detail::Stepper<H, double> stepper{h, options};
-    Point<M, double> q;
+    RuntimePoint<double> q = point_of_zeros<RuntimeUnknowns, double>(h.sizes());
     double t = 0;
 
     OnAPath() {
@@ -45,7 +47,7 @@ struct OnAPath {
     }
 };
 
-double residual(const OnAPath& path, const Point<M, double>& q, double t) {
+double residual(const OnAPath& path, const RuntimePoint<double>& q, double t) {
     Z f[3];
     H::Evaluation<double, double>(path.h).value(q, t, f);
     double sum = 0;
@@ -63,7 +65,7 @@ TEST_CASE("Taylor coefficients: cutting after the k-th leaves a residual of orde
             d[u] = {0, 0};
             for (int m = k; m >= 1; --m) d[u] = h * (path.stepper.coefficient(m, u) + d[u]);
         }
-        return residual(path, moved<M, double>(path.q, d), path.t + h);
+        return residual(path, moved(path.q, d), path.t + h);
     };
     for (int k = 1; k <= 3; ++k)
         for (const double h : {2e-3, 1e-3}) CHECK(std::log2(cut(k, h) / cut(k, h / 2)) == Approx(k + 1).margin(0.1));
@@ -140,7 +142,7 @@ TEST_CASE("numbers that are not numbers are refused, and the step shrinks") {
 TEST_CASE("a segment of the complex t-plane: there and back") {
     OnAPath path;
     detail::Stepper<H, double, Z, true> stepper(path.h, path.options);
-    const auto follow = [&](Point<M, double>& q, Z from, Z by) {
+    const auto follow = [&](RuntimePoint<double>& q, Z from, Z by) {
         stepper.set_segment(from, by);
         for (double tau = 0, h = 0.02; tau < 1;) {
             stepper.expand(q, tau);

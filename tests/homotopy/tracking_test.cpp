@@ -6,7 +6,7 @@
 #include <equilibria/homotopy/tracking.hpp>
 #include <equilibria/mechanisms/rotating_chain.hpp>
 #include <equilibria/model/torus.hpp>
-#include <equilibria/paths/complex_roots.hpp>
+#include <equilibria/paths/own_homotopy.hpp>
 
 #include "support/catch.hpp"
 
@@ -15,7 +15,7 @@ using namespace equilibria;
 namespace {
 
 using M = mechanisms::TwoLinkChain;
-using H = ModelHomotopy<M, TotalDegree<M>>;
+using H = PolynomialHomotopy;
 
 /// Along the tangent.
 template <class R>
@@ -50,7 +50,7 @@ struct Chain {
     Generator generator{1};
     ModelSystem<M> target{Parameters<M>{.3, 1.5, 2}};
     TotalDegree<M> start{target, generator};
-    H h{target, start};
+    H h = model_homotopy(target, start);
 };
 
 }  // namespace

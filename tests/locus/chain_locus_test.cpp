@@ -6,6 +6,7 @@
 #include <equilibria/locus/plane/trace_locus.hpp>
 #include <equilibria/locus/proof/prove_locus.hpp>
 #include <equilibria/mechanisms/rotating_chain.hpp>
+#include <equilibria/model/derivatives.hpp>
 #include <map>
 #include <vector>
 

@@ -37,15 +37,16 @@ struct Uneven {
 /// copy.
 template <class System, class Vector>
 void check_jacobian(const System& system, const Vector& y) {
-    constexpr int size = Vector::size();
+    const int size = y.size();
     constexpr double h = 1e-6;
-    Vector r;
-    detail::SquareArray<double, size> jacobian, unused;
+    Vector r = y, low = y, high = y;
+    auto jacobian = detail::Rebound<Vector, double>::square(size), unused = jacobian;
     REQUIRE(System(system)(y, r, jacobian));
     double scale = 1;
-    for (const auto& row : jacobian) scale = std::max(scale, detail::largest(row));
+    for (int i = 0; i < size; ++i)
+        for (int j = 0; j < size; ++j) scale = std::max(scale, std::abs(jacobian[i][j]));
     for (int j = 0; j < size; ++j) {
-        Vector below = y, above = y, low, high;
+        Vector below = y, above = y;
         below[j] -= h;
         above[j] += h;
         REQUIRE(System(system)(below, low, unused));
@@ -73,8 +74,10 @@ void check_kind(Generator& generator) {
     for (int trial = 0; trial < 10; ++trial) {
         Unknowns<M> q = random_angles(generator);
         if (class_of(K).symmetric) q = {};
-        const detail::DefiningSystem<M, K, double, Active...> system(q, random_parameters<M>(generator),
-                                                                     random_direction(generator));
+        constexpr int active[] = {Active...};
+        const detail::DefiningSystem<double> system(functions_of<M>(), K, active, runtime_array(q),
+                                                    runtime_array(random_parameters<M>(generator)),
+                                                    runtime_array(random_direction(generator)));
         check_jacobian(system, system.packed());
     }
 }

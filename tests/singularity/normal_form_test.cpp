@@ -2,7 +2,10 @@
 #include <cmath>
 #include <equilibria/locus/line/line_events.hpp>
 #include <equilibria/mechanisms/rotating_chain.hpp>
+#include <equilibria/model/derivatives.hpp>
+#include <equilibria/singularity/null_vector.hpp>
 #include <equilibria/singularity/reduced_coefficients.hpp>
+#include <equilibria/system/symmetric_branches.hpp>
 #include <vector>
 
 #include "instances/locus/chain_events.hpp"

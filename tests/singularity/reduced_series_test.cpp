@@ -8,6 +8,7 @@
 #include <equilibria/core/multiprecision.hpp>
 #include <equilibria/core/random.hpp>
 #include <equilibria/core/symmetric_eigen.hpp>
+#include <equilibria/model/derivatives.hpp>
 #include <equilibria/singularity/reduced_coefficients.hpp>
 #include <equilibria/singularity/reduced_series.hpp>
 
@@ -166,7 +167,7 @@ TEST_CASE("the first derivative that is not 0 is that of the normal form, in any
 
 TEST_CASE("series over duals have the derivatives of the coefficients, and multiprecision all its digits") {
     using M = PulledBack;
-    using D = Dual<double, 3>;
+    using D = Dual<double, Jet<double>::directions>;
     const Unknowns<M> q{0.2, -0.1}, l{0.8, 0.6};
     const Parameters<M> p{0.3, 0.5, -0.4, 0.2, 0.7};
     const auto at = [&](double q0, double q1, double p0) {
@@ -175,12 +176,11 @@ TEST_CASE("series over duals have the derivatives of the coefficients, and multi
         other[0] = p0;
         return reduced_series<M, 4>(moved, l, other);
     };
-    Unknowns<M, D> lifted, border;
-    Parameters<M, D> parameters;
+    RuntimeArray<D> lifted(2), border(2), parameters(p.size());
     for (int i = 0; i < 2; ++i) lifted[i] = D::variable(q[i], i), border[i] = l[i];
     for (int k = 0; k < p.size(); ++k) parameters[k] = p[k];
     parameters[0].derivative[2] = 1;
-    const auto series = reduced_series<M, 4, D>(lifted, border, parameters);
+    const auto series = reduced_series(functions_of<M>(), 4, lifted, border, border, parameters);
     const double h = 1e-5;
     for (int k = 0; k <= 4; ++k) {
         CAPTURE(k);

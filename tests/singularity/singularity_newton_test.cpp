@@ -19,7 +19,7 @@ TEST_CASE(
     const auto solve = [](double start, auto&& f) {
         Report at;
         Array<double, 1> y{start};
-        detail::newton(y, at, [&](const auto& now, auto& r, auto& jacobian) {
+        detail::newton_method(y, at, [&](const auto& now, auto& r, auto& jacobian) {
             const auto u = detail::independent(now);
             detail::split_duals(Array<Dual<double, 1>, 1>{f(u[0])}, r, jacobian);
             return true;

@@ -36,7 +36,7 @@ Values body(double momentum, double coupling) {
 /// At generic stiffnesses, moments and momentum.
 RootSet<Momentum> generic_member(const Values& p, std::uint64_t seed = 1) {
     Generator generator(seed);
-    return enumerate<Momentum, Moving<Momentum>>(Momentum::generic(Momentum::units(p).scaled, generator));
+    return enumerate<Momentum, TotalDegree<Momentum>>(Momentum::generic(Momentum::units(p).scaled, generator));
 }
 
 struct Found {

@@ -15,14 +15,14 @@ using namespace equilibria;
 namespace {
 
 /// The value of a polynomial at angles and coordinates.
-template <int A, int C>
-double value(const TrigonometricPolynomial<A, C>& f, const Array<double, A + C>& q) {
+double value(const RuntimePolynomial<>& f, const RuntimeSizes& sizes, const RuntimeArray<double>& q) {
     double sum = 0;
     for (const auto& t : f.terms()) {
         double term = t.coefficient;
-        for (int u = 0; u < A + C; ++u) {
-            const int code = t.monomial.code(u);
-            if (u >= A)
+        const auto codes = codes_of(t.monomial, sizes);
+        for (int u = 0; u < sizes.unknowns; ++u) {
+            const int code = codes[static_cast<std::size_t>(u)];
+            if (u >= sizes.angles)
                 term *= std::pow(q[u], code);
             else if (code != 0)
                 term *= code > 0 ? std::cos(code * q[u]) : std::sin(-code * q[u]);
@@ -32,8 +32,7 @@ double value(const TrigonometricPolynomial<A, C>& f, const Array<double, A + C>&
     return sum;
 }
 
-template <class Basis>
-Eigen::VectorXd combined(const Basis& basis, const Array<double, 8>& w) {
+Eigen::VectorXd combined(const RuntimeMatrix<double>& basis, const Array<double, 8>& w) {
     const int n = basis.size();
     Eigen::VectorXd v(n);
     for (int i = 0; i < n; ++i) {
@@ -47,25 +46,28 @@ Eigen::VectorXd combined(const Basis& basis, const Array<double, 8>& w) {
 
 TEST_CASE("the equations of the critical system are F, J v and the last one, over what was divided out") {
     using M = mechanisms::TwoLinkChain;
-    using Critical = CriticalSystem<M, M::alpha, M::omega>;
     constexpr int n = 2;
+    constexpr int active[] = {M::alpha, M::omega};
+    const CriticalSystem critical(polynomials_of<M>(), active);
+    CHECK(critical.grouping() == std::vector{0, 0, 1, 2, 3, 4});
     Generator generator(3);
     for (int round = 0; round < 5; ++round) {
         Parameters<M> p{0, uniform(generator, 1.1, 2), 0};
-        const Array<double, 2> scales{uniform(generator, 0.5, 2), uniform(generator, 0.5, 4)};
-        auto numbers = Critical::numbers(p, scales, generator);
+        const double alpha_scale = uniform(generator, 0.5, 2), omega_scale = uniform(generator, 0.5, 4);
+        const std::vector<double> scales{alpha_scale, omega_scale};
+        auto numbers = critical.numbers(runtime_array(p), scales, generator);
         for (double& s : numbers.slice) s = uniform(generator, -1, 1);
         for (double& e : numbers.extremal) e = uniform(generator, -1, 1);
         numbers.cusp = uniform(generator, -1, 1);
 
-        Array<double, Critical::n_angles + Critical::n_coordinates> q;
+        RuntimeArray<double> q(critical.sizes().unknowns);
         Array<double, 8> w{uniform(generator, -1, 1)};
         Unknowns<M> theta{uniform(generator, -3, 3), uniform(generator, -3, 3)};
         p[M::alpha] = uniform(generator, 0.1, 0.9);
         p[M::omega] = uniform(generator, 0.5, 4);
-        const Array<double, 2> x{Critical::unknown(0, p[M::alpha], scales[0]),
-                                 Critical::unknown(1, p[M::omega], scales[1])};
-        CHECK(Critical::parameter(1, x[1], scales[1]) == Approx(p[M::omega]));
+        const Array<double, 2> x{critical.unknown(0, p[M::alpha], scales[0]),
+                                 critical.unknown(1, p[M::omega], scales[1])};
+        CHECK(critical.parameter(1, x[1], scales[1]) == Approx(p[M::omega]));
         q[0] = theta[0], q[1] = theta[1], q[2] = w[0], q[3] = x[0], q[4] = x[1];
         double sines = 0;
         for (int i = 0; i < n; ++i) sines += numbers.sine[i] * std::sin(theta[i]);
@@ -81,50 +83,53 @@ TEST_CASE("the equations of the critical system are F, J v and the last one, ove
             numbers.slice[2] + numbers.slice[0] * x[0] + numbers.slice[1] * x[1] + numbers.cusp * v.dot(third * v);
         for (int k = 0; k < 2; ++k) {
             // dp/dx: p = scale x, or scale sqrt(x)
-            const double slope = Critical::entry().power[k] == 1 ? scales[k] : scales[k] / (2 * std::sqrt(x[k]));
-            const auto by = parameter_derivative<M, double>(theta, p, Critical::active[k]);
+            const double slope = critical.entry().power[k] == 1 ? scales[k] : scales[k] / (2 * std::sqrt(x[k]));
+            const auto by = parameter_derivative<M, double>(theta, p, active[k]);
             for (int i = 0; i < n; ++i) last += numbers.extremal[k] * slope * by[i] * v(i);
         }
-        const auto polynomials = Critical::equations<double>(numbers);
+        const auto polynomials = critical.equations(numbers);
         REQUIRE(polynomials.size() == 6);
         const auto divisor = [&](int i) {
             double y = 1;
-            for (int k = 0; k < 2; ++k) y *= std::pow(x[k], Critical::entry().content[i][k]);
+            for (int k = 0; k < 2; ++k) y *= std::pow(x[k], critical.entry().content[i][k]);
             return y;
         };
         for (std::size_t i = 0; i < 2; ++i) {
             const int row = static_cast<int>(i);
-            CHECK(value(polynomials[i], q) * divisor(row) == Approx(f[row]).margin(1e-12));
-            CHECK(value(polynomials[2 + i], q) * divisor(row) == Approx(jv(row)).margin(1e-12));
+            CHECK(value(polynomials[i], critical.sizes(), q) * divisor(row) == Approx(f[row]).margin(1e-12));
+            CHECK(value(polynomials[2 + i], critical.sizes(), q) * divisor(row) == Approx(jv(row)).margin(1e-12));
         }
-        CHECK(value(polynomials[4], q) == Approx(last).margin(1e-11));
-        CHECK(value(polynomials[5], q) == Approx(0).margin(1e-12));
+        CHECK(value(polynomials[4], critical.sizes(), q) == Approx(last).margin(1e-11));
+        CHECK(value(polynomials[5], critical.sizes(), q) == Approx(0).margin(1e-12));
     }
 }
 
 TEST_CASE("the symmetric system is J v on the branch, and the last one from differences") {
     using M = mechanisms::TwoLinkChain;
-    using Symmetric = SymmetricSystem<M, M::alpha, M::omega>;
-    using Plane = Symmetric::Plane;
+    constexpr int active[] = {M::alpha, M::omega};
+    const CriticalSystem plane(polynomials_of<M>(), active);
+    const SymmetricSystem symmetric(plane);
     Generator generator(4);
     for (const Unknowns<M>& branch :
          {Unknowns<M>{0, 0}, Unknowns<M>{std::numbers::pi, 0}, Unknowns<M>{0, std::numbers::pi}}) {
         Parameters<M> p{0, 1.5, 0};
-        const Array<double, 2> scales{1.3, 2.1};
-        auto numbers = Symmetric::numbers(p, scales, branch, generator);
+        const std::vector<double> scales{1.3, 2.1};
+        auto numbers = symmetric.numbers(runtime_array(p), scales, runtime_array(branch), generator);
         numbers.fourth = 0.7;
         const Array<double, 8> w{uniform(generator, -1, 1)};
         p[M::alpha] = uniform(generator, 0.1, 0.9);
         p[M::omega] = uniform(generator, 0.5, 3);
-        const Array<double, 3> q{w[0], Plane::unknown(0, p[M::alpha], scales[0]),
-                                 Plane::unknown(1, p[M::omega], scales[1])};
+        const RuntimeArray<double> q{w[0], plane.unknown(0, p[M::alpha], scales[0]),
+                                     plane.unknown(1, p[M::omega], scales[1])};
         const Eigen::VectorXd v = combined(numbers.plane.basis, w);
         const Eigen::VectorXd jv = jacobian<M, double>(branch, p) * v;
-        const auto polynomials = Symmetric::equations<double>(numbers);
+        const auto polynomials = symmetric.equations(numbers);
         for (std::size_t i = 0; i < 2; ++i) {
             double divisor = 1;
-            for (int k = 0; k < 2; ++k) divisor *= std::pow(q[1 + k], Plane::entry().content[static_cast<int>(i)][k]);
-            CHECK(value(polynomials[i], q) * divisor == Approx(jv(static_cast<int>(i))).margin(1e-12));
+            for (int k = 0; k < 2; ++k)
+                divisor *= std::pow(q[1 + k], plane.entry().content[i][static_cast<std::size_t>(k)]);
+            CHECK(value(polynomials[i], symmetric.sizes(), q) * divisor ==
+                  Approx(jv(static_cast<int>(i))).margin(1e-12));
         }
         // V''''[v, v, v, v] by the second difference of v . J v along v
         const auto curvature = [&](double h) {
@@ -133,6 +138,6 @@ TEST_CASE("the symmetric system is J v on the branch, and the last one from diff
             return v.dot(jacobian<M, double>(at, p) * v);
         };
         const double h = 1e-3, fourth = (curvature(h) - 2 * curvature(0) + curvature(-h)) / (h * h);
-        CHECK(value(polynomials[2], q) == Approx(0.7 * fourth).epsilon(1e-5));
+        CHECK(value(polynomials[2], symmetric.sizes(), q) == Approx(0.7 * fourth).epsilon(1e-5));
     }
 }

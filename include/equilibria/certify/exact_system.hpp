@@ -4,9 +4,11 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
 #include <vector>
 
 #include <equilibria/algebra/formulation.hpp>
+#include <equilibria/algebra/runtime_polynomial.hpp>
 #include <equilibria/core/dual.hpp>
 #include <equilibria/core/error.hpp>
 #include <equilibria/core/exact_ball.hpp>
@@ -97,6 +99,20 @@ struct ExactTerms {
             terms.push_back({t.equation, first, static_cast<int>(factors.size()), t.coefficient});
         }
     }
+    /// From an equation each, polynomials in as many unknowns.
+    ExactTerms(const RuntimePolynomials<ExactBall>& equations, const RuntimeSizes& numbers) : sizes(numbers) {
+        int equation = 0;
+        for (const auto& f : equations) {
+            for (const auto& t : f.terms()) {
+                const auto first = static_cast<int>(factors.size());
+                const auto codes = codes_of(t.monomial, sizes);
+                for (int u = 0; u < sizes.unknowns; ++u)
+                    if (const int code = codes[static_cast<std::size_t>(u)]; code != 0) factors.push_back({u, code});
+                terms.push_back({equation, first, static_cast<int>(factors.size()), t.coefficient});
+            }
+            ++equation;
+        }
+    }
 };
 
 /// The system for all values of some parameters in intervals, and its derivatives by those parameters.
@@ -133,6 +149,19 @@ struct ExactSystems {
             }
             ++equation;
         }
+    }
+};
+
+/// Those as data, whatever the model.
+struct ExactTermFamily {
+    ExactTerms center, all;              ///< as of ExactSystems
+    std::vector<ExactTerms> derivative;  ///< by each varied parameter
+    std::vector<double> half_width;
+
+    template <class M, int N>
+    ExactTermFamily(const ExactSystems<M, N>& systems)
+        : center(systems.center), all(systems.all), half_width(systems.half_width.begin(), systems.half_width.end()) {
+        for (const auto& by : systems.derivative) derivative.emplace_back(by);
     }
 };
 

@@ -45,8 +45,8 @@ struct KrawczykResult {
 namespace detail {
 
 /// y becomes close to j^-1; lu and e are room.
-template <class R, int N>
-void approximate_inverse(int n, PivotedFactorization<R, N>& lu, const auto& j, auto& e, auto& y) {
+template <class R>
+void approximate_inverse(int n, PivotedFactorization<R>& lu, const auto& j, auto& e, auto& y) {
     lu.factor(j);
     for (int c = 0; c < n; ++c) {
         for (int r = 0; r < n; ++r) e[r] = Complex<R>(r == c ? 1.0 : 0.0);
@@ -197,7 +197,7 @@ private:
     int n_;
     FactorBalls<R> at_, wide_;
     KrawczykResult<R> out_;
-    PivotedFactorization<R, at_run_time> lu_;
+    PivotedFactorization<R> lu_;
     Numbers<Complex<R>> column_;
     Numbers<Ball<R>> f_;
     Matrix<Ball<R>> j_;

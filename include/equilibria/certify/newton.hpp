@@ -36,7 +36,7 @@ S newton(const BallSystem<S>& system, std::type_identity_t<std::span<Complex<S>>
     SizedMatrix<Ball<S>, at_run_time> j(n);
     SizedMatrix<Complex<S>, at_run_time> mid(n);
     SizedArray<Complex<S>, at_run_time> unknowns(n), d(n);
-    PivotedFactorization<S, at_run_time> lu(n);
+    PivotedFactorization<S> lu(n);
     S size(0), before(0);
     for (int step = 0; step < most; ++step) {
         std::copy(q.begin(), q.end(), unknowns.begin());

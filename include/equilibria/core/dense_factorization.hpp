@@ -1,13 +1,17 @@
 /// \file
-/// Dense linear systems of compile-time size over any scalar: doubles, multiprecision floats, duals and power series,
-/// whose solutions come with their derivatives. For packs of lanes see linear_solve.hpp.
+/// Dense linear systems over any scalar, of a size known at compile time or at run time: doubles, multiprecision
+/// floats, duals and power series, whose solutions come with their derivatives. For packs of lanes see
+/// linear_solve.hpp.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
+#include <type_traits>
 #include <utility>
 
 #include <equilibria/core/array.hpp>
 #include <equilibria/core/dual.hpp>
+#include <equilibria/core/sized_array.hpp>
 #include <equilibria/core/taylor.hpp>
 
 namespace equilibria {
@@ -29,25 +33,25 @@ auto magnitude(const Taylor<T, Order>& a) {
     return magnitude(a.coefficient[0]);
 }
 
-/// LU with row exchanges of a matrix over any scalar, series and duals included.
+/// LU with row exchanges of a matrix over any scalar, series and duals included. N may be at_run_time.
 template <class S, int N>
 class DenseFactorization {
 public:
-    using Matrix = Array<Array<S, N>, N>;
+    using Matrix = std::conditional_t<N == at_run_time, RuntimeMatrix<S>, Array<Array<S, N>, N>>;
+    using Vector = std::conditional_t<N == at_run_time, RuntimeArray<S>, Array<S, N>>;
 
-    explicit DenseFactorization(const Matrix& a) : a_(a) {
-        using std::swap;
-        for (int k = 0; k < N; ++k) {
+    explicit DenseFactorization(const Matrix& a) : n_(a.size()), a_(a), exchange_(n_) {
+        for (int k = 0; k < n_; ++k) {
             int best = k;
-            for (int i = k + 1; i < N; ++i)
+            for (int i = k + 1; i < n_; ++i)
                 if (magnitude(a_[i][k]) > magnitude(a_[best][k])) best = i;
             exchange_[k] = best;
             if (!(magnitude(a_[best][k]) > decltype(magnitude(a_[best][k]))(0))) return;
-            if (best != k) swap(a_[k], a_[best]);
-            for (int i = k + 1; i < N; ++i) {
+            if (best != k) std::swap_ranges(&a_[k][0], &a_[k][0] + n_, &a_[best][0]);
+            for (int i = k + 1; i < n_; ++i) {
                 const S f = a_[i][k] / a_[k][k];
                 a_[i][k] = f;
-                for (int j = k + 1; j < N; ++j) a_[i][j] = a_[i][j] - f * a_[k][j];
+                for (int j = k + 1; j < n_; ++j) a_[i][j] = a_[i][j] - f * a_[k][j];
             }
         }
         regular_ = true;
@@ -56,22 +60,23 @@ public:
     /// Whether no pivot vanished.
     bool regular() const { return regular_; }
 
-    Array<S, N> solve(Array<S, N> b) const {
+    Vector solve(Vector b) const {
         using std::swap;
-        for (int k = 0; k < N; ++k)
+        for (int k = 0; k < n_; ++k)
             if (exchange_[k] != k) swap(b[k], b[exchange_[k]]);
-        for (int k = 0; k < N; ++k)
+        for (int k = 0; k < n_; ++k)
             for (int j = 0; j < k; ++j) b[k] = b[k] - a_[k][j] * b[j];
-        for (int k = N - 1; k >= 0; --k) {
-            for (int j = k + 1; j < N; ++j) b[k] = b[k] - a_[k][j] * b[j];
+        for (int k = n_ - 1; k >= 0; --k) {
+            for (int j = k + 1; j < n_; ++j) b[k] = b[k] - a_[k][j] * b[j];
             b[k] = b[k] / a_[k][k];
         }
         return b;
     }
 
 private:
+    Extent<N> n_;
     Matrix a_;
-    Array<int, N> exchange_{};
+    SizedArray<int, N> exchange_;
     bool regular_ = false;
 };
 

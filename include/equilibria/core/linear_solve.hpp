@@ -1,6 +1,5 @@
 /// \file
-/// Small complex linear systems, over packs of lanes (one system a lane) and over scalars. N: their size at compile
-/// time, or at_run_time.
+/// Small complex linear systems, over packs of lanes (one system a lane) and over scalars.
 ///
 /// Two factorisations. LDL^T without pivoting for complex symmetric matrices costs half of an LU and needs no exchange
 /// of rows, which lanes can do only by selecting every entry; a vanishing pivot gives an inf or NaN, which every
@@ -16,59 +15,77 @@
 
 namespace equilibria {
 
+namespace detail {
+/// Calls work(n), with an Extent<n> for packs of up to four unknowns, whose loops are short: they are unrolled.
+template <class R>
+void with_extent(int n, auto&& work) {
+    if constexpr (is_pack<R>) {
+        if (n == 2) return work(Extent<2>());
+        if (n == 3) return work(Extent<3>());
+        if (n == 4) return work(Extent<4>());
+    }
+    work(Extent<at_run_time>(n));
+}
+}  // namespace detail
+
 /// LDL^T of a complex symmetric matrix (not Hermitian: the Jacobian of an analytic gradient). Only the entries on and
 /// above the diagonal, a[i][j] with i <= j, are read.
-template <class R, int N>
+template <class R>
 class SymmetricFactorization {
 public:
     using Z = Complex<R>;
 
-    explicit SymmetricFactorization(int n = N) : n_(n), l_(n) {}
+    explicit SymmetricFactorization(int n) : n_(n), l_(n) {}
 
     void factor(const auto& a) {
-        const int n = n_;
-        for (int i = 0; i < n; ++i)
-            for (int j = i; j < n; ++j) l_[i][j] = a[i][j];
-        for (int k = 0; k < n; ++k) {
-            auto&& row_k = l_[k];
-            const Z pivot = inverse(row_k[k]);
-            for (int i = k + 1; i < n; ++i) {
-                auto&& row_i = l_[i];
-                const Z f = row_k[i] * pivot;
-                for (int j = i; j < n; ++j) row_i[j] -= f * row_k[j];
+        for (int i = 0; i < n_; ++i)
+            for (int j = i; j < n_; ++j) l_[i][j] = a[i][j];
+        detail::with_extent<R>(n_, [l = l_[0]](const auto extent) {
+            const int n = extent;
+            for (int k = 0; k < n; ++k) {
+                Z* const row_k = l + k * n;
+                const Z pivot = inverse(row_k[k]);
+                for (int i = k + 1; i < n; ++i) {
+                    Z* const row_i = l + i * n;
+                    const Z f = row_k[i] * pivot;
+                    for (int j = i; j < n; ++j) row_i[j] -= f * row_k[j];
+                }
+                for (int i = k + 1; i < n; ++i) row_k[i] *= pivot;
+                row_k[k] = pivot;
             }
-            for (int i = k + 1; i < n; ++i) row_k[i] *= pivot;
-            row_k[k] = pivot;
-        }
+        });
     }
     /// Overwrites b with the solution.
     void solve(auto& b) const {
-        const int n = n_;
-        Z* x = std::begin(b);
-        for (int k = 0; k < n; ++k) {
-            auto&& row = l_[k];
-            for (int i = k + 1; i < n; ++i) x[i] -= row[i] * x[k];
-        }
-        for (int k = n - 1; k >= 0; --k) {
-            auto&& row = l_[k];
-            x[k] *= row[k];
-            for (int i = k + 1; i < n; ++i) x[k] -= row[i] * x[i];
-        }
+        detail::with_extent<R>(n_, [l = l_[0], x = std::begin(b)](const auto extent) {
+            const int n = extent;
+            for (int i = 1; i < n; ++i) {
+                Z y = x[i];
+                for (int k = 0; k < i; ++k) y -= l[k * n + i] * x[k];
+                x[i] = y;
+            }
+            for (int k = n - 1; k >= 0; --k) {
+                const Z* const row = l + k * n;
+                Z y = x[k] * row[k];
+                for (int i = k + 1; i < n; ++i) y -= row[i] * x[i];
+                x[k] = y;
+            }
+        });
     }
 
 private:
-    Extent<N> n_;
-    SizedMatrix<Z, N> l_;  // the transposed unit factor above the diagonal, the inverse pivots on it
+    int n_;
+    RuntimeMatrix<Z> l_;  // the transposed unit factor above the diagonal, the inverse pivots on it
 };
 
 /// LU with partial pivoting.
-template <class R, int N>
+template <class R>
 class PivotedFactorization {
 public:
     using Z = Complex<R>;
     using Mask = typename LaneTraits<R>::Mask;
 
-    explicit PivotedFactorization(int n = N) : n_(n), l_(n), exchange_(n) {}
+    explicit PivotedFactorization(int n) : n_(n), l_(n), exchange_(n) {}
 
     void factor(const auto& a) {
         const int n = n_;
@@ -97,12 +114,17 @@ public:
             auto&& exchanged = exchange_[k];
             for (int i = k + 1; i < n; ++i) exchange(exchanged[i].mask, x[k], x[i]);
         }
-        for (int k = 0; k < n; ++k)
-            for (int i = k + 1; i < n; ++i) x[i] -= l_[i][k] * x[k];
+        for (int i = 1; i < n; ++i) {
+            auto&& row = l_[i];
+            Z y = x[i];
+            for (int k = 0; k < i; ++k) y -= row[k] * x[k];
+            x[i] = y;
+        }
         for (int k = n - 1; k >= 0; --k) {
             auto&& row = l_[k];
-            for (int j = k + 1; j < n; ++j) x[k] -= row[j] * x[j];
-            x[k] *= row[k];
+            Z y = x[k];
+            for (int j = k + 1; j < n; ++j) y -= row[j] * x[j];
+            x[k] = y * row[k];
         }
     }
 
@@ -117,9 +139,9 @@ private:
         Mask mask;  // std::vector<bool> would pack them
     };
 
-    Extent<N> n_;
-    SizedMatrix<Z, N> l_;  // unit lower factor below the diagonal, upper above it, inverse pivots on it
-    SizedMatrix<Exchange, N> exchange_;
+    int n_;
+    RuntimeMatrix<Z> l_;  // unit lower factor below the diagonal, upper above it, inverse pivots on it
+    RuntimeMatrix<Exchange> exchange_;
 };
 
 /// Either of them, chosen at run time.
@@ -135,8 +157,8 @@ public:
 
 private:
     bool symmetric_;
-    SymmetricFactorization<R, at_run_time> ldl_;
-    PivotedFactorization<R, at_run_time> lu_;
+    SymmetricFactorization<R> ldl_;
+    PivotedFactorization<R> lu_;
 };
 
 }  // namespace equilibria

@@ -95,6 +95,7 @@ public:
     explicit SizedMatrix(int n)
         : n_(static_cast<std::size_t>(n)), entries_(static_cast<std::size_t>(n) * static_cast<std::size_t>(n)) {}
 
+    int size() const { return static_cast<int>(n_); }
     T* operator[](int row) { return entries_.data() + static_cast<std::size_t>(row) * n_; }
     const T* operator[](int row) const { return entries_.data() + static_cast<std::size_t>(row) * n_; }
 
@@ -102,5 +103,11 @@ private:
     std::size_t n_ = 0;
     std::vector<T> entries_;
 };
+
+/// Of a size known at run time.
+template <class T>
+using RuntimeArray = SizedArray<T, at_run_time>;
+template <class T>
+using RuntimeMatrix = SizedMatrix<T, at_run_time>;
 
 }  // namespace equilibria

@@ -3,16 +3,18 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <complex>
 #include <cstdint>
 #include <limits>
 #include <memory>
 #include <span>
-#include <tuple>
+#include <utility>
 #include <vector>
 
 #include <equilibria/core/compiled.hpp>
+#include <equilibria/core/sorted_order.hpp>
 #include <equilibria/enumerate/root_set.hpp>
 #include <equilibria/model/equations.hpp>
 #include <equilibria/run/executor.hpp>
@@ -41,14 +43,7 @@ public:
 
     void linearize(const double* q, double* f, double* jacobian) const override {
         constexpr int n = n_unknowns<M>;
-        using D = Dual<double, n>;
-        AnglesOf<M, double> theta;
-        CoordinatesOf<M, double> x;
-        AnglesOf<M, D> angle;
-        CoordinatesOf<M, D> coordinate;
-        split<M, double>(unknowns(q), theta, x);
-        independent_at<M, double>(theta, x, angle, coordinate);
-        const auto values = equations_at<M, D>(angle, coordinate, p_);
+        const auto values = equations_and_slopes<M, double>(unknowns(q), p_);
         for (int r = 0; r < n; ++r) {
             f[r] = values[r].value;
             for (int c = 0; c < n; ++c) jacobian[r * n + c] = values[r].derivative[c];
@@ -146,9 +141,9 @@ RealRoots<M> classify(const std::vector<Root<M>>& roots, const Parameters<M>& p,
             y.smallest_nonreal_imaginary = std::min(y.smallest_nonreal_imaginary, imaginary);
         }
     }
-    const auto order = [](const Equilibrium<M>& e) { return std::tuple(e.index, e.nullity, e.path); };
-    std::sort(y.equilibria.begin(), y.equilibria.end(),
-              [&](const auto& a, const auto& b) { return order(a) < order(b); });
+    std::vector<std::array<std::int64_t, 3>> keys;
+    for (const auto& e : y.equilibria) keys.push_back({e.index, e.nullity, static_cast<std::int64_t>(e.path)});
+    y.equilibria = in_order(sorted_order(keys), std::move(y.equilibria));
     return y;
 }
 

@@ -29,10 +29,10 @@ template <Model M, class StartSystem>
 RootSet<M> enumerate_from(const ModelSystem<M>& target, const StartSystem& start, const RunOptions& run,
                           const TrackerOptions& options, MoreDigits<> resort = nullptr) {
     const detail::Stopwatch begin;
-    const ModelHomotopy<M, StartSystem> homotopy(target, start);
-    auto paths = track(homotopy, start, run, options, resort);
+    const PolynomialHomotopy homotopy = model_homotopy(target, start);
+    auto paths = track_paths(homotopy, model_problem<M>(start, target.parameters, run), run, options, resort);
     auto [counts, failures] = account_for<M>(paths);
-    auto [isolated, families, regular_paths] = split_families(merge<M>(paths), homotopy.polynomials(), run.executor);
+    auto [isolated, families, regular_paths] = split_families(merge<M>(paths), homotopy, run.executor);
     auto real = classify(isolated, target.parameters, run.executor);
     RootSet<M> set{.parameters = target.parameters,
                    .seed = run.seed,
@@ -83,8 +83,8 @@ RootSet<M> enumerate_by_parameters(const RootSet<M>& solved, const Parameters<M>
 ///
 /// Reaches every isolated solution of the polynomial system with probability one over the seed; paths at infinity,
 /// singular and failed ones are counted, not hidden. StartSystem: TotalDegree<M> or Reflected<M>, if not the natural
-/// one (Moving<M>: the general one, compiled together with the parameter homotopies). Throws InvalidArgument for
-/// parameters that are not finite and for options out of range, CheckpointError for a checkpoint that cannot be used.
+/// one. Throws InvalidArgument for parameters that are not finite and for options out of range, CheckpointError for a
+/// checkpoint that cannot be used.
 template <Model M, class StartSystem = NaturalStart<M>>
 RootSet<M> enumerate(const Parameters<M>& p, const RunOptions& run = {}, const TrackerOptions& options = {}) {
     return detail::enumerate_all<M, StartSystem>(p, run, options);

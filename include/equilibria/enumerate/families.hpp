@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <complex>
 #include <cstddef>
 #include <cstdint>
@@ -11,6 +12,7 @@
 #include <vector>
 
 #include <equilibria/core/compiled.hpp>
+#include <equilibria/core/sorted_order.hpp>
 #include <equilibria/enumerate/family.hpp>
 #include <equilibria/homotopy/polynomial_homotopy.hpp>
 #include <equilibria/paths/root.hpp>
@@ -93,8 +95,10 @@ RootFamilies<M> split_families(std::vector<Root<M>> roots, const PolynomialHomot
     }
     for (std::size_t k = 0; k < roots.size(); ++k)
         if (!on_family[k]) y.isolated.push_back(roots[k]);
-    const auto order = [](const Family<M>& f) { return std::pair(-f.dimension, f.points.front().path); };
-    std::sort(y.families.begin(), y.families.end(), [&](const auto& a, const auto& b) { return order(a) < order(b); });
+    std::vector<std::array<std::int64_t, 3>> keys;
+    for (const auto& f : y.families)
+        keys.push_back({-f.dimension, static_cast<std::int64_t>(f.points.front().path), 0});
+    y.families = in_order(sorted_order(keys), std::move(y.families));
     return y;
 }
 

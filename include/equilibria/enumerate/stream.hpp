@@ -65,8 +65,8 @@ StreamedRoots<M> enumerate(const Parameters<M>& p, const RunOptions& run, Take&&
     Generator generator(run.seed);
     const ModelSystem<M> target(p);
     const StartSystem start(target, generator);
-    const ModelHomotopy<M, StartSystem> homotopy(target, start);
-    auto paths = track(homotopy, start, run, options, nullptr, true);
+    auto paths = detail::track_paths(model_homotopy(target, start), detail::model_problem<M>(start, p, run, true), run,
+                                     options, nullptr);
     auto [counts, failures] = account_for<M>(paths);
     StreamedRoots<M> set;
     set.parameters = p;

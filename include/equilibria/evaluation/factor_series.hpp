@@ -21,15 +21,19 @@ public:
 
     explicit FactorSeries(const TermTables& tables)
         : tables_(&tables), size_(static_cast<std::size_t>(tables.operands())), value_((order + 1) * size_),
-          slope_(static_cast<std::size_t>(tables.factors)), path_((order + 1) * index(tables.sizes.unknowns)) {}
+          slope_(static_cast<std::size_t>(tables.slope_places())), path_((order + 1) * index(tables.sizes.unknowns)) {}
 
     const TermTables& tables() const { return *tables_; }
     /// The Taylor coefficient k of an operand.
     const Z& operator()(int k, int operand) const {
         return value_[static_cast<std::size_t>(k) * size_ + static_cast<std::size_t>(operand)];
     }
-    /// The derivative of a factor by its unknown, after `begin_slopes`.
-    const Z& slope(int factor) const { return slope_[static_cast<std::size_t>(factor)]; }
+    /// The slope in this place of the tables, after `begin_slopes`: of a factor the derivative by its unknown.
+    const Z& slope(int place) const { return slope_[static_cast<std::size_t>(place)]; }
+    /// The Taylor coefficients k of all operands, `size()` of them; those of order k + 1 lie behind them.
+    std::size_t size() const { return size_; }
+    const Z* values(int k) const { return value_.data() + static_cast<std::size_t>(k) * size_; }
+    const Z* slopes() const { return slope_.data(); }
 
     void begin(const RuntimePoint<R>& q) {
         for (int u = 0; u < tables_->sizes.unknowns; ++u) {
@@ -65,6 +69,7 @@ public:
                 }
             }
         }
+        multiply_slopes();
     }
     /// The Taylor coefficients k of the factors, the k-th of the path being 0.
     void extend(int k) {
@@ -78,7 +83,7 @@ public:
                 const int c = tables_->offset[index(u)] + 2 * (m - 1), s = c + 1;
                 Z cosine{broadcast<R>(0.0), broadcast<R>(0.0)}, sine = cosine;
                 for (int l = 1; l < k; ++l) {
-                    const double weight = static_cast<double>(m * l) / k;
+                    const double weight = m * fraction[k][l];
                     cosine -= weight * (path(l, u) * at(k - l, s));
                     sine += weight * (path(l, u) * at(k - l, c));
                 }
@@ -107,6 +112,9 @@ public:
     }
 
 private:
+    static constexpr double fraction[order + 1][order + 1] = {
+        {}, {0, 1}, {0, 1 / 2., 1}, {0, 1 / 3., 2 / 3., 1}};  // l / k
+
     static constexpr std::size_t index(int u) { return static_cast<std::size_t>(u); }
     Z& at(int k, int operand) {
         return value_[static_cast<std::size_t>(k) * size_ + static_cast<std::size_t>(operand)];
@@ -122,6 +130,17 @@ private:
             Z sum = at(0, first + m - 1) * at(k, first);
             for (int l = 1; l <= k; ++l) sum += at(l, first + m - 1) * at(k - l, first);
             at(k, first + m) = sum;
+        }
+    }
+    void multiply_slopes() {
+        int target = tables_->factors;
+        for (const auto& node : tables_->nodes) {
+            const auto place = [this](int operand, int u) { return index(tables_->slope_place(operand, u)); };
+            for (const int u : tables_->unknowns[index(node.left)])
+                slope_[place(target, u)] = slope_[place(node.left, u)] * at(0, node.right);
+            const int own = tables_->unknowns[index(node.right)].front();
+            slope_[place(target, own)] = at(0, node.left) * slope_[index(node.right)];
+            ++target;
         }
     }
     void multiply_nodes(int k) {

@@ -164,4 +164,11 @@ Point<M, R> corrected(Point<M, R> q, const auto& d) {
     return q;
 }
 
+/// `correct` to the order of Newton's method, whose steps are wrong by their squares: the angle by |d|^3 / 6.
+template <class R>
+void correct_roughly(RuntimePoint<R>& q, const auto& d) {
+    for (int i = 0; i < q.c.size(); ++i) detail::turn(q.c[i], q.s[i], Complex<R>(1.0 - 0.5 * (d[i] * d[i])), d[i]);
+    for (int j = 0; j < q.x.size(); ++j) q.x[j] += d[q.c.size() + j];
+}
+
 }  // namespace equilibria

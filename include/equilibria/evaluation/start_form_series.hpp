@@ -13,15 +13,13 @@
 
 namespace equilibria::detail {
 
-/// G, its Taylor coefficients and its Jacobian: a form and its series first, then products of forms.
+/// The products of G, their Taylor coefficients and their Jacobian: a form and its series first, then the products.
 template <class R>
 class StartFormSeries {
 public:
     using Z = Complex<R>;
 
     StartFormSeries(const StartForms& forms, const TermTables& tables) {
-        for (const auto& t : forms.terms)
-            terms_.push_back({t.equation, tables.factor(t.equation, t.code), t.coefficient});
         for (const auto& product : forms.products) {
             products_.push_back(
                 {product.equation, product.weight, forms_.size(), forms_.size() + product.forms.size()});
@@ -35,16 +33,11 @@ public:
         series_.resize(forms_.size());
         partial_.resize(forms_.size());
     }
-    bool empty() const { return terms_.empty() && products_.empty(); }
+    bool empty() const { return products_.empty(); }
 
     /// The Taylor coefficients k of G, those below being known.
     void series(int k, const FactorSeries<R>& factors, auto& g) {
         for (Z& entry : g) entry = zero();
-        for (const Term& t : terms_)
-            if (t.factor >= 0)
-                g[t.equation] += broadcast_complex<R>(t.coefficient) * factors(k, t.factor);
-            else if (k == 0)
-                g[t.equation] += broadcast_complex<R>(t.coefficient);
         for (std::size_t m = 0; m < forms_.size(); ++m) {
             Z sum = k == 0 ? broadcast_complex<R>(forms_[m].constant) : zero();
             for (const Part& part : parts_of(forms_[m])) sum += broadcast_complex<R>(part.by) * factors(k, part.factor);
@@ -69,9 +62,6 @@ public:
 
     /// After `series(0, ..)`.
     void slopes(const FactorSeries<R>& factors, auto& j) const {
-        for (const Term& t : terms_)
-            if (t.factor >= 0)
-                j[t.equation][t.equation] += broadcast_complex<R>(t.coefficient) * factors.slope(t.factor);
         for (const Product& product : products_) {
             Z behind = broadcast_complex<R>(1.0);  // of the forms behind number m
             for (std::size_t m = product.last; m-- > product.first;) {
@@ -86,10 +76,6 @@ public:
     }
 
 private:
-    struct Term {
-        int equation, factor;
-        std::complex<double> coefficient;
-    };
     struct Part {
         int unknown, factor;
         std::complex<double> by;
@@ -113,7 +99,6 @@ private:
     }
     static Z zero() { return {broadcast<R>(0.0), broadcast<R>(0.0)}; }
 
-    std::vector<Term> terms_;
     std::vector<Part> parts_;
     std::vector<Form> forms_;
     std::vector<Product> products_;

@@ -1,15 +1,17 @@
 /// \file
-/// The evaluation of a homotopy by loops over the tables of its terms, for systems that are data: H(q, t), its Jacobian
-/// in q, its Taylor coefficients along a path. Unrolled, for a model whose terms are known at compile time:
-/// unrolled_evaluation.hpp.
+/// The evaluation of a homotopy by loops over the tables of its terms: H(q, t), its Jacobian in q, its Taylor
+/// coefficients along a path.
 ///
 /// What the target's terms and their law of time give is summed here; what the start adds in a form of its own, here
 /// (1-t) G, is evaluated by StartFormSeries.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <complex>
 #include <cstddef>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 #include <equilibria/core/complex.hpp>
@@ -30,12 +32,16 @@ public:
 
     explicit TableEvaluation(const H& h)
         : h_(&h), tables_(&h.tables()), n_(tables_->sizes.unknowns), moving_(h.moving()), symmetric_(h.symmetric()),
-          factors_(*tables_), form_(h.forms(), *tables_), groups_(tables_->groups.size()),
+          factors_(*tables_), form_(h.forms(), *tables_), groups_(tables_->groups.size()), start_(groups_),
           sum_(static_cast<std::size_t>(moving_ ? H::law_order + 1 : 1) * (order + 1) * groups_),
-          blend_((order + 1) * groups_), node_slope_(tables_->nodes.size() * static_cast<std::size_t>(n_)),
-          current_(moving_ ? tables_->operand.size() : 0), row_(n_) {
+          blend_((order + 1) * groups_), current_(moving_ ? tables_->operand.size() : 0) {
+        for (const auto& t : h.forms().terms) {
+            const int own = tables_->factor(t.equation, t.code);
+            for (int g = first_group(t.equation); g < first_group(t.equation + 1); ++g)
+                if (group(g).own_factor == own) start_[static_cast<std::size_t>(g)] += t.coefficient;
+        }
         if (form_.empty()) return;
-        for (auto& g : start_) g = SizedArray<Z, at_run_time>(n_);
+        for (auto& g : products_) g = SizedArray<Z, at_run_time>(n_);
     }
 
     /// H(q, t).
@@ -43,169 +49,220 @@ public:
         time_ = t;
         factors_.begin(q);
         for (std::size_t k = 0; k < current_.size(); ++k) current_[k] = h_->template law<0, R>(static_cast<int>(k), t);
-        for (int i = 0; i < n_; ++i) f[i] = zero();
-        for (std::size_t g = 0; g < groups_; ++g) {
-            const auto& group = tables_->groups[g];
-            sum_terms(0, g);
-            f[group.equation] += with_own_factor(group, blend(0, g));
-        }
+        for_equations([&](int i, auto moving) {
+            Z y = zero();
+            for (int g = first_group(i); g < first_group(i + 1); ++g)
+                y += with_own_factor(group(g), keep<moving>(0, g, sums<moving>(0, group(g))));
+            f[i] = y;
+        });
         if (form_.empty()) return;
-        form_.series(0, factors_, start_[0]);
-        for (int i = 0; i < n_; ++i) f[i] += (1.0 - time_) * start_[0][i];
+        form_.series(0, factors_, products_[0]);
+        for (int i = 0; i < n_; ++i) f[i] += (1.0 - time_) * products_[0][i];
     }
 
     /// H(q, t) and its Jacobian; with a potential only the entries on and above the diagonal are set.
     void jacobian(const RuntimePoint<R>& q, const Time& t, auto& f, auto& j) {
         value(q, t, f);
         factors_.begin_slopes();
+        if (moving_)
+            set_slopes(blends(0), current(), [](const Z& z) -> const Z& { return z; }, j);
+        else
+            set_slopes(blends(0), target(), [this](const Z& z) { return Z(time_ * z); }, j);
+        if (form_.empty()) return;
+        SizedMatrix<Z, at_run_time> of_form(n_);
+        form_.slopes(factors_, of_form);
         for (int i = 0; i < n_; ++i)
-            for (int u = 0; u < n_; ++u) j[i][u] = zero();
-        if (!form_.empty()) {
-            form_.slopes(factors_, j);
-            for (int i = 0; i < n_; ++i)
-                for (int u = 0; u < n_; ++u) j[i][u] = (1.0 - time_) * j[i][u];
-        }
-        multiply_slopes();
-        for (std::size_t g = 0; g < groups_; ++g) {
-            const auto& group = tables_->groups[g];
-            if (moving_)
-                add_slopes(group, blend(0, g), current(), [](const Z& entry) { return entry; }, j);
-            else
-                add_slopes(group, blend(0, g), target(), [this](const Z& entry) { return Z(time_ * entry); }, j);
-        }
+            for (int u = symmetric_ ? i : 0; u < n_; ++u) j[i][u] += (1.0 - time_) * of_form[i][u];
     }
 
     /// F(q), what H(q, 1) is, and its Jacobian, as of `jacobian`; nothing along a path may follow.
     void target_jacobian(const RuntimePoint<R>& q, auto& f, auto& j) {
         factors_.begin(q);
         factors_.begin_slopes();
-        multiply_slopes();
+        Z* const sum = kept_sums(0, 0);
         for (int i = 0; i < n_; ++i) {
             f[i] = zero();
-            for (int u = 0; u < n_; ++u) j[i][u] = zero();
+            for (int g = first_group(i); g < first_group(i + 1); ++g) {
+                sum[g] = total(group(g), factors_.values(0), target());
+                if (group(g).constant >= 0) sum[g] = sum[g] + number(h_->target(group(g).constant));
+                f[i] += with_own_factor(group(g), sum[g]);
+            }
         }
-        for (const auto& group : tables_->groups) {
-            const Z sum = summed(0, group, target());
-            f[group.equation] += with_own_factor(group, sum);
-            add_slopes(group, sum, target(), [](const Z& entry) { return entry; }, j);
-        }
+        set_slopes(sum, target(), [](const Z& z) -> const Z& { return z; }, j);
     }
 
     /// The Taylor coefficient k of -H(q(t), t), given those of q(t) below k and taking its k-th as zero: the
     /// right-hand side of J q_k = ... Call with k = 1, 2, ... after `jacobian`, and `set_coefficient` in between.
     void taylor_right_side(int k, auto& f) {
         factors_.extend(k);
-        for (int i = 0; i < n_; ++i) f[i] = zero();
-        for (std::size_t g = 0; g < groups_; ++g) {
-            const auto& group = tables_->groups[g];
-            sum_terms(k, g);
-            if (group.own_factor < 0)
-                f[group.equation] -= blend(k, g);
-            else
-                for (int l = 0; l <= k; ++l) f[group.equation] -= factors_(l, group.own_factor) * blend(k - l, g);
-        }
+        for_equations([&](int i, auto moving) {
+            Z y = zero();
+            for (int g = first_group(i); g < first_group(i + 1); ++g) {
+                // the path rests at order 1, and so do the factors
+                const auto sum = k == 1 ? Sums<moving>() : sums<moving>(k, group(g));
+                const Z blend = blended<moving>(k, g, sum);
+                const int own = group(g).own_factor;
+                if (own < 0) {
+                    y -= blend;
+                    continue;
+                }
+                const Z *factor = factors_.values(0) + own, *other = blends(k) + g;
+                Z z = *factor * blend;
+                for (int l = 1; l <= k; ++l) {
+                    factor += factors_.size();
+                    other -= groups_;
+                    z += *factor * *other;
+                }
+                y -= z;
+            }
+            f[i] = y;
+        });
         if (form_.empty()) return;
         const auto order_k = static_cast<std::size_t>(k);
-        form_.series(k, factors_, start_[order_k]);
-        for (int i = 0; i < n_; ++i) f[i] -= (1.0 - time_) * start_[order_k][i] - start_[order_k - 1][i];
+        form_.series(k, factors_, products_[order_k]);
+        for (int i = 0; i < n_; ++i) f[i] -= (1.0 - time_) * products_[order_k][i] - products_[order_k - 1][i];
     }
     /// Tells the k-th Taylor coefficient of q(t), once solved for.
     void set_coefficient(int k, const auto& d) {
         factors_.complete(k, d);
-        for (std::size_t g = 0; g < groups_; ++g) sum_terms(k, g);
-        if (!form_.empty()) form_.series(k, factors_, start_[static_cast<std::size_t>(k)]);
+        for_equations([&](int i, auto moving) {
+            for (int g = first_group(i); g < first_group(i + 1); ++g) keep<moving>(k, g, sums<moving>(k, group(g)));
+        });
+        if (!form_.empty()) form_.series(k, factors_, products_[static_cast<std::size_t>(k)]);
     }
 
 private:
+    using Group = TermTables::Group;
+    /// Of a group: the sums over its terms of the Taylor coefficients 0, 1, .. of the term's coefficient, each times
+    /// the same Taylor coefficient of the operand. Where coefficients do not move, there is the target's alone.
+    template <bool Moving>
+    using Sums = std::array<Z, Moving ? H::law_order + 1 : 1>;
+
     static Z zero() { return {broadcast<R>(0.0), broadcast<R>(0.0)}; }
     static auto number(double a) { return broadcast<R>(a); }
     static auto number(const std::complex<double>& a) { return broadcast_complex<R>(a); }
-    static const Z& number(const Z& a) { return a; }
+    static Z number(const Z& a) { return a; }
 
-    /// Of a group: the sum over its terms of the coefficient's Taylor coefficient `law` times the operand's k-th.
-    Z& sum(int law, int k, std::size_t g) {
-        return sum_[(static_cast<std::size_t>(law) * (order + 1) + static_cast<std::size_t>(k)) * groups_ + g];
+    int first_group(int equation) const { return tables_->first_group[static_cast<std::size_t>(equation)]; }
+    const Group& group(int g) const { return tables_->groups[static_cast<std::size_t>(g)]; }
+    /// Calls work(i, std::bool_constant<whether the coefficients move>) for each equation.
+    void for_equations(auto&& work) const {
+        if (moving_)
+            for (int i = 0; i < n_; ++i) work(i, std::true_type());
+        else
+            for (int i = 0; i < n_; ++i) work(i, std::false_type());
     }
+
+    /// The sums of each group, by law and order.
+    Z* kept_sums(int law, int k) {
+        return sum_.data() + (static_cast<std::size_t>(law) * (order + 1) + static_cast<std::size_t>(k)) * groups_;
+    }
+    /// The Taylor coefficient k of what multiplies each group's own factor.
+    Z* blends(int k) { return blend_.data() + static_cast<std::size_t>(k) * groups_; }
     /// Times the group's own factor, where it has one.
-    Z with_own_factor(const TermTables::Group& group, const Z& z) const {
+    Z with_own_factor(const Group& group, const Z& z) const {
         return group.own_factor < 0 ? z : Z(factors_(0, group.own_factor) * z);
     }
-    Z& blend(int k, std::size_t g) { return blend_[static_cast<std::size_t>(k) * groups_ + g]; }
 
-    /// Of the terms of a group: coefficient(term) times the operand's k-th.
-    Z summed(int k, const TermTables::Group& group, const auto& coefficient) const {
-        Z y = zero();
-        for (int term = group.first; term < group.last; ++term) {
-            const int operand = tables_->operand[static_cast<std::size_t>(term)];
-            if (operand >= 0)
-                y += coefficient(term) * factors_(k, operand);
-            else if (k == 0)
-                y = y + coefficient(term);
+    /// Of the shares of a group, or of a derivative: the sum of coefficient(term) times the factor.
+    Z total(const auto& of, const Z* factor, const auto& coefficient) const {
+        const TermTables::Share* share = tables_->shares.data() + of.first;
+        const TermTables::Share* const last = tables_->shares.data() + of.last;
+        if (share == last) return zero();
+        Z y = coefficient(share->term) * factor[share->factor];
+        if (++share == last) return y;
+        Z z = coefficient(share->term) * factor[share->factor];  // two sums: each addition waits for the one before it
+        for (++share; share + 1 < last; share += 2) {
+            y += coefficient(share[0].term) * factor[share[0].factor];
+            z += coefficient(share[1].term) * factor[share[1].factor];
         }
-        return y;
+        if (share < last) y += coefficient(share->term) * factor[share->factor];
+        return y + z;
     }
     auto target() const {
-        return [this](int term) { return number(h_->target(term)); };
+        return [of = h_->targets()](int term) { return number(of[term]); };
     }
     auto current() const {
-        return [this](int term) -> const Z& { return current_[static_cast<std::size_t>(term)]; };
-    }
-    template <int Law>
-    auto law() const {
-        return [this](int term) { return number(h_->template law<Law, R>(term, time_)); };
-    }
-    /// The group's share of order k, before it is multiplied by its own factor.
-    void sum_terms(int k, std::size_t g) {
-        const auto& group = tables_->groups[g];
-        if (moving_) {
-            sum(0, k, g) = blend(k, g) = summed(k, group, current());
-            add_laws<1>(k, g);
-        } else {
-            sum(0, k, g) = summed(k, group, target());
-            blend(k, g) = time_ * sum(0, k, g);
-            if (k > 0) blend(k, g) += sum(0, k - 1, g);
-        }
-    }
-    template <int Law>
-    void add_laws(int k, std::size_t g) {
-        if constexpr (Law <= H::law_order) {
-            sum(Law, k, g) = summed(k, tables_->groups[g], law<Law>());
-            if (k >= Law) blend(k, g) += sum(Law, k - Law, g);
-            add_laws<Law + 1>(k, g);
-        }
+        return [of = current_.data()](int term) -> const Z& { return of[term]; };
     }
 
-    const Z& slope_of(int operand, int u) const {
-        return operand < tables_->factors
-                   ? factors_.slope(operand)
-                   : node_slope_[static_cast<std::size_t>((operand - tables_->factors) * n_ + u)];
-    }
-    void multiply_slopes() {
-        Z* slope = node_slope_.data();
-        for (const auto& node : tables_->nodes) {
-            for (const int u : tables_->unknowns[static_cast<std::size_t>(node.left)])
-                slope[u] = slope_of(node.left, u) * factors_(0, node.right);
-            slope[tables_->unknowns[static_cast<std::size_t>(node.right)].front()] =
-                factors_(0, node.left) * factors_.slope(node.right);
-            slope += n_;
+    template <bool Moving>
+    Sums<Moving> sums(int k, const Group& group) const {
+        if constexpr (!Moving) {
+            Z y = total(group, factors_.values(k), target());
+            if (k == 0 && group.constant >= 0) y = y + number(h_->target(group.constant));
+            return {y};
+        } else {
+            return [&]<int... law>(std::integer_sequence<int, law...>) -> Sums<Moving> {
+                const auto coefficient = [&]<int of>(std::integral_constant<int, of>, int term) -> decltype(auto) {
+                    if constexpr (of == 0)
+                        return current_[static_cast<std::size_t>(term)];
+                    else
+                        return number(h_->template law<of, R>(term, time_));
+                };
+                Sums<Moving> y{(static_cast<void>(law), zero())...};
+                const TermTables::Share* const last = tables_->shares.data() + group.last;
+                for (const auto* share = tables_->shares.data() + group.first; share != last; ++share) {
+                    const Z& factor = factors_(k, share->factor);
+                    ((y[law] += coefficient(std::integral_constant<int, law>(), share->term) * factor), ...);
+                }
+                if (k == 0 && group.constant >= 0)
+                    ((y[law] = y[law] + coefficient(std::integral_constant<int, law>(), group.constant)), ...);
+                return y;
+            }(std::make_integer_sequence<int, H::law_order + 1>());
         }
     }
-    /// Adds a group's share of the Jacobian. sum: of its terms at the time, without their own factor; scaled: brings
-    /// the sum of their slopes, which are by `coefficient`, to the time.
-    void add_slopes(const TermTables::Group& group, const Z& sum, const auto& coefficient, const auto& scaled,
-                    auto& j) {
-        const int i = group.equation;
-        if (group.own_factor >= 0) j[i][i] += factors_.slope(group.own_factor) * sum;
-        if (group.unknowns.empty()) return;
-        for (const int u : group.unknowns) row_[u] = zero();
-        for (int term = group.first; term < group.last; ++term) {
-            const int operand = tables_->operand[static_cast<std::size_t>(term)];
-            if (operand < 0) continue;
-            for (const int u : tables_->unknowns[static_cast<std::size_t>(operand)])
-                row_[u] += coefficient(term) * slope_of(operand, u);
+    /// The blend of order k: with those sums, and what is kept of lower orders.
+    template <bool Moving>
+    Z blended(int k, int g, const Sums<Moving>& sums) {
+        Z y;
+        if constexpr (Moving) {
+            y = sums[0];
+            for (int l = 1; l <= std::min(k, H::law_order); ++l) y += kept_sums(l, k - l)[g];
+        } else {
+            y = time_ * sums[0];
+            if (k > 0) y += kept_sums(0, k - 1)[g];
         }
-        for (const int u : group.unknowns)
-            if (!symmetric_ || u >= i) j[i][u] += scaled(with_own_factor(group, row_[u]));
+        if (k > 1) return y;
+        const std::complex<double>& start = start_[static_cast<std::size_t>(g)];
+        if (start == 0.0) return y;
+        if (k == 0)
+            y += (1.0 - time_) * broadcast_complex<R>(start);
+        else
+            y -= broadcast_complex<R>(start);
+        return y;
+    }
+    /// And keeps both.
+    template <bool Moving>
+    Z keep(int k, int g, const Sums<Moving>& sums) {
+        for (std::size_t l = 0; l < sums.size(); ++l) kept_sums(static_cast<int>(l), k)[g] = sums[l];
+        return blends(k)[g] = blended<Moving>(k, g, sums);
+    }
+
+    /// The Jacobian. sum: of each group, of its terms at the time; at_time(z): times what the sums of their slopes,
+    /// which are by `coefficient`, have to be multiplied by.
+    void set_slopes(const Z* sum, const auto& coefficient, const auto& at_time, auto& j) const {
+        for (int i = 0; i < n_; ++i) {
+            Z y = zero();
+            for (int g = first_group(i); g < first_group(i + 1); ++g)
+                if (const int own = group(g).own_factor; own >= 0) y += factors_.slope(own) * sum[g];
+            j[i][i] = y;
+        }
+        const auto* entry = tables_->entries.data();
+        const auto* const last =
+            entry + (symmetric_ ? tables_->entries_above : static_cast<int>(tables_->entries.size()));
+        for (; entry != last; ++entry) {
+            Z y = zero();
+            for (int m = entry->first; m < entry->last; ++m) {
+                const auto& by = tables_->derivatives[static_cast<std::size_t>(m)];
+                const Z slope = total(by, factors_.slopes(), coefficient);
+                if (by.own_factor < 0)
+                    y += at_time(slope);
+                else
+                    y += at_time(factors_(0, by.own_factor)) * slope;
+            }
+            j[entry->equation][entry->unknown] = y;
+        }
     }
 
     const H* h_;
@@ -216,10 +273,10 @@ private:
     FactorSeries<R> factors_;
     StartFormSeries<R> form_;
     std::size_t groups_;
-    std::vector<Z> sum_, blend_, node_slope_;
-    std::vector<Z> current_;                                   // where coefficients move
-    SizedArray<Z, at_run_time> row_;                           // of the Jacobian, of one group
-    std::array<SizedArray<Z, at_run_time>, order + 1> start_;  // the Taylor coefficients of G
+    std::vector<std::complex<double>> start_;  // of each group: the coefficient of its own factor in G
+    std::vector<Z> sum_, blend_;
+    std::vector<Z> current_;                                      // where coefficients move
+    std::array<SizedArray<Z, at_run_time>, order + 1> products_;  // the Taylor coefficients of the products of G
 };
 
 }  // namespace equilibria::detail

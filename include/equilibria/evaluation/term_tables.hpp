@@ -1,6 +1,5 @@
 /// \file
-/// How the terms of a system are evaluated by loops, worked out at run time: what evaluation_plan.hpp is for code that
-/// is unrolled.
+/// How the terms of a system are evaluated by loops, worked out once.
 ///
 /// The values cos k theta_u, sin k theta_u, x_u^k that the terms need are the factors; products of two or more of them
 /// are nodes, each computed once. The terms of equation i are grouped by their factor in unknown i, its own one.
@@ -24,15 +23,35 @@ public:
         int left, right;
         friend auto operator<=>(const Node&, const Node&) = default;
     };
-    /// The terms first .. last-1 of one equation, with one own factor (-1: the constant 1).
+    /// A term and what multiplies its coefficient: an operand, or the slope of one by an unknown (see slope_place).
+    struct Share {
+        int term, factor;
+    };
+    /// The terms of one equation with one own factor (-1: the constant 1): shares first .. last-1, and the term that
+    /// has no other factor (-1: none).
     struct Group {
-        int equation, own_factor, first, last;
-        std::vector<int> unknowns;  ///< that the other factors depend on
+        int own_factor, first, last, constant;
+    };
+    /// The derivative of a group by an unknown other than the equation's own: shares first .. last-1 times the own
+    /// factor.
+    struct Derivative {
+        int own_factor, first, last;
+    };
+    /// An entry of the Jacobian beside its diagonal: the sum of derivatives first .. last-1.
+    struct Entry {
+        int equation, unknown, first, last;
+    };
+
+    /// A factor of an equation's own unknown.
+    struct OwnFactor {
+        int equation, code;
+        friend auto operator<=>(const OwnFactor&, const OwnFactor&) = default;
     };
 
     /// terms: sorted by equation, then by the code of the equation's own unknown. degrees: of each unknown, at least,
-    /// for what a start adds.
-    TermTables(const RuntimeSizes& numbers, const std::vector<SparseTerm>& terms, const std::vector<int>& degrees)
+    /// for what a start adds. more: own factors of which there are to be groups, without terms perhaps.
+    TermTables(const RuntimeSizes& numbers, const std::vector<SparseTerm>& terms, const std::vector<int>& degrees,
+               const std::vector<OwnFactor>& more = {})
         : sizes(numbers), highest(degrees), offset(at(numbers.unknowns + 1)) {
         for (int& degree : highest) degree = std::max(1, degree);
         for (const auto& t : terms)
@@ -45,7 +64,7 @@ public:
             for (int f = offset[at(u)]; f < offset[at(u + 1)]; ++f) unknowns[at(f)] = {u};
         std::map<Node, int> known;
         for (const auto& t : terms) operand.push_back(product(t, known));
-        find_groups(terms);
+        find_groups(terms, more);
     }
 
     /// The factor with a code (see Monomial) of unknown u; -1 for the constant 1.
@@ -55,6 +74,12 @@ public:
         return offset[at(u)] + (code > 0 ? 2 * (code - 1) : 2 * (-code - 1) + 1);
     }
     int operands() const { return factors + static_cast<int>(nodes.size()); }
+    /// Where the slope of an operand by an unknown has its place: factors first, which depend on one, then a row a
+    /// node.
+    int slope_place(int of, int unknown) const {
+        return of < factors ? of : factors + (of - factors) * sizes.unknowns + unknown;
+    }
+    int slope_places() const { return factors + static_cast<int>(nodes.size()) * sizes.unknowns; }
 
     RuntimeSizes sizes;
     std::vector<int> highest;  ///< multiple or power of each unknown
@@ -63,6 +88,11 @@ public:
     std::vector<Node> nodes;
     std::vector<int> operand;                ///< of each term: the product of its factors other than the own one
     std::vector<Group> groups;               ///< by equation
+    std::vector<int> first_group;            ///< of each equation, and one past the last group
+    std::vector<Entry> entries;              ///< all of them, those above the diagonal first
+    int entries_above = 0;                   ///< the diagonal
+    std::vector<Derivative> derivatives;     ///< of the entries
+    std::vector<Share> shares;               ///< of the groups, and of the derivatives
     std::vector<std::vector<int>> unknowns;  ///< of each operand, ascending
 
 private:
@@ -90,21 +120,43 @@ private:
         return y;
     }
 
-    void find_groups(const std::vector<SparseTerm>& terms) {
-        const int size = static_cast<int>(operand.size());
-        for (int first = 0, last; first < size; first = last) {
-            const auto& t = terms[at(first)];
-            last = first;
-            std::vector<bool> used(at(sizes.unknowns));
-            for (; last < size && terms[at(last)].equation == t.equation && terms[at(last)].own_code() == t.own_code();
-                 ++last)
-                if (operand[at(last)] >= 0)
-                    for (const int u : unknowns[at(operand[at(last)])]) used[at(u)] = true;
-            Group group{t.equation, factor(t.equation, t.own_code()), first, last, {}};
-            for (int u = 0; u < sizes.unknowns; ++u)
-                if (used[at(u)]) group.unknowns.push_back(u);
-            groups.push_back(std::move(group));
+    void find_groups(const std::vector<SparseTerm>& terms, const std::vector<OwnFactor>& more) {
+        std::map<OwnFactor, std::vector<int>> members;
+        for (const auto& own : more) members[own];
+        for (int k = 0; k < static_cast<int>(terms.size()); ++k)
+            members[{terms[at(k)].equation, terms[at(k)].own_code()}].push_back(k);
+        first_group.assign(at(sizes.unknowns + 1), 0);
+        for (const auto& [own, of] : members) {
+            Group group{factor(own.equation, own.code), static_cast<int>(shares.size()), 0, -1};
+            for (const int term : of)
+                if (operand[at(term)] < 0)
+                    group.constant = term;
+                else
+                    shares.push_back({term, operand[at(term)]});
+            group.last = static_cast<int>(shares.size());
+            groups.push_back(group);
+            ++first_group[at(own.equation + 1)];
         }
+        for (int i = 0; i < sizes.unknowns; ++i) first_group[at(i + 1)] += first_group[at(i)];
+        for (int i = 0; i < sizes.unknowns; ++i)
+            for (int u = i + 1; u < sizes.unknowns; ++u) add_entry(i, u);
+        entries_above = static_cast<int>(entries.size());
+        for (int i = 0; i < sizes.unknowns; ++i)
+            for (int u = 0; u < i; ++u) add_entry(i, u);
+    }
+    void add_entry(int i, int u) {
+        const int first = static_cast<int>(derivatives.size());
+        for (int g = first_group[at(i)]; g < first_group[at(i + 1)]; ++g) {
+            const Group& group = groups[at(g)];
+            Derivative by{group.own_factor, static_cast<int>(shares.size()), 0};
+            for (int k = group.first; k < group.last; ++k) {
+                const auto [term, of] = shares[at(k)];
+                if (std::ranges::count(unknowns[at(of)], u) > 0) shares.push_back({term, slope_place(of, u)});
+            }
+            by.last = static_cast<int>(shares.size());
+            if (by.last > by.first) derivatives.push_back(by);
+        }
+        entries.push_back({i, u, first, static_cast<int>(derivatives.size())});
     }
 };
 

@@ -3,6 +3,8 @@
 /// independent of the others, so that a path's result does not depend on its neighbours, nor on the number of threads.
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 
@@ -11,80 +13,119 @@
 
 namespace equilibria {
 
-/// Tracks from t = 0 the paths that start at `start(path)`, a Point<M, double>, for each of `paths`; where
-/// paths[k] was left goes to ends[k] (q, t, steps, arrival, reason). R: the pack of lanes, or a scalar type.
-template <class R, bool Pivoted, class H, class StartPoint>
-void track_lanes(const H& homotopy, const TrackerOptions& options, std::span<const std::uint64_t> paths,
-                 StartPoint&& start, std::span<Endpoint> ends) {
-    using M = typename H::System;
-    constexpr int width = LaneTraits<R>::width;
-    detail::Stepper<H, R, R, Pivoted> stepper(homotopy, options);
-    auto q = point_of_zeros<M, R>(homotopy.sizes());
-    R t = broadcast<R>(1.0), h = broadcast<R>(0.0);
-    std::int64_t path[width];
-    std::int32_t steps[width];
-    bool fresh[width];
-    std::size_t next = 0;
-    int running = 0;
+namespace detail {
 
-    const auto load = [&](int k) {
-        fresh[k] = next < paths.size();
-        path[k] = fresh[k] ? static_cast<std::int64_t>(next++) : -1;
-        set_lane(t, k, fresh[k] ? 0.0 : 1.0);
-        set_lane(h, k, 0.0);
-        steps[k] = 0;
-        if (fresh[k]) {
-            ++running;
-            copy_lane(start(paths[static_cast<std::size_t>(path[k])]), 0, q, k);
+/// Lanes, and the paths in them.
+template <class R, bool Pivoted, class H, class StartPoint>
+class LaneTracker {
+public:
+    LaneTracker(const H& homotopy, const TrackerOptions& options, std::span<const std::uint64_t> paths,
+                const StartPoint& start, std::span<Endpoint> ends)
+        : options_(&options), paths_(paths), start_(&start), ends_(ends), stepper_(homotopy, options),
+          q_(point_of_zeros<RuntimeUnknowns, R>(homotopy.sizes())) {
+        for (int k = 0; k < width; ++k) load(k);
+        for (int k = 1; k < width; ++k)  // idle lanes repeat the first path's start: any finite numbers will do
+            if (path_[k] < 0 && path_[0] >= 0) copy_lane(q_, 0, q_, k);
+    }
+
+    void run() {
+        while (running_ > 0) {
+            stepper_.expand(q_, t_);
+            begin_fresh();
+            const auto& outcome = stepper_.step(q_, t_, h_);
+            take_where(outcome.accepted, outcome.q, q_);
+            const R before = t_;
+            t_ = select(outcome.accepted, t_ + outcome.step, t_);
+            h_ = lane_min(outcome.next_step, 1.0 - t_);
+            settle(before, outcome.step, outcome.next_step);
         }
-    };
-    const auto finish = [&](int k, Arrival arrival, FailureReason reason) {
-        Endpoint& end = ends[static_cast<std::size_t>(path[k])];
-        copy_lane(q, k, end.q, 0);
-        end.t = static_cast<double>(lane(t, k));
-        end.steps = steps[k];
+    }
+
+private:
+    static constexpr int width = LaneTraits<R>::width;
+
+    void load(int k) {
+        fresh_[k] = next_ < paths_.size();
+        any_fresh_ = any_fresh_ || fresh_[k];
+        path_[k] = fresh_[k] ? static_cast<std::int64_t>(next_++) : -1;
+        set_lane(t_, k, fresh_[k] ? 0.0 : 1.0);
+        set_lane(h_, k, 0.0);
+        steps_[k] = 0;
+        if (fresh_[k]) {
+            ++running_;
+            copy_lane((*start_)(paths_[static_cast<std::size_t>(path_[k])]), 0, q_, k);
+        }
+    }
+    void finish(int k, Arrival arrival, FailureReason reason) {
+        Endpoint& end = ends_[static_cast<std::size_t>(path_[k])];
+        copy_lane(q_, k, end.q, 0);
+        end.t = static_cast<double>(lane(t_, k));
+        end.steps = steps_[k];
         end.arrival = arrival;
         end.reason = reason;
-        --running;
+        --running_;
         load(k);
-    };
-
-    for (int k = 0; k < width; ++k) load(k);
-    for (int k = 1; k < width; ++k)  // idle lanes repeat the first path's start: any finite numbers will do
-        if (path[k] < 0 && path[0] >= 0) copy_lane(q, 0, q, k);
-    while (running > 0) {
-        stepper.expand(q, t);
-        const R first = stepper.first_step();
+    }
+    void begin_fresh() {
+        if (!any_fresh_) return;
+        const R first = stepper_.first_step();
         for (int k = 0; k < width; ++k)
-            if (fresh[k]) set_lane(h, k, lane(first, k)), fresh[k] = false;
-        const auto& outcome = stepper.step(q, t, h);
-        take_where(outcome.accepted, outcome.q, q);
-        const R before = t;
-        t = select(outcome.accepted, t + outcome.step, t);
-        h = lane_min(outcome.next_step, 1.0 - t);
-        const R far = farthest2(q);
-        const R reached = outcome.step - (1.0 - before);  // 0 where the step went to the end
+            if (fresh_[k]) set_lane(h_, k, lane(first, k)), fresh_[k] = false;
+        any_fresh_ = false;
+    }
+    /// Counts the step that was tried from the time `before`, and finishes the paths that go no further.
+    void settle(const R& before, const R& step, const R& next_step) {
+        const R far = farthest2(q_), remaining = 1.0 - t_;
+        const R reached = step - (1.0 - before);  // 0 where the step went to the end
+        int most_steps = 0;
+        for (int k = 0; k < width; ++k) most_steps = std::max(most_steps, ++steps_[k]);
+        // what most steps are, for all lanes at once: inside, and nowhere near an end
+        const auto inside = mask_and(remaining > R{} + options_->endgame_start, reached < R{});
+        const auto fit = mask_and(mask_not(far > R{} + far_away2), next_step > R{} + options_->smallest_step);
+        if (all_lanes(mask_and(inside, fit)) && most_steps < options_->most_steps) return;
         for (int k = 0; k < width; ++k) {
-            if (path[k] < 0) continue;
-            ++steps[k];
-            const double left = 1.0 - static_cast<double>(lane(t, k));
-            const bool accepted = lane(t, k) != lane(before, k) || lane(outcome.step, k) == 0;
-            if (accepted && (left <= 1e-15 || static_cast<double>(lane(reached, k)) >= 0)) {
-                set_lane(t, k, 1.0);
+            if (path_[k] < 0) continue;
+            const auto number = [k](const R& pack) { return static_cast<double>(lane(pack, k)); };
+            const double left = number(remaining);
+            const bool accepted = lane(t_, k) != lane(before, k) || lane(step, k) == 0;
+            if (accepted && (left <= 1e-15 || number(reached) >= 0)) {
+                set_lane(t_, k, 1.0);
                 finish(k, Arrival::end, FailureReason::none);
-            } else if (static_cast<double>(lane(far, k)) > far_away2) {
+            } else if (number(far) > far_away2) {
                 finish(k, Arrival::endgame, FailureReason::none);
-            } else if (left < options.endgame_start &&  // the next step falls short of t = 1, or this one did
-                       (static_cast<double>(lane(h, k)) < 0.9 * left ||
-                        static_cast<double>(lane(reached, k)) < -0.1 * static_cast<double>(1 - lane(before, k)))) {
+            } else if (left < options_->endgame_start &&  // the next step falls short of t = 1, or this one did
+                       (number(h_) < 0.9 * left || number(reached) < -0.1 * (1 - number(before)))) {
                 finish(k, Arrival::endgame, FailureReason::none);
-            } else if (!(static_cast<double>(lane(outcome.next_step, k)) > options.smallest_step)) {
+            } else if (!(number(next_step) > options_->smallest_step)) {
                 finish(k, Arrival::stuck, FailureReason::step_too_small);
-            } else if (steps[k] >= options.most_steps) {
+            } else if (steps_[k] >= options_->most_steps) {
                 finish(k, Arrival::stuck, FailureReason::too_many_steps);
             }
         }
     }
+
+    const TrackerOptions* options_;
+    std::span<const std::uint64_t> paths_;
+    const StartPoint* start_;
+    std::span<Endpoint> ends_;
+    Stepper<H, R, R, Pivoted> stepper_;
+    RuntimePoint<R> q_;
+    R t_ = broadcast<R>(1.0), h_ = broadcast<R>(0.0);
+    std::int64_t path_[width];  // -1: idle
+    std::int32_t steps_[width];
+    bool fresh_[width], any_fresh_ = false;
+    std::size_t next_ = 0;
+    int running_ = 0;
+};
+
+}  // namespace detail
+
+/// Tracks from t = 0 the paths that start at `start(path)`, a RuntimePoint<double>, for each of `paths`; where
+/// paths[k] was left goes to ends[k] (q, t, steps, arrival, reason). R: the pack of lanes, or a scalar type.
+template <class R, bool Pivoted, class H, class StartPoint>
+void track_lanes(const H& homotopy, const TrackerOptions& options, std::span<const std::uint64_t> paths,
+                 const StartPoint& start, std::span<Endpoint> ends) {
+    detail::LaneTracker<R, Pivoted, H, StartPoint>(homotopy, options, paths, start, ends).run();
 }
 
 }  // namespace equilibria

@@ -1,35 +1,23 @@
 /// \file
-/// The homotopy from a start to a model at given parameters: the numbers that its evaluation needs.
+/// The homotopy from a start to a model at given parameters, as data.
 #pragma once
 
 #include <complex>
 #include <cstring>
 #include <memory>
-#include <type_traits>
 #include <utility>
 
-#include <equilibria/evaluation/evaluation_plan.hpp>
 #include <equilibria/evaluation/point.hpp>
-#include <equilibria/evaluation/unrolled_evaluation.hpp>
 #include <equilibria/homotopy/polynomial_homotopy.hpp>
 #include <equilibria/start/start.hpp>
 #include <equilibria/system/model_system.hpp>
+#include <equilibria/system/sparse_system.hpp>
 
 namespace equilibria {
 
 namespace detail {
 
-/// The model's equations at a point of M, or of as many unknowns at run time.
-template <Model M, class N, class R>
-void own_equations(const Point<N, R>& q, const Parameters<M>& p, auto& f) {
-    AnglesOf<M, Complex<R>> theta;
-    CoordinatesOf<M, Complex<R>> x;
-    for (int i = 0; i < n_angles<M>; ++i) theta[i] = {q.c[i], q.s[i]};
-    for (int j = 0; j < n_coordinates<M>; ++j) x[j] = q.x[j];
-    const auto own = equations_at<M, Complex<R>>(theta, x, p);
-    for (int i = 0; i < n_unknowns<M>; ++i) f[i] = own[i];
-}
-
+/// The model's own function at points, in lanes and alone.
 template <Model M>
 class ModelEquations : public OwnEquations {
 public:
@@ -52,14 +40,15 @@ private:
             std::memcpy(&z.im, from + (2 * i + 1) * width + k, sizeof(R));
             return z;
         };
-        Point<M, R> q;
-        for (int i = 0; i < n_angles<M>; ++i) q.c[i] = number(c, i), q.s[i] = number(s, i);
-        for (int j = 0; j < n_coordinates<M>; ++j) q.x[j] = number(x, j);
-        Array<Complex<R>, n_unknowns<M>> values;
-        own_equations<M>(q, p_, values);
+        AnglesOf<M, Complex<R>> theta;
+        CoordinatesOf<M, Complex<R>> coordinates;
+        for (int i = 0; i < n_angles<M>; ++i) theta[i] = {number(c, i), number(s, i)};
+        for (int j = 0; j < n_coordinates<M>; ++j) coordinates[j] = number(x, j);
+        const auto values = equations_at<M, Complex<R>>(theta, coordinates, p_);
         for (int i = 0; i < n_unknowns<M>; ++i) {
-            std::memcpy(f + 2 * i * width + k, &values[i].re, sizeof(R));
-            std::memcpy(f + (2 * i + 1) * width + k, &values[i].im, sizeof(R));
+            const Complex<R> value = values[i];
+            std::memcpy(f + 2 * i * width + k, &value.re, sizeof(R));
+            std::memcpy(f + (2 * i + 1) * width + k, &value.im, sizeof(R));
         }
     }
     Parameters<M> p_;
@@ -67,79 +56,23 @@ private:
 
 }  // namespace detail
 
-/// H(q, t), with H(q, 1) = F(q) at the parameters of the target. Start: see start.hpp.
-template <Model M, class Start>
-class ModelHomotopy {
-public:
-    using System = M;
-    using Plan = detail::EvaluationPlan<M, Start>;
-    static constexpr int n = n_unknowns<M>;
-    static constexpr bool moving = Start::moving;
-    static constexpr int law_order = 1;  ///< the highest order in t of a term's coefficient
-    /// With a potential the Jacobian is complex symmetric.
-    static constexpr bool symmetric = Formulation<M>::has_potential;
-    using Coefficient = std::conditional_t<moving, std::complex<double>, double>;
-    template <class R, class Time>
-    using Evaluation = detail::UnrolledEvaluation<ModelHomotopy, R, Time>;
-    /// Unrolled, every term is code of its own: fastest, but hundreds of terms compile for minutes. Those are tracked
-    /// as `polynomials`.
-    static constexpr bool unrolls = !moving || Formulation<M>::terms <= 128;
-
-    ModelHomotopy(const ModelSystem<M>& system, const Start& start) : system_(system) {
-        for (int k = 0; k < Formulation<M>::terms; ++k) {
-            target_[k] = system.coefficients[k];
-            if constexpr (moving) difference_[k] = target_[k] - start.from(k);
-        }
-        for (int g = 0; g < Plan::n_groups; ++g)
-            if (Plan::groups[g].in_start)
-                start_[g] = start.coefficient(Plan::groups[g].equation, Plan::groups[g].own_code);
-        polynomials_ = std::make_shared<PolynomialHomotopy>(parts());
+/// From a start of the model (TotalDegree, Reflected, Moving). What is polished is a solution of the model's own
+/// function, the equations that the user wrote, not of its polynomial form.
+template <Model M, class StartSystem>
+PolynomialHomotopy model_homotopy(const ModelSystem<M>& target, const StartSystem& start) {
+    PolynomialHomotopy::Parts parts{.sizes = Sizes<M>(), .terms = {}, .from = {}, .forms = {}, .scale = {}};
+    for (int k = 0; k < Formulation<M>::terms; ++k) {
+        const auto& term = Formulation<M>::support[k];
+        parts.terms.push_back({term.equation, sparse_monomial(term.monomial), target.coefficients[k]});
+        if constexpr (StartSystem::moving) parts.from.push_back(start.from(k));
     }
-
-    /// The coefficients at t = 1, and how much less they are at t = 0 where they move.
-    const Coefficient& target(int term) const { return target_[term]; }
-    const std::complex<double>& difference(int term) const { return difference_[term]; }
-    /// The start's coefficient of the own factor of a group (see EvaluationPlan); 0 where it has none.
-    const std::complex<double>& start(int group) const { return start_[group]; }
-    /// The largest coefficient of each equation.
-    const Array<double, n>& scale() const { return system_.scale; }
-
-    static constexpr Sizes<M> sizes() { return {}; }
-
-    /// The model's own function at q, not its polynomial form: what is polished is a solution of the equations that the
-    /// user wrote.
-    template <class R>
-    void residual(const Point<M, R>& q, auto& f) const {
-        detail::own_equations<M>(q, system_.parameters, f);
-    }
-    /// The same homotopy as data.
-    const PolynomialHomotopy& polynomials() const { return *polynomials_; }
-
-    const Parameters<M>& parameters() const { return system_.parameters; }
-
-private:
-    PolynomialHomotopy::Parts parts() const {
-        PolynomialHomotopy::Parts y{.sizes = sizes(), .terms = {}, .from = {}, .forms = {}, .scale = {}};
-        for (int k = 0; k < Formulation<M>::terms; ++k) {
-            const auto& term = Formulation<M>::support[k];
-            y.terms.push_back({term.equation, sparse_monomial(term.monomial), system_.coefficients[k]});
-            if constexpr (moving) y.from.push_back(system_.coefficients[k] - difference_[k]);
-        }
-        for (int g = 0; g < Plan::n_groups; ++g)
-            if (Plan::groups[g].in_start && start_[g] != std::complex<double>())
-                y.forms.terms.push_back({Plan::groups[g].equation, Plan::groups[g].own_code, start_[g]});
-        y.scale.assign(scale().begin(), scale().end());
-        y.symmetric = symmetric;
-        y.own = std::make_shared<detail::ModelEquations<M>>(system_.parameters);
-        y.degrees.assign(Formulation<M>::degrees.begin(), Formulation<M>::degrees.end());
-        return y;
-    }
-
-    ModelSystem<M> system_;
-    Array<Coefficient, Formulation<M>::terms> target_{};
-    Array<std::complex<double>, Formulation<M>::terms> difference_{};
-    Array<std::complex<double>, Plan::n_groups> start_{};
-    std::shared_ptr<const PolynomialHomotopy> polynomials_;
-};
+    if constexpr (!StartSystem::moving) parts.forms.terms = start.system().terms();
+    parts.scale.assign(target.scale.begin(), target.scale.end());
+    // with a potential the Jacobian is complex symmetric
+    parts.symmetric = Formulation<M>::has_potential;
+    parts.own = std::make_shared<detail::ModelEquations<M>>(target.parameters);
+    parts.degrees.assign(Formulation<M>::degrees.begin(), Formulation<M>::degrees.end());
+    return PolynomialHomotopy(std::move(parts));
+}
 
 }  // namespace equilibria

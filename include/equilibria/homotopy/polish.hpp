@@ -38,7 +38,7 @@ public:
 
         /// The one that the trackers use anyway.
         typename H::template Evaluation<R, std::conditional_t<is_pack<R>, R, Complex<R>>> evaluation;
-        PivotedFactorization<R, at_run_time> lu;
+        PivotedFactorization<R> lu;
         Vector<Complex<R>> f, column;
         Vector<R> unit, size, row_sum;
         Matrix<Complex<R>> j;

@@ -33,14 +33,13 @@ struct PadePredictor {
     /// An unknown's series behaves like a geometric one, with quotient q_3 / q_2, and sqrt(q_3 / q_1) where q_2 happens
     /// to vanish. An unknown that rests (a symmetric path) has none.
     static R pole(const auto& taylor, int n) {
-        R nearest2 = broadcast<R>(1e20);
+        R nearest4 = broadcast<R>(1e40);
         for (int u = 0; u < n; ++u) {
-            const R a1 = norm2(taylor[0][u]), a2 = norm2(taylor[1][u]), a3 = norm2(taylor[2][u]);
-            const R by_ratio = (a2 + 1e-20) / (a3 + 1e-24);
-            const R by_root = square_root((a1 + 1e-20) / (a3 + 1e-24));
-            nearest2 = lane_min(nearest2, lane_max(by_ratio, 0.25 * by_root));
+            const R a1 = norm2(taylor[0][u]) + 1e-20, a2 = norm2(taylor[1][u]) + 1e-20,
+                    a3 = norm2(taylor[2][u]) + 1e-24;
+            nearest4 = lane_min(nearest4, lane_max(a2 * a2 / a3, 0.0625 * a1) / a3);
         }
-        return square_root(nearest2);
+        return square_root(square_root(nearest4));
     }
 };
 

@@ -22,20 +22,6 @@ namespace equilibria {
 
 namespace detail {
 
-/// What solves with the Jacobian of a homotopy.
-template <class H, class R, bool Pivoted>
-struct FactorizationOf {
-    static constexpr int n = n_unknowns<typename H::System>;
-    using type = std::conditional_t<Pivoted || !H::symmetric, PivotedFactorization<R, n>, SymmetricFactorization<R, n>>;
-    static type of(const H&) { return type(); }
-};
-template <class H, class R, bool Pivoted>
-requires std::is_same_v<typename H::System, RuntimeUnknowns>
-struct FactorizationOf<H, R, Pivoted> {
-    using type = RuntimeFactorization<R>;
-    static type of(const H& h) { return type(h.sizes().unknowns, !Pivoted && h.symmetric()); }
-};
-
 /// One predictor-corrector step for all lanes. The driver owns t, the refilling of lanes and the end of paths.
 ///
 /// H: a homotopy. Pivoted: LU also where the Jacobian is symmetric. Time: R, and the path runs along the reals; or
@@ -43,21 +29,18 @@ struct FactorizationOf<H, R, Pivoted> {
 template <class H, class R, class Time = R, bool Pivoted = false>
 class Stepper {
 public:
-    using M = typename H::System;
     using Z = Complex<R>;
     using Mask = typename LaneTraits<R>::Mask;
-    static constexpr int extent = Sizes<M>::extent;
 
     using Predictor = typename TrackingOf<H>::type::template Predictor<R>;
     using StepControl = typename TrackingOf<H>::type::template StepControl<R, Predictor::local_order>;
 
     Stepper(const H& h, const TrackerOptions& options)
         : n_(h.sizes().unknowns), angles_(h.sizes().angles), control_(options), evaluation_(h),
-          lu_(FactorizationOf<H, R, Pivoted>::of(h)), mirrors_(mirrors(h)), origin_(Time{}), direction_(Time{} + 1.0),
-          f_(n_), d_(n_), j_(n_) {
-        outcome_.q = point_of_zeros<M, R>(h.sizes());
-        if constexpr (extent == at_run_time)
-            for (auto& coefficient : taylor_) coefficient.resize(n_);
+          lu_(n_, !Pivoted && h.symmetric()), mirrors_(Pivoted && h.symmetric()), origin_(Time{}),
+          direction_(Time{} + 1.0), f_(n_), d_(n_), j_(n_) {
+        outcome_.q = point_of_zeros<RuntimeUnknowns, R>(h.sizes());
+        for (auto& coefficient : taylor_) coefficient.resize(n_);
     }
 
     /// The segment that tau in [0, 1] runs along.
@@ -70,17 +53,17 @@ public:
     void set_noise(const R& size) { noise2_ = size * size; }
 
     struct Outcome {
-        Point<M, R> q;  ///< the corrected point at tau + h
+        RuntimePoint<R> q;  ///< the corrected point at tau + h
         Mask accepted;
         R next_step;  ///< what the step control proposes, from this point if accepted, else again from the old one
         R step;       ///< the step that was tried: at most the one asked for
     };
 
     /// Taylor coefficients at (q, tau), which is first corrected by one Newton step for free.
-    void expand(Point<M, R>& q, const R& tau) {
+    void expand(RuntimePoint<R>& q, const R& tau) {
         solve_newton(q, tau);
         rounding2_ = lane_min(16.0 * correction_size(q, f_), noise2_);
-        correct(q, f_);
+        correct_roughly(q, f_);
         [&]<int... k>(std::integer_sequence<int, k...>) {
             (find_coefficient<k + 1>(), ...);
         }(std::make_integer_sequence<int, Predictor::order>());
@@ -91,7 +74,7 @@ public:
     R first_step() const { return control_.first(pole_); }
 
     /// Predicts and corrects from (q, tau), after `expand`, with a step of at most h. Valid until the next call.
-    const Outcome& step(const Point<M, R>& q, const R& tau, const R& h_asked) {
+    const Outcome& step(const RuntimePoint<R>& q, const R& tau, const R& h_asked) {
         Outcome& y = outcome_;
         // a NaN pole must not pass: the comparison is false for it and leaves a NaN step, which is refused below
         const R limit = control_.longest(pole_);
@@ -106,13 +89,13 @@ public:
         move(y.q, d_);
         solve_newton(y.q, tau + h);
         trial.first2 = correction_size(y.q, f_);
-        correct(y.q, f_);
+        correct_roughly(y.q, f_);
         evaluation_.value(y.q, time(tau + h), f_);
         for (int i = 0; i < n; ++i) f_[i] = -f_[i];
         lu_.solve(f_);
         // what the third correction at the last point still changed is rounding: far out it would look like a bad step
         trial.second2 = lane_max(correction_size(y.q, f_) - rounding2_, R{});
-        correct(y.q, f_);
+        correct_roughly(y.q, f_);
         const Verdict<R> verdict = control_.judge(trial);
         y.accepted = verdict.accepted;
         y.next_step = verdict.next_step;
@@ -136,15 +119,8 @@ private:
         else
             return direction_ * d;
     }
-    /// Whether the Jacobian has only the entries on and above its diagonal, and the factorisation reads all.
-    static bool mirrors(const H& h) {
-        if constexpr (extent == at_run_time)
-            return Pivoted && h.symmetric();
-        else
-            return Pivoted && H::symmetric;
-    }
     /// f_: Newton's correction at (q, tau).
-    void solve_newton(const Point<M, R>& q, const R& tau) {
+    void solve_newton(const RuntimePoint<R>& q, const R& tau) {
         const int n = n_;
         evaluation_.jacobian(q, time(tau), f_, j_);
         if (mirrors_)
@@ -176,16 +152,15 @@ private:
         }
     }
 
-    Extent<extent> n_;
-    int angles_;
+    int n_, angles_;
     StepControl control_;
     typename H::template Evaluation<R, Time> evaluation_;
-    typename FactorizationOf<H, R, Pivoted>::type lu_;
-    bool mirrors_;
+    RuntimeFactorization<R> lu_;
+    bool mirrors_;  // the Jacobian has only the entries on and above its diagonal, and the factorisation reads all
     Time origin_, direction_;
-    SizedArray<Z, extent> f_, d_;
-    SizedMatrix<Z, extent> j_;
-    SizedArray<Z, extent> taylor_[Predictor::order];
+    RuntimeArray<Z> f_, d_;
+    RuntimeMatrix<Z> j_;
+    RuntimeArray<Z> taylor_[Predictor::order];
     Outcome outcome_;
     R pole_;
     R noise2_ = R{} + 1e-14, rounding2_ = R{};

@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <type_traits>
 
 #include <equilibria/core/array.hpp>
 #include <equilibria/core/dual.hpp>
@@ -78,6 +79,22 @@ Unknowns<M, Dual<S, N>> constants(const Unknowns<M, S>& q) {
     Unknowns<M, Dual<S, N>> y;
     for (int i = 0; i < q.size(); ++i) y[i] = q[i];
     return y;
+}
+
+/// F with J for its derivatives.
+template <class M, class S>
+Unknowns<M, Dual<S, n_unknowns<M>>> equations_and_slopes(const Unknowns<M, S>& q, const Parameters<M, S>& p) {
+    using D = Dual<S, n_unknowns<M>>;
+    AnglesOf<M, S> theta;
+    CoordinatesOf<M, S> x;
+    AnglesOf<M, D> angle;
+    CoordinatesOf<M, D> coordinate;
+    split<M, S>(q, theta, x);
+    independent_at<M, S>(theta, x, angle, coordinate);
+    if constexpr (std::is_arithmetic_v<S>)
+        return equations_at<M, D>(angle, coordinate, p);
+    else
+        return equations_at<M, D>(angle, coordinate, lifted<M, S, n_unknowns<M>>(p));
 }
 
 }  // namespace detail

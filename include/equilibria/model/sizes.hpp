@@ -48,6 +48,11 @@ struct UnknownArrayOf<RuntimeUnknowns, T> {
 template <class M, class T>
 using UnknownArray = typename detail::UnknownArrayOf<M, T>::type;
 
+/// A number T of each parameter.
+template <class M, class T>
+using ParameterArray =
+    std::conditional_t<std::is_same_v<M, RuntimeUnknowns>, RuntimeArray<T>, Array<T, n_parameters<M>>>;
+
 /// One, value-initialised.
 template <class M, class T>
 UnknownArray<M, T> unknown_array(const Sizes<M>& sizes) {

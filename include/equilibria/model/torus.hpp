@@ -12,7 +12,8 @@
 #include <numbers>
 
 #include <equilibria/core/array.hpp>
-#include <equilibria/model/derivatives.hpp>
+#include <equilibria/model/equations.hpp>
+#include <equilibria/model/sizes.hpp>
 
 namespace equilibria {
 
@@ -22,40 +23,62 @@ inline double wrap(double angle) {
     return y <= -std::numbers::pi ? std::numbers::pi : y;
 }
 
+// Of configurations of a model M, or of so many unknowns at run time.
+
 /// The same configuration with every angle in (-pi, pi].
-template <ModelSizes M>
-Unknowns<M> wrapped(Unknowns<M> q) {
-    for (int i = 0; i < n_angles<M>; ++i) q[i] = wrap(q[i]);
+template <class Q>
+Q wrapped(const RuntimeSizes& sizes, Q q) {
+    for (int i = 0; i < sizes.angles; ++i) q[i] = wrap(q[i]);
     return q;
+}
+template <ModelSizes M>
+Unknowns<M> wrapped(const Unknowns<M>& q) {
+    return wrapped(RuntimeSizes(Sizes<M>()), q);
 }
 
 /// The mirror image of a configuration: every angle with the other sign.
-template <ModelSizes M>
-Unknowns<M> mirrored(Unknowns<M> q) {
-    for (int i = 0; i < n_angles<M>; ++i) q[i] = -q[i];
+template <class Q>
+Q mirrored(const RuntimeSizes& sizes, Q q) {
+    for (int i = 0; i < sizes.angles; ++i) q[i] = -q[i];
     return q;
+}
+template <ModelSizes M>
+Unknowns<M> mirrored(const Unknowns<M>& q) {
+    return mirrored(RuntimeSizes(Sizes<M>()), q);
 }
 
 /// b - a, angles the shorter way around, in (-pi, pi].
+template <class Q>
+Q displacement(const RuntimeSizes& sizes, const Q& a, const Q& b) {
+    Q d = b;
+    for (int i = 0; i < sizes.unknowns; ++i) d[i] -= a[i];
+    return wrapped(sizes, d);
+}
 template <ModelSizes M>
 Unknowns<M> displacement(const Unknowns<M>& a, const Unknowns<M>& b) {
-    Unknowns<M> d;
-    for (int i = 0; i < n_unknowns<M>; ++i) d[i] = b[i] - a[i];
-    return wrapped<M>(d);
+    return displacement(RuntimeSizes(Sizes<M>()), a, b);
 }
 
 /// The largest |entry| of the displacement from a to b; NaN where one is.
-template <ModelSizes M>
-double distance(const Unknowns<M>& a, const Unknowns<M>& b) {
+template <class Q>
+double distance(const RuntimeSizes& sizes, const Q& a, const Q& b) {
     double y = 0;
-    for (const double d : displacement<M>(a, b)) {
+    for (const double d : displacement(sizes, a, b)) {
         if (std::isnan(d)) return d;
         y = std::max(y, std::abs(d));
     }
     return y;
 }
+template <ModelSizes M>
+double distance(const Unknowns<M>& a, const Unknowns<M>& b) {
+    return distance(RuntimeSizes(Sizes<M>()), a, b);
+}
 
 /// Whether a and b are one configuration to within `tolerance`, in radians and units of the coordinates; false for NaN.
+template <class Q>
+bool same_unknowns(const RuntimeSizes& sizes, const Q& a, const Q& b, double tolerance) {
+    return distance(sizes, a, b) <= tolerance;
+}
 template <ModelSizes M>
 bool same_unknowns(const Unknowns<M>& a, const Unknowns<M>& b, double tolerance) {
     return distance<M>(a, b) <= tolerance;

@@ -5,6 +5,7 @@
 /// and their users know what a real root means.
 #pragma once
 
+#include <concepts>
 #include <cstdint>
 #include <span>
 #include <utility>
@@ -35,17 +36,11 @@ ComplexRoots<M> complex_roots(PathSet paths) {
 }
 
 /// Tracks all paths of a homotopy and merges what they end at: the driver of every search for complex roots.
-template <class StartSystem>
-ComplexRoots<> complex_roots(const PolynomialHomotopy& homotopy, const StartSystem& start, const RunOptions& run = {},
+/// Homotopies of a type of one's own: own_homotopy.hpp.
+template <std::same_as<PolynomialHomotopy> H, class StartSystem>
+ComplexRoots<> complex_roots(const H& homotopy, const StartSystem& start, const RunOptions& run = {},
                              const TrackerOptions& options = {}, MoreDigits<> resort = nullptr) {
     return complex_roots(track(homotopy, start, run, options, resort));
-}
-/// The same of a model's homotopy.
-template <class H, class StartSystem>
-requires requires(const H& homotopy) { homotopy.polynomials(); }
-ComplexRoots<typename H::System> complex_roots(const H& homotopy, const StartSystem& start, const RunOptions& run = {},
-                                               const TrackerOptions& options = {}, MoreDigits<> resort = nullptr) {
-    return complex_roots<typename H::System>(track(homotopy, start, run, options, resort));
 }
 
 /// Every isolated solution of the system, by paths from a linear-product start for the groups of unknowns: as many

@@ -15,7 +15,7 @@ namespace equilibria {
 
 /// As of a PolynomialHomotopy.
 template <class H, class StartSystem>
-requires std::same_as<typename H::System, RuntimeUnknowns>
+requires(!std::same_as<H, PolynomialHomotopy>)
 PathSet track(const H& homotopy, const StartSystem& start, const RunOptions& run = {},
               const TrackerOptions& options = {}, MoreDigits<H> resort = nullptr) {
     return detail::PathSolver<H>(homotopy, {.start = StartPoints(start)}, run, options, resort).track();
@@ -23,7 +23,7 @@ PathSet track(const H& homotopy, const StartSystem& start, const RunOptions& run
 
 /// As of a PolynomialHomotopy.
 template <class H, class StartSystem>
-requires std::same_as<typename H::System, RuntimeUnknowns>
+requires(!std::same_as<H, PolynomialHomotopy>)
 ComplexRoots<> complex_roots(const H& homotopy, const StartSystem& start, const RunOptions& run = {},
                              const TrackerOptions& options = {}, MoreDigits<H> resort = nullptr) {
     return complex_roots(track(homotopy, start, run, options, resort));

@@ -3,13 +3,11 @@
 /// carefully, and no two paths may end at one regular root.
 #pragma once
 
-#include <cstdint>
-#include <span>
+#include <concepts>
 #include <utility>
 
 #include <equilibria/core/compiled.hpp>
 #include <equilibria/homotopy/endpoint.hpp>
-#include <equilibria/homotopy/lane_tracker.hpp>
 #include <equilibria/homotopy/polynomial_homotopy.hpp>
 #include <equilibria/homotopy/tracker_options.hpp>
 #include <equilibria/paths/detail/path_problem.hpp>
@@ -23,6 +21,16 @@ namespace equilibria {
 
 namespace detail {
 
+/// What a run tracks of a model at p. streamed: a checkpoint alone keeps the endpoints.
+template <Model M, class StartSystem>
+PathProblem model_problem(const StartSystem& start, const Parameters<M>& p, const RunOptions& run,
+                          bool streamed = false) {
+    PathProblem problem{.start = StartPoints(start), .streamed = streamed};
+    if (!run.checkpoint.empty()) problem.model = model_fields<M>(p);
+    return problem;
+}
+
+/// Throws CheckpointError where the checkpoint that `run` names cannot be used.
 PathSet track_paths(const PolynomialHomotopy& homotopy, PathProblem problem, const RunOptions& run,
                     const TrackerOptions& options, MoreDigits<> resort);
 
@@ -31,27 +39,10 @@ PathSet track_paths(const PolynomialHomotopy& homotopy, PathProblem problem, con
 /// Tracks all paths from `start` and ends them. Of a cancelled run the paths that are not finished count as cancelled.
 /// Throws InvalidArgument where `run` names a checkpoint: it keeps the enumeration of a model. Homotopies of a type of
 /// one's own: own_homotopy.hpp.
-template <class StartSystem>
-PathSet track(const PolynomialHomotopy& homotopy, const StartSystem& start, const RunOptions& run = {},
+template <std::same_as<PolynomialHomotopy> H, class StartSystem>
+PathSet track(const H& homotopy, const StartSystem& start, const RunOptions& run = {},
               const TrackerOptions& options = {}, MoreDigits<> resort = nullptr) {
     return detail::track_paths(homotopy, {.start = StartPoints(start)}, run, options, resort);
-}
-
-/// The same of a model's homotopy, whose paths are tracked by code for it alone; what is left of them, near t = 1 and
-/// where it is hard, is left to the same homotopy as data. streamed: a checkpoint alone keeps the endpoints. Throws
-/// CheckpointError where the checkpoint that `run` names cannot be used.
-template <class H, class StartSystem>
-requires requires(const H& homotopy) { homotopy.polynomials(); }
-PathSet track(const H& homotopy, const StartSystem& start, const RunOptions& run = {},
-              const TrackerOptions& options = {}, MoreDigits<> resort = nullptr, bool streamed = false) {
-    detail::PathProblem problem{.start = StartPoints(start), .streamed = streamed};
-    if (!run.checkpoint.empty()) problem.model = detail::model_fields<typename H::System>(homotopy.parameters());
-    if constexpr (H::unrolls)
-        problem.track_block = [&](std::span<const std::uint64_t> paths, detail::PathProblem::Ends ends) {
-            track_lanes<Lanes<native_lanes>, false>(
-                homotopy, options, paths, [&](std::uint64_t k) { return start.point(k); }, ends);
-        };
-    return detail::track_paths(homotopy.polynomials(), std::move(problem), run, options, resort);
 }
 
 }  // namespace equilibria

@@ -3,11 +3,9 @@
 /// its third order, at a degenerate equilibrium whose null vector is known.
 #pragma once
 
-#include <limits>
-
-#include <equilibria/model/derivatives.hpp>
-#include <equilibria/singularity/null_vector.hpp>
-#include <equilibria/singularity/reduced_series.hpp>
+#include <equilibria/core/compiled.hpp>
+#include <equilibria/core/sized_array.hpp>
+#include <equilibria/model/model_functions.hpp>
 
 namespace equilibria {
 
@@ -25,15 +23,15 @@ struct ReducedCoefficients {
 
 /// At q, an equilibrium at the parameters p whose J has the unit null vector v. Where there is a second null vector
 /// `fourth` is infinite, and NaN here.
+ReducedCoefficients reduced_coefficients(const ModelFunctions<>& functions, const RuntimeArray<double>& q,
+                                         const RuntimeArray<double>& v, const RuntimeArray<double>& p);
 template <Model M>
 ReducedCoefficients reduced_coefficients(const Unknowns<M>& q, const Unknowns<M>& v, const Parameters<M>& p) {
-    const Unknowns<M> u = left_null_vector<M>(jacobian<M, double>(q, p), v);
-    const auto series = reduced_series<M, 3>(q, v, u, p);
-    if (series.regular) return {series.derivative(3), series.derivative(4)};
-    double third = 0;
-    const auto second = directional_derivative<2, M, double>(q, v, p);
-    for (int i = 0; i < n_unknowns<M>; ++i) third += u[i] * second[i];
-    return {third, std::numeric_limits<double>::quiet_NaN()};
+    return reduced_coefficients(functions_of<M>(), runtime_array(q), runtime_array(v), runtime_array(p));
 }
 
 }  // namespace equilibria
+
+#ifndef EQUILIBRIA_COMPILED
+#include <equilibria/singularity/detail/reduced_coefficients_definitions.hpp>
+#endif

@@ -160,11 +160,12 @@ private:
 };
 
 /// Lips where the form is definite, beak-to-beak where it is not, of a cusp that is one.
-template <PotentialModel M, class S>
-void name_tangency(Singularity<M, S>& at) {
+template <class S>
+void name_tangency(const ModelFunctions<S>& functions, RuntimeSingularity<S>& at) {
     const double least = std::min(std::abs(at.form[0]), std::abs(at.form[1]));
     const double mean = (at.form[0] + at.form[1]) / 2, radius = (at.form[1] - at.form[0]) / 2;
-    const bool cusp = at.nullity == 1 && !decides(at, 3) && decides(at, 4);
+    const double scale = scale_of(functions, at);
+    const bool cusp = at.nullity == 1 && !decides(at, 3, scale) && decides(at, 4, scale);
     if (at.converged && cusp && least > 1e-6 * (std::abs(mean) + radius))
         at.kind = at.form[0] * at.form[1] > 0 ? SingularityKind::lips : SingularityKind::beak_to_beak;
 }
@@ -181,13 +182,13 @@ Singularity<M, S> refine_cusp_tangency(const Unknowns<M>& q, const Parameters<M,
     require_finite(p, "p");
     if (v) require_finite(*v, "v");
     auto at = singularity_at<M, X, Y, Z>(SingularityKind::undecided, detail::in_digits_of<S>(q), p);
-    const Unknowns<M> null = v ? detail::normalized(*v) : null_vector<M>(detail::rounded_jacobian<M>(at.q, p));
+    const Unknowns<M> null = v ? detail::normalized(*v) : null_vector<M>(jacobian<M>(q, detail::to_double(p)));
     require_finite(null, "v");
 
     using System = detail::CuspTangencySystem<M, S, X, Y, Z>;
     const System system(p);
     auto y = system.start(at.q, null);
-    detail::newton(y, at, system);
+    detail::newton_method(y, at, system);
     if (!(at.correction < S(1e3))) return at;
     typename System::Vector r;
     detail::SquareArray<S, System::size> jacobian;
@@ -196,10 +197,12 @@ Singularity<M, S> refine_cusp_tangency(const Unknowns<M>& q, const Parameters<M,
     Unknowns<M> border;
     for (int i = 0; i < System::n; ++i) at.q[i] = y[i], border[i] = detail::to_double(y[System::n + i]);
     at.p = system.parameters(y);
-    if (!detail::fill_evidence(at, detail::normalized(border))) at.converged = false;
     at.form = system.second_order_form(y);
-    detail::name_tangency(at);
-    return at;
+    const auto& functions = functions_of<M, S>();
+    auto named = runtime_singularity(at);
+    if (!detail::fill_evidence(functions, named, runtime_array(detail::normalized(border)))) named.converged = false;
+    detail::name_tangency(functions, named);
+    return typed<M>(named);
 }
 
 }  // namespace equilibria

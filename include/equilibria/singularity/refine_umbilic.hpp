@@ -9,6 +9,7 @@
 #pragma once
 
 #include <cmath>
+#include <vector>
 
 #include <equilibria/core/array.hpp>
 #include <equilibria/core/dense_factorization.hpp>
@@ -83,9 +84,11 @@ public:
 
     const Plane& plane() const { return w_; }
     double versality() const {
-        Array<Unknowns<M>, 2> w;
-        for (int c = 0; c < 2; ++c) w[c] = to_double(w_[c]);
-        return detail::versality<n, 2, size>(jacobian_, w, w);
+        const std::vector<RuntimeArray<double>> w{runtime_array(to_double(w_[0])), runtime_array(to_double(w_[1]))};
+        RuntimeMatrix<double> j(size);
+        for (int r = 0; r < size; ++r)
+            for (int c = 0; c < size; ++c) j[r][c] = to_double(jacobian_[r][c]);
+        return detail::versality(j, n, w, w);
     }
 
 private:
@@ -120,7 +123,7 @@ void name_umbilic(Singularity<M, S>& at) {
     const auto ww = directional_derivative<2, M, S>(at.q, at.w, at.p);
     at.cubic = {dot(vv, at.v), dot(vv, at.w), dot(ww, at.v), dot(ww, at.w)};
     at.discriminant = cubic_discriminant(at.cubic);
-    at.nullity = nullity<M>(rounded_jacobian<M>(at.q, at.p), to_double(largest(at.cubic)));
+    at.nullity = nullity<M>(jacobian<M>(to_double(at.q), to_double(at.p)), to_double(largest(at.cubic)));
     if (at.converged && at.nullity == 2 && std::abs(at.discriminant) > 1e-8)
         at.kind = at.discriminant > 0 ? SingularityKind::elliptic_umbilic : SingularityKind::hyperbolic_umbilic;
 }
@@ -137,9 +140,9 @@ Singularity<M, S> refine_umbilic(const Unknowns<M>& q, const Parameters<M, S>& p
     require_finite(p, "p");
     auto at = singularity_at<M, X, Y, Z>(SingularityKind::undecided, detail::in_digits_of<S>(q), p);
     using System = detail::UmbilicSystem<M, S, X, Y, Z>;
-    System system(p, null_vectors<2, M>(detail::rounded_jacobian<M>(at.q, p)));
+    System system(p, null_vectors<2, M>(jacobian<M>(q, detail::to_double(p))));
     auto y = system.packed(at.q);
-    detail::newton(y, at, system);
+    detail::newton_method(y, at, system);
     if (!(at.correction < S(1e3))) return at;
     const double versality = system.versality();
     typename System::Vector r;

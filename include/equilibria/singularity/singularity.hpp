@@ -7,24 +7,30 @@
 /// the reduced equation, one order lower: phi''' is u . F''[v, v] with the unit left null vector u, u . v > 0.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
+#include <span>
+#include <utility>
 
 #include <equilibria/core/array.hpp>
 #include <equilibria/model/active_parameters.hpp>
-#include <equilibria/model/derivatives.hpp>
+#include <equilibria/model/equations.hpp>
+#include <equilibria/model/model_functions.hpp>
+#include <equilibria/model/sizes.hpp>
 #include <equilibria/singularity/singularity_kind.hpp>
 
 namespace equilibria {
 
-/// A degenerate equilibrium in the digits of S. The coefficients are there if `nullity` is not 0.
-template <Model M, class S = double>
+/// A degenerate equilibrium in the digits of S. The coefficients are there if `nullity` is not 0. M: the model, or
+/// RuntimeUnknowns.
+template <class M, class S = double>
 struct Singularity {
     SingularityKind kind = SingularityKind::undecided;
-    Parameters<M, S> p;  ///< the active ones as refined or traced, the others as given
-    Unknowns<M, S> q;    ///< the equilibrium
-    Unknowns<M, S> v;    ///< a unit null vector
-    Unknowns<M, S> w;    ///< corank 2: the other one, orthogonal to v; else 0
+    ParameterArray<M, S> p;  ///< the active ones as refined or traced, the others as given
+    UnknownArray<M, S> q;    ///< the equilibrium
+    UnknownArray<M, S> v;    ///< a unit null vector
+    UnknownArray<M, S> w;    ///< corank 2: the other one, orthogonal to v; else 0
     /// The numbers of the active parameters, in the order in which they were named: x, y, z, ..; -1 beyond.
     std::array<int, 4> active{-1, -1, -1, -1};
     int extremal = -1;  ///< of extremal points the number of the parameter that turns back on its curve; else -1
@@ -74,6 +80,66 @@ Singularity<M, S> singularity_at(SingularityKind kind, const Unknowns<M, S>& q, 
     at.v = v;
     std::size_t k = 0;
     ((at.active[k++] = Active), ...);
+    return at;
+}
+
+/// The same of a model whose numbers of unknowns and parameters are known at run time.
+template <class S = double>
+using RuntimeSingularity = Singularity<RuntimeUnknowns, S>;
+
+namespace detail {
+
+/// `to`, which has p, q, v and w, with everything else of `from`.
+template <class To, class From>
+To with_evidence_of(const From& from, To to) {
+    to.kind = from.kind;
+    to.active = from.active;
+    to.extremal = from.extremal;
+    to.residual = from.residual;
+    to.correction = from.correction;
+    to.steps = from.steps;
+    to.converged = from.converged;
+    to.nullity = from.nullity;
+    to.derivatives = from.derivatives;
+    to.cubic = from.cubic;
+    to.discriminant = from.discriminant;
+    to.form = from.form;
+    to.versality = from.versality;
+    return to;
+}
+
+}  // namespace detail
+
+/// The same point, its numbers in arrays of a size known at run time, and back.
+template <Model M, class S>
+RuntimeSingularity<S> runtime_singularity(const Singularity<M, S>& at) {
+    RuntimeSingularity<S> y;
+    y.p = runtime_array(at.p);
+    y.q = runtime_array(at.q);
+    y.v = runtime_array(at.v);
+    y.w = runtime_array(at.w);
+    return detail::with_evidence_of(at, std::move(y));
+}
+template <Model M, class S>
+Singularity<M, S> typed(const RuntimeSingularity<S>& at) {
+    Singularity<M, S> y;
+    y.p = parameters_from<M>(at.p);
+    y.q = unknowns_from<M>(at.q);
+    y.v = unknowns_from<M>(at.v);
+    if (at.w.size() > 0) y.w = unknowns_from<M>(at.w);
+    return detail::with_evidence_of(at, y);
+}
+
+/// The equilibrium q at p with the null vector v, the parameters number `active` being active; the rest as by default.
+template <class S>
+RuntimeSingularity<S> singularity_at(SingularityKind kind, std::span<const int> active, const RuntimeArray<S>& q,
+                                     const RuntimeArray<S>& p, const RuntimeArray<S>& v = {}) {
+    RuntimeSingularity<S> at;
+    at.kind = kind;
+    at.p = p;
+    at.q = q;
+    at.v = v;
+    std::copy(active.begin(), active.end(), at.active.begin());
     return at;
 }
 

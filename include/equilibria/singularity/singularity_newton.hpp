@@ -10,51 +10,78 @@
 
 #include <cmath>
 #include <limits>
+#include <type_traits>
+#include <utility>
 
 #include <equilibria/core/array.hpp>
 #include <equilibria/core/dense_factorization.hpp>
 #include <equilibria/core/dual.hpp>
+#include <equilibria/core/sized_array.hpp>
 
 namespace equilibria::detail {
 
 template <class S, int N>
 using SquareArray = Array<Array<S, N>, N>;
 
+/// A vector or square matrix like V, over the scalar T.
+template <class V, class T>
+struct Rebound;
+template <class S, int N, class T>
+struct Rebound<Array<S, N>, T> {
+    using type = Array<T, N>;
+    static constexpr int extent = N;
+    static type of(int) { return type(); }
+    static SquareArray<T, N> square(int) { return SquareArray<T, N>(); }
+};
+template <class S, class T>
+struct Rebound<RuntimeArray<S>, T> {
+    using type = RuntimeArray<T>;
+    static constexpr int extent = at_run_time;
+    static type of(int size) { return type(size); }
+    static RuntimeMatrix<T> square(int size) { return RuntimeMatrix<T>(size); }
+};
+template <class V>
+using EntryOf = std::remove_cvref_t<decltype(std::declval<const V&>()[0])>;
+
+// Of vectors of a size known at compile time or at run time.
+
 template <class S>
+requires(!requires(const S& a) { a[0]; })
 double to_double(const S& a) {
     return static_cast<double>(a);
 }
-template <class S, int N>
-Array<double, N> to_double(const Array<S, N>& a) {
-    Array<double, N> y;
-    for (int k = 0; k < N; ++k) y[k] = static_cast<double>(a[k]);
+template <class V>
+requires requires(const V& a) { a[0]; }
+typename Rebound<V, double>::type to_double(const V& a) {
+    auto y = Rebound<V, double>::of(a.size());
+    for (int k = 0; k < a.size(); ++k) y[k] = static_cast<double>(a[k]);
     return y;
 }
-template <class S, class T, int N>
-Array<S, N> in_digits_of(const Array<T, N>& a) {
-    Array<S, N> y;
-    for (int k = 0; k < N; ++k) y[k] = S(a[k]);
+template <class S, class V>
+typename Rebound<V, S>::type in_digits_of(const V& a) {
+    auto y = Rebound<V, S>::of(a.size());
+    for (int k = 0; k < a.size(); ++k) y[k] = S(a[k]);
     return y;
 }
-template <class S, int N>
-S dot(const Array<S, N>& a, const Array<S, N>& b) {
-    S sum(0.0);
-    for (int k = 0; k < N; ++k) sum = sum + a[k] * b[k];
+template <class V>
+EntryOf<V> dot(const V& a, const V& b) {
+    EntryOf<V> sum(0.0);
+    for (int k = 0; k < a.size(); ++k) sum = sum + a[k] * b[k];
     return sum;
 }
-template <class S, int N>
-Array<S, N> normalized(Array<S, N> a) {
+template <class V>
+V normalized(V a) {
     using std::sqrt;
-    const S size = sqrt(dot(a, a));
-    for (S& x : a) x = x / size;
+    const auto size = sqrt(dot(a, a));
+    for (auto& x : a) x = x / size;
     return a;
 }
 /// The largest absolute value; NaN where one is.
-template <class S, int N>
-S largest(const Array<S, N>& a) {
+template <class V>
+EntryOf<V> largest(const V& a) {
     using std::abs;
-    S y(0.0);
-    for (const S& x : a)
+    EntryOf<V> y(0.0);
+    for (const auto& x : a)
         if (!(abs(x) <= y)) {
             y = abs(x);
             if (!(y == y)) return y;
@@ -78,20 +105,21 @@ void split_duals(const Array<Dual<S, N>, N>& f, Array<S, N>& values, SquareArray
 /// Newton's method, y = y - jacobian^-1 r with evaluate(y, r, jacobian), which is false where it cannot; what it did
 /// goes into the members steps, correction and converged of `at`. It ends after 50 steps, and where a step is larger
 /// than 1e3, relative to the unknown where that is above 1.
-template <class S, int N, class At, class Evaluate>
-void newton(Array<S, N>& y, At& at, Evaluate&& evaluate) {
+template <class V, class At, class Evaluate>
+void newton_method(V& y, At& at, Evaluate&& evaluate) {
     using std::abs;
+    using S = EntryOf<V>;
     const S rounding = std::numeric_limits<S>::epsilon();
-    Array<S, N> r;
-    SquareArray<S, N> jacobian;
+    V r = Rebound<V, S>::of(y.size());
+    auto jacobian = Rebound<V, S>::square(y.size());
     while (at.steps < 50) {
         ++at.steps;
         if (!evaluate(y, r, jacobian)) break;
-        const DenseFactorization<S, N> factors(jacobian);
+        const DenseFactorization<S, Rebound<V, S>::extent> factors(jacobian);
         if (!factors.regular()) break;
-        const Array<S, N> step = factors.solve(r);
-        Array<S, N> relative = step;
-        for (int k = 0; k < N; ++k) {
+        const V step = factors.solve(r);
+        V relative = step;
+        for (int k = 0; k < y.size(); ++k) {
             y[k] = y[k] - step[k];
             if (abs(y[k]) > S(1.0)) relative[k] = step[k] / y[k];
         }

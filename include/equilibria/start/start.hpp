@@ -6,8 +6,7 @@
 ///     H(q, t) = t F(q) + (1 - t) G(q)           where it is not `moving`: total degree, reflected, linear product;
 ///     H(q, t) = sum_k a_k(t) m_k(q) + (1-t) G   where it is: each term of F has a law of its own, a_k(1) being F's
 ///                                               coefficient: a solved instance, (1-t) gamma b_k + t a_k.
-/// G is evaluated in its own form (start_forms.hpp); the term or two an unknown that it has in the total-degree starts
-/// join the terms of F where a model's equations are evaluated unrolled (`has_term`).
+/// G is evaluated in its own form (start_forms.hpp).
 #pragma once
 
 #include <concepts>

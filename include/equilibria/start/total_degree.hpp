@@ -8,6 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include <equilibria/algebra/formulation.hpp>
+#include <equilibria/algebra/multihomogeneous.hpp>
 #include <equilibria/evaluation/point.hpp>
 #include <equilibria/start/path_numbering.hpp>
 #include <equilibria/start/start.hpp>
@@ -25,16 +27,8 @@ public:
     static constexpr bool moving = false;
 
     /// A start for the target's sizes of equations.
-    TotalDegreeStart(const ModelSystem<M>& target, Generator& generator) : system_(Kind, target.scale, generator) {}
-
-    /// Whether G_i has the factor with this code of unknown i (see Monomial), and its coefficient, gamma included.
-    static constexpr bool has_term(int i, int code) {
-        constexpr auto& degrees = Formulation<M>::degrees;
-        if (code > degrees[i] || code < -degrees[i]) return false;
-        if (i >= n_angles<M>) return code == 0 || code == degrees[i];
-        return Kind != TotalDegreeKind::reflected || code < 0;
-    }
-    std::complex<double> coefficient(int i, int code) const { return system_.coefficient(i, code); }
+    TotalDegreeStart(const ModelSystem<M>& target, Generator& generator)
+        : system_(Kind, Sizes<M>(), Formulation<M>::degrees, target.scale, generator) {}
 
     /// The start of path number `path`, which is a number in mixed radix: digit i chooses the root of G_i.
     Point<M, double> point_of(std::uint64_t path) const {
@@ -52,13 +46,13 @@ public:
         }
         return q;
     }
-    const TotalDegreeSystem<M>& system() const { return system_; }
+    const TotalDegreeSystem& system() const { return system_; }
 
 protected:
     std::size_t radix(int i) const { return system_.points(i).size(); }
 
 private:
-    TotalDegreeSystem<M> system_;
+    TotalDegreeSystem system_;
 };
 
 }  // namespace detail

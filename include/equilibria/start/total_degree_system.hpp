@@ -9,14 +9,15 @@
 /// are solutions at every t.
 #pragma once
 
-#include <cmath>
 #include <complex>
-#include <cstdint>
+#include <cstddef>
+#include <span>
 #include <vector>
 
-#include <equilibria/algebra/formulation.hpp>
-#include <equilibria/algebra/multihomogeneous.hpp>
+#include <equilibria/core/compiled.hpp>
 #include <equilibria/core/random.hpp>
+#include <equilibria/evaluation/start_forms.hpp>
+#include <equilibria/model/sizes.hpp>
 
 namespace equilibria {
 
@@ -32,108 +33,44 @@ struct StartCoordinate {
 };
 
 /// G_1 .. G_n and their roots.
-template <Model M>
 class TotalDegreeSystem {
 public:
-    using F = Formulation<M>;
-
-    /// `scale[i]` multiplies G_i, so that it weighs in the homotopy as equation i does.
-    TotalDegreeSystem(TotalDegreeKind kind, const Array<double, n_unknowns<M>>& scale, Generator& generator)
-        : kind_(kind) {
-        const std::complex<double> gamma = draw_gamma(kind, generator);
-        for (int i = 0; i < n_unknowns<M>; ++i) {
-            if (i >= n_angles<M>)
-                build_coordinate(i, generator);
-            else if (kind == TotalDegreeKind::reflected)
-                build_reflected(i, generator);
-            else
-                build_lines(i, generator);
-            double size = 0;
-            for (const auto& g : harmonics_[i]) size = std::max(size, std::abs(g));
-            for (auto& g : harmonics_[i]) g *= gamma * scale[i] / size;
-        }
-    }
+    /// degrees: d_i, at least 1. scale[i] multiplies G_i, so that it weighs in the homotopy as equation i does.
+    TotalDegreeSystem(TotalDegreeKind kind, const RuntimeSizes& sizes, std::span<const int> degrees,
+                      std::span<const double> scale, Generator& generator);
 
     /// The coefficient in G_i of the factor with this code (see Monomial): cos k, sin k, or x^k of unknown i.
     std::complex<double> coefficient(int i, int code) const {
-        return harmonics_[i][static_cast<std::size_t>(code + F::degrees[i])];
+        return harmonics_[at(i)][static_cast<std::size_t>(code + degree(i))];
     }
+    /// Those that are not 0, as what the start adds to a homotopy.
+    std::vector<StartForms::Term> terms() const;
     /// The start points of unknown i. Reflected: first the two with s = 0, then pairs (c, s), (c, -s).
-    const std::vector<StartCoordinate>& points(int i) const { return points_[i]; }
+    const std::vector<StartCoordinate>& points(int i) const { return points_[at(i)]; }
     TotalDegreeKind kind() const { return kind_; }
 
 private:
-    /// Uniform on the unit circle; for the reflected start on the arc from 100 to 260 degrees, generic as well: there
-    /// chains need 11 to 22 steps a path, near the positive real axis 60 (measured, n = 4 and 6).
-    static std::complex<double> draw_gamma(TotalDegreeKind kind, Generator& generator) {
-        if (kind != TotalDegreeKind::reflected) return unit_complex(generator);
-        return std::polar(1.0, uniform(generator, 100, 260) * std::numbers::pi / 180);
-    }
+    using Line = std::complex<double>[3];  // a c + b s - e
 
-    using Line = Array<std::complex<double>, 3>;  // a c + b s - e
-
+    static std::size_t at(int i) { return static_cast<std::size_t>(i); }
+    int degree(int i) const { return degrees_[at(i)]; }
     std::complex<double>& harmonic(int i, int code) {
-        return harmonics_[i][static_cast<std::size_t>(code + F::degrees[i])];
+        return harmonics_[at(i)][static_cast<std::size_t>(code + degree(i))];
     }
-    void allocate(int i) { harmonics_[i].assign(static_cast<std::size_t>(2 * F::degrees[i] + 1), 0.0); }
-
-    /// Multiplies the trigonometric polynomial G_i by a c + b s - e.
-    void multiply(int i, const Line& line) {
-        using Polynomial = TrigonometricPolynomial<1, 0, std::complex<double>>;
-        using Basis = Polynomial::Basis;
-        Polynomial g, factor;
-        for (int k = -F::degrees[i]; k <= F::degrees[i]; ++k) g += Polynomial(Basis::single(0, k), harmonic(i, k));
-        factor += Polynomial(Basis::single(0, 1), line[0]);
-        factor += Polynomial(Basis::single(0, -1), line[1]);
-        factor += Polynomial(-line[2]);
-        allocate(i);
-        const Polynomial product = g * factor;
-        for (const auto& t : product.terms()) harmonic(i, t.monomial.code(0)) = t.coefficient;
-    }
-
-    void build_reflected(int i, Generator& generator) {
-        allocate(i);
-        harmonic(i, -1) = 1;
-        points_[i] = {{1.0, 0.0}, {-1.0, 0.0}};
-        for (int k = 1; k < F::degrees[i]; ++k) {
-            const std::complex<double> kappa = 0.7 * unit_complex(generator);
-            multiply(i, {1.0, 0.0, kappa});
-            const std::complex<double> s = std::sqrt(1.0 - kappa * kappa);
-            points_[i].push_back({kappa, s});
-            points_[i].push_back({kappa, -s});
-        }
-    }
-
-    /// The line cos(phi) c + sin(phi) s = e meets the circle at the angles phi +- arccos(e), all three complex.
-    void build_lines(int i, Generator& generator) {
-        allocate(i);
-        harmonic(i, 0) = 1;
-        for (int k = 0; k < F::degrees[i]; ++k) {
-            const std::complex<double> e = 0.7 * unit_complex(generator);
-            // a statement a draw: the order of evaluation of arguments differs between compilers
-            const double turn = 2 * std::numbers::pi * uniform(generator);
-            const std::complex<double> phi(turn, uniform(generator, -0.4, 0.4));
-            const std::complex<double> a = std::cos(phi), b = std::sin(phi), root = std::sqrt(1.0 - e * e);
-            multiply(i, {a, b, e});
-            points_[i].push_back({a * e - b * root, b * e + a * root});
-            points_[i].push_back({a * e + b * root, b * e - a * root});
-        }
-    }
-
-    /// x^d - e^d, with e near the unit circle.
-    void build_coordinate(int i, Generator& generator) {
-        allocate(i);
-        const int d = F::degrees[i];
-        const double size = uniform(generator, 0.8, 1.2);
-        const std::complex<double> e = size * unit_complex(generator);
-        harmonic(i, d) = 1;
-        harmonic(i, 0) = -std::pow(e, d);
-        for (int k = 0; k < d; ++k) points_[i].push_back({e * std::polar(1.0, 2 * std::numbers::pi * k / d), 0.0});
-    }
+    void allocate(int i) { harmonics_[at(i)].assign(static_cast<std::size_t>(2 * degree(i) + 1), 0.0); }
+    void multiply(int i, const Line& line);
+    void build_reflected(int i, Generator& generator);
+    void build_lines(int i, Generator& generator);
+    void build_coordinate(int i, Generator& generator);
 
     TotalDegreeKind kind_;
-    Array<std::vector<std::complex<double>>, n_unknowns<M>> harmonics_;
-    Array<std::vector<StartCoordinate>, n_unknowns<M>> points_;
+    std::vector<int> degrees_;
+    std::vector<std::vector<std::complex<double>>> harmonics_;
+    std::vector<std::vector<StartCoordinate>> points_;
 };
 
 }  // namespace equilibria
+
+#ifndef EQUILIBRIA_COMPILED
+#include <equilibria/start/detail/total_degree_system_definitions.hpp>
+#endif

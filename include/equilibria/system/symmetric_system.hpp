@@ -10,103 +10,93 @@
 /// derivative. At extremal_2 = 1 x_1 is extremal on the curve; the slice alone gives the pitchforks of a line.
 #pragma once
 
-#include <cmath>
+#include <array>
+#include <cstddef>
+#include <utility>
 #include <vector>
 
-#include <equilibria/core/array.hpp>
+#include <equilibria/core/compiled.hpp>
 #include <equilibria/core/random.hpp>
-#include <equilibria/model/derivatives.hpp>
+#include <equilibria/core/sized_array.hpp>
 #include <equilibria/system/critical_system.hpp>
+#include <equilibria/system/model_polynomials.hpp>
 #include <equilibria/system/sparse_system.hpp>
 
 namespace equilibria {
 
-template <PotentialModel M, int X, int Y>
-struct SymmetricSystem {
-    using Plane = CriticalSystem<M, X, Y>;
-    static constexpr int n = n_unknowns<M>;
-    static constexpr int n_angles = 0;
-    static constexpr int first_active = n - 1;
-    static constexpr int n_coordinates = n + 1;
-
-    template <class C>
-    using Polynomial = TrigonometricPolynomial<0, n_coordinates, C>;
-    template <class C>
-    using Polynomials = std::vector<Polynomial<C>>;
+/// The systems on the symmetric branches of a model with a potential, in the plane of the active parameters of its
+/// critical system.
+class SymmetricSystem {
+public:
+    /// The critical system, which has two active parameters, has to outlive it.
+    explicit SymmetricSystem(const CriticalSystem& plane)
+        : plane_(&plane), n_(plane.model().sizes().unknowns), sizes_(0, n_ + 1), grouping_(at(n_ + 1)) {
+        for (int k = 0; k < 2; ++k) grouping_[at(first_active() + k)] = (n_ > 1 ? 1 : 0) + k;
+    }
 
     /// What the equations depend on.
     struct Numbers {
-        typename Plane::Numbers plane;  ///< parameters, scales and basis
-        Array<double, n> cosine;        ///< of the branch: 1 or -1
-        Array<double, 3> slice{};       ///< s_1, s_2, s_0
-        Array<double, 2> extremal{};
+        CriticalSystem::Numbers plane;  ///< parameters, scales and basis
+        RuntimeArray<double> cosine;    ///< of the branch: 1 or -1
+        std::array<double, 3> slice{};  ///< s_1, s_2, s_0
+        std::array<double, 2> extremal{};
         double fourth = 0;
     };
 
+    const CriticalSystem& plane() const { return *plane_; }
+    const RuntimeSizes& sizes() const { return sizes_; }
+    int first_active() const { return n_ - 1; }  ///< the coordinate x_1
     /// {w}, {x_1}, {x_2}
-    static constexpr Array<int, n_coordinates> grouping = [] {
-        Array<int, n_coordinates> y{};
-        for (int k = 0; k < 2; ++k) y[first_active + k] = (n > 1 ? 1 : 0) + k;
-        return y;
-    }();
+    const std::vector<int>& grouping() const { return grouping_; }
 
-    static Numbers numbers(const Parameters<M>& p, const Array<double, 2>& scales, const Unknowns<M>& branch,
-                           Generator& generator) {
-        Numbers y{.plane = {.p = p, .scale = scales, .basis = {}}, .cosine = {}};
-        for (auto& row : y.plane.basis)
-            for (double& number : row) number = uniform(generator, -1, 1);
-        for (int i = 0; i < n; ++i) y.cosine[i] = std::cos(branch[i]) < 0 ? -1 : 1;
-        return y;
-    }
+    Numbers numbers(const RuntimeArray<double>& p, std::vector<double> scales, const RuntimeArray<double>& branch,
+                    Generator& generator) const;
 
-    /// The equations over the numbers C.
+    /// The equations over the numbers C, from the model's (see CriticalSystem::equations).
     template <class C>
-    static Polynomials<C> equations(const Numbers& numbers) {
-        const Polynomials<C> v = Plane::template combination<Polynomial<C>, C>(numbers.plane.basis, 0);
-        const auto f = Plane::template model_equations<C>(numbers.plane);
-        Polynomials<C> y;
-        Polynomial<C> last(C(numbers.slice[2]));
+    RuntimePolynomials<C> equations(const Numbers& numbers, RuntimePolynomials<C> model) const {
+        using Polynomial = RuntimePolynomial<C>;
+        const int model_active = most_angles + plane_->first_active();
+        const auto v = null_vector_polynomials<C>(numbers.plane.basis, 0);
+        const auto f = plane_->entry().in_powers(std::move(model), plane_->first_active());
+        RuntimePolynomials<C> y;
+        Polynomial last(C(numbers.slice[2]));
         for (int k = 0; k < 2; ++k)
-            if (numbers.slice[k] != 0) last += Polynomial<C>(C(numbers.slice[k])) * coordinate<C>(first_active + k);
-        for (int i = 0; i < n; ++i) {
+            if (numbers.slice[at(k)] != 0)
+                last += Polynomial(C(numbers.slice[at(k)])) * coordinate_polynomial<C>(first_active() + k);
+        for (int i = 0; i < n_; ++i) {
             const auto& equation = f[at(i)];
-            const auto times_v = [&](const auto& g, int order) {
+            const auto times_v = [&](const Polynomial& g, int order) {
                 return order_along<C>(g, order, numbers.cosine, v) * v[at(i)];
             };
-            y.push_back(divided(order_along<C>(equation, 1, numbers.cosine, v), i));
-            if (numbers.fourth != 0) last += Polynomial<C>(C(6 * numbers.fourth)) * times_v(equation, 3);
+            y.push_back(plane_->entry().divided(order_along<C>(equation, 1, numbers.cosine, v), i, first_active()));
+            if (numbers.fourth != 0) last += Polynomial(C(6 * numbers.fourth)) * times_v(equation, 3);
             for (int k = 0; k < 2; ++k)
-                if (numbers.extremal[k] != 0)
-                    last += Polynomial<C>(C(numbers.extremal[k])) *
-                            times_v(derivative(equation, n + Plane::first_active + k), 1);
+                if (numbers.extremal[at(k)] != 0)
+                    last += Polynomial(C(numbers.extremal[at(k)])) * times_v(derivative(equation, model_active + k), 1);
         }
         y.push_back(last);
         return y;
     }
-
+    RuntimePolynomials<> equations(const Numbers& numbers) const;
     /// The system to be solved.
-    static SparseSystem system(const Numbers& numbers) { return SparseSystem(equations<double>(numbers)); }
+    SparseSystem system(const Numbers& numbers) const { return sparse_system(equations(numbers), sizes_); }
 
 private:
-    static constexpr std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
-    template <class C>
-    static Polynomial<C> coordinate(int j) {
-        return {Polynomial<C>::Basis::single(j, 1), C(1)};
-    }
+    static std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
     /// The coefficient of t^order of f at the branch + t v.
     template <class C>
-    static Polynomial<C> order_along(const typename Plane::template Polynomial<C>& f, int order,
-                                     const Array<double, n>& cosine, const Polynomials<C>& v) {
-        Polynomial<C> sum;
+    RuntimePolynomial<C> order_along(const RuntimePolynomial<C>& f, int order, const RuntimeArray<double>& cosine,
+                                     const RuntimePolynomials<C>& v) const {
+        RuntimePolynomial<C> sum;
         for (const auto& term : f.terms()) {
-            Polynomials<C> series(at(order + 1));
-            series[0] = Polynomial<C>(term.coefficient);
+            RuntimePolynomials<C> series(at(order + 1));
+            series[0] = RuntimePolynomial<C>(term.coefficient);
             for (int k = 0; k < 2; ++k)
-                for (int m = 0; m < term.monomial.code(n + Plane::first_active + k); ++m)
-                    series[0] *= coordinate<C>(first_active + k);
-            for (int i = 0; i < n; ++i)
+                for (int m = 0; m < term.monomial.code(most_angles + plane_->first_active() + k); ++m)
+                    series[0] *= coordinate_polynomial<C>(first_active() + k);
+            for (int i = 0; i < n_; ++i)
                 if (const int code = term.monomial.code(i); code != 0)
                     series = times_factor<C>(series, code, cosine[i], v[at(i)]);
             sum += series.back();
@@ -115,31 +105,31 @@ private:
     }
     /// The series in t times cos k(theta + v t), or sin, k = |code|, theta being 0 or pi with the given cosine.
     template <class C>
-    static Polynomials<C> times_factor(const Polynomials<C>& series, int code, double cosine, const Polynomial<C>& v) {
+    static RuntimePolynomials<C> times_factor(const RuntimePolynomials<C>& series, int code, double cosine,
+                                              const RuntimePolynomial<C>& v) {
+        using Polynomial = RuntimePolynomial<C>;
         const int k = code < 0 ? -code : code, order = static_cast<int>(series.size()) - 1;
-        Polynomials<C> product(series.size());
-        Polynomial<C> power(C(cosine < 0 && k % 2 == 1 ? -1.0 : 1.0));
+        RuntimePolynomials<C> product(series.size());
+        Polynomial power(C(cosine < 0 && k % 2 == 1 ? -1.0 : 1.0));
         for (int m = 0; m <= order; ++m) {
-            if (m > 0) power = power * v * Polynomial<C>(C(k) / C(m));
+            if (m > 0) power = power * v * Polynomial(C(k) / C(m));
             if ((m % 2 == 1) != (code < 0)) continue;
             for (int l = 0; l + m <= order; ++l) {
-                const Polynomial<C> part = series[at(l)] * power;
+                const Polynomial part = series[at(l)] * power;
                 product[at(l + m)] += m / 2 % 2 == 1 ? -part : part;
             }
         }
         return product;
     }
-    template <class C>
-    static Polynomial<C> divided(const Polynomial<C>& row, int i) {
-        Polynomial<C> y;
-        for (const auto& term : row.terms()) {
-            auto monomial = term.monomial;
-            for (int k = 0; k < 2; ++k)
-                monomial.set_code(first_active + k, monomial.code(first_active + k) - Plane::entry().content[i][k]);
-            y += Polynomial<C>(monomial, term.coefficient);
-        }
-        return y;
-    }
+
+    const CriticalSystem* plane_;
+    int n_;
+    RuntimeSizes sizes_;
+    std::vector<int> grouping_;
 };
 
 }  // namespace equilibria
+
+#ifndef EQUILIBRIA_COMPILED
+#include <equilibria/system/detail/symmetric_system_definitions.hpp>
+#endif

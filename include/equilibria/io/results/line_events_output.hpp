@@ -33,8 +33,7 @@ Json json_of(const LineEvent<M>& e, const std::string& parameter) {
 }
 
 /// "low", "high", "at", "count", "by_index", "clean".
-template <Model M>
-Json json_of(const EventGap<M>& i) {
+inline Json json_of(const EventGap& i) {
     return {{"low", i.low},     {"high", i.high},         {"at", i.at},
             {"count", i.count}, {"by_index", i.by_index}, {"clean", i.clean}};
 }

@@ -2,38 +2,64 @@
 /// A model as a continuation problem: its equilibria in one of its parameters, with exact derivatives.
 #pragma once
 
+#include <utility>
+
 #include <Eigen/Core>
 
 #include <equilibria/continuation/problem.hpp>
-#include <equilibria/model/derivatives.hpp>
+#include <equilibria/core/eigen_copies.hpp>
+#include <equilibria/model/active_parameters.hpp>
+#include <equilibria/model/model_functions.hpp>
 
 namespace equilibria {
 
-/// The equilibria of a model against its parameter number X; unknowns: the angles (radians), then the coordinates.
-template <Model M, int X>
-class ModelProblem {
+/// The equilibria of a model against one parameter, its numbers of unknowns and parameters known at run time; unknowns:
+/// the angles (radians), then the coordinates.
+class EquilibriumProblem {
 public:
     using Vector = Eigen::VectorXd;
     using Matrix = Eigen::MatrixXd;
+
+    /// active: the number of the parameter, whose entry in `parameters` is not read.
+    EquilibriumProblem(const ModelDerivatives<>& model, RuntimeArray<double> parameters, int active)
+        : model_(&model), parameters_(std::move(parameters)), active_(active) {}
+
+    Vector residual(const Vector& q, double p) const {
+        return eigen_vector(equations(*model_, runtime_array(q), at(p)));
+    }
+    Matrix tangent(const Vector& q, double p) const { return eigen_matrix(jacobian(*model_, runtime_array(q), at(p))); }
+    Vector parameter_derivative(const Vector& q, double p) const {
+        return eigen_vector(parameter_derivatives(*model_, runtime_array(q), at(p), active_).first);
+    }
+    Matrix tangent_derivative(const Vector& q, double p, const Vector& v) const {
+        return eigen_matrix(jacobian_derivative(*model_, runtime_array(q), runtime_array(v), at(p)));
+    }
+    Vector parameter_derivative_along(const Vector& q, double p, const Vector& v) const {
+        return eigen_matrix(parameter_derivatives(*model_, runtime_array(q), at(p), active_).second) * v;
+    }
+
+private:
+    RuntimeArray<double> at(double p) const {
+        RuntimeArray<double> values = parameters_;
+        values[active_] = p;
+        return values;
+    }
+
+    const ModelDerivatives<>* model_;
+    RuntimeArray<double> parameters_;
+    int active_;
+};
+
+/// The same of the model M against its parameter number X. A model without a potential has an unsymmetric tangent.
+template <Model M, int X>
+class ModelProblem : public EquilibriumProblem {
+public:
     static constexpr bool symmetric = PotentialModel<M>;
     static constexpr int n = n_unknowns<M>;
 
     /// parameters: entry X is not read.
-    explicit ModelProblem(const Parameters<M>& parameters) : parameters_(parameters) {}
-
-    Vector residual(const Vector& q, double p) const { return vector(equations<M, double>(unknowns(q), at(p))); }
-    Matrix tangent(const Vector& q, double p) const { return jacobian<M, double>(unknowns(q), at(p)); }
-    Vector parameter_derivative(const Vector& q, double p) const {
-        return vector(equilibria::parameter_derivative<M, double>(unknowns(q), at(p), X));
-    }
-    Matrix tangent_derivative(const Vector& q, double p, const Vector& v) const {
-        return jacobian_derivative<M, double>(unknowns(q), unknowns(v), at(p));
-    }
-    Vector parameter_derivative_along(const Vector& q, double p, const Vector& v) const {
-        const Eigen::Matrix<double, n, 1> fixed = v;
-        const Eigen::Matrix<double, n, 1> y = jacobian_parameter_derivative<M, double>(unknowns(q), at(p), X) * fixed;
-        return vector(y);
-    }
+    explicit ModelProblem(const Parameters<M>& parameters)
+        : EquilibriumProblem(derivatives_of<M>(), runtime_array(parameters), X) {}
 
     /// Of n numbers, with operator[].
     static Vector vector(const auto& q) {
@@ -46,26 +72,13 @@ public:
         for (int i = 0; i < n; ++i) q[i] = v(i);
         return q;
     }
-
-private:
-    Parameters<M> at(double p) const {
-        Parameters<M> values = parameters_;
-        values[X] = p;
-        return values;
-    }
-
-    Parameters<M> parameters_;
 };
 
 /// The same for each value of the parameter number Y.
 template <Model M, int X, int Y>
 struct ModelProblems {
     Parameters<M> parameters;  ///< entries X and Y are not read
-    ModelProblem<M, X> operator()(double y) const {
-        Parameters<M> values = parameters;
-        values[Y] = y;
-        return ModelProblem<M, X>(values);
-    }
+    ModelProblem<M, X> operator()(double y) const { return ModelProblem<M, X>(with_active<Y>(parameters, y)); }
 };
 
 }  // namespace equilibria

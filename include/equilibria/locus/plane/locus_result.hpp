@@ -6,18 +6,20 @@
 #include <concepts>
 #include <cstdint>
 #include <map>
-#include <sstream>
 #include <string>
 #include <vector>
 
+#include <equilibria/core/compiled.hpp>
+#include <equilibria/core/window.hpp>
 #include <equilibria/locus/plane/curve_end.hpp>
-#include <equilibria/locus/regions/regions.hpp>
+#include <equilibria/locus/regions/plane_point.hpp>
 #include <equilibria/paths/solution_counts.hpp>
 #include <equilibria/singularity/singularity.hpp>
 
 namespace equilibria {
 
-template <Model M>
+/// M: the model, or RuntimeUnknowns.
+template <class M>
 struct LocusCurve {
     SingularityKind kind;  ///< fold or pitchfork
     std::vector<Singularity<M>> points;
@@ -36,10 +38,43 @@ struct LocusRegion {
     std::vector<std::vector<PlanePoint>> polygons;
 };
 
-template <Model M>
+/// The evidence of completeness.
+struct LocusEvidence {
+    std::uint64_t lines = 0, seeds = 0, checked_points = 0;
+    /// By how much the borders of x and of y were moved in, in parts of the window: the model may degenerate on
+    /// them. A piece of a curve that lies in a corner of that size, and has no special point, is not seen.
+    std::array<double, 2> inset{};
+    /// Complex solutions by kind: folds of a generic line in each direction, all special points of the plane.
+    std::map<SingularityKind, SolutionCounts> solved;
+    // what follows must be 0
+    std::uint64_t failed_paths = 0;        ///< of the other lines
+    std::uint64_t untraced_seeds = 0;      ///< points solved for that no curve passes
+    std::uint64_t unseeded_crossings = 0;  ///< crossings of curves and lines that are no event of the line
+    std::uint64_t unsolved_points = 0;     ///< cusps and extremal points of curves that were not solved for
+    std::uint64_t broken_curves = 0;       ///< curves that the step control gave up
+    std::uint64_t wrong_counts = 0;        ///< checked points whose count is not their region's
+    std::uint64_t wrong_borders = 0;       ///< borders of regions whose tables by index do not fit
+    double seconds = 0;
+
+    std::uint64_t all_failed_paths() const {
+        std::uint64_t failed = failed_paths;
+        for (const auto& [kind, counts] : solved) failed += counts.paths.failed;
+        return failed;
+    }
+    bool complete() const {
+        return all_failed_paths() + untraced_seeds + unseeded_crossings + unsolved_points + broken_curves +
+                   wrong_counts + wrong_borders ==
+               0;
+    }
+
+    /// Why no curve and no cusp is missing, or what speaks against it, in words.
+    std::string argument() const;
+};
+
+template <class M>
 struct Locus {
     Window window;
-    Parameters<M> parameters;
+    ParameterArray<M, double> parameters;
     std::vector<LocusCurve<M>> curves;
     /// The special points of the curves, in the order in which they were found: cusps (with the derivatives phi''' and
     /// phi'''' of the reduced potential, residual the largest of |F|, |J v| and |phi'''|), tricritical pitchforks, and
@@ -56,70 +91,47 @@ struct Locus {
         return found;
     }
 
-    /// The evidence of completeness.
-    struct Evidence {
-        std::uint64_t lines = 0, seeds = 0, checked_points = 0;
-        /// By how much the borders of x and of y were moved in, in parts of the window: the model may degenerate on
-        /// them. A piece of a curve that lies in a corner of that size, and has no special point, is not seen.
-        std::array<double, 2> inset{};
-        /// Complex solutions by kind: folds of a generic line in each direction, all special points of the plane.
-        std::map<SingularityKind, SolutionCounts> solved;
-        // what follows must be 0
-        std::uint64_t failed_paths = 0;        ///< of the other lines
-        std::uint64_t untraced_seeds = 0;      ///< points solved for that no curve passes
-        std::uint64_t unseeded_crossings = 0;  ///< crossings of curves and lines that are no event of the line
-        std::uint64_t unsolved_points = 0;     ///< cusps and extremal points of curves that were not solved for
-        std::uint64_t broken_curves = 0;       ///< curves that the step control gave up
-        std::uint64_t wrong_counts = 0;        ///< checked points whose count is not their region's
-        std::uint64_t wrong_borders = 0;       ///< borders of regions whose tables by index do not fit
-        double seconds = 0;
+    using Evidence = LocusEvidence;
+    Evidence evidence;
 
-        std::uint64_t all_failed_paths() const {
-            std::uint64_t failed = failed_paths;
-            for (const auto& [kind, counts] : solved) failed += counts.paths.failed;
-            return failed;
-        }
-        bool complete() const {
-            return all_failed_paths() + untraced_seeds + unseeded_crossings + unsolved_points + broken_curves +
-                       wrong_counts + wrong_borders ==
-                   0;
-        }
-    } evidence;
-
-    /// Why no curve and no cusp is missing, or what speaks against it, in words.
-    std::string argument() const;
+    std::string argument() const { return evidence.argument(); }
 };
 
+namespace detail {
+
+/// `to` with everything of `from`, its points converted.
+template <class To, class From>
+To converted_locus(const From& from, To to, const auto& convert) {
+    to.window = from.window;
+    for (const auto& curve : from.curves) {
+        to.curves.push_back({curve.kind, {}, curve.ends});
+        for (const auto& at : curve.points) to.curves.back().points.push_back(convert(at));
+    }
+    for (const auto& at : from.points) to.points.push_back(convert(at));
+    to.regions = from.regions;
+    to.borders = from.borders;
+    to.evidence = from.evidence;
+    return to;
+}
+
+}  // namespace detail
+
+/// The same locus, its numbers in arrays of a size known at run time, and back.
 template <Model M>
-std::string Locus<M>::argument() const {
-    std::ostringstream out;
-    const auto solved = [&](const char* what, SingularityKind kind) {
-        const auto of_kind = evidence.solved.find(kind);
-        if (of_kind == evidence.solved.end()) return;
-        const SolutionCounts& c = of_kind->second;
-        if (c.searches == 0) return;
-        out << "; " << what << ": " << c.paths.total << " paths, " << c.solutions << " regular complex solutions, "
-            << c.paths.failed << " failed";
-        if (c.attempts > c.searches)
-            out << " (start system " << c.attempts << " of as many as " << c.searches << " needed)";
-    };
-    const Evidence& e = evidence;
-    out << "a curve that enters the window crosses its border";
-    out << " (moved in by " << e.inset[0] << " and " << e.inset[1] << " of it)";
-    out << ", a line of which all folds and pitchforks are solved for; one "
-           "that does not has a cusp or points with vertical and horizontal tangents, all of which are solved for";
-    solved("folds of a line", SingularityKind::fold);
-    solved("cusps", SingularityKind::cusp);
-    solved("such tangents of fold curves", SingularityKind::extremal_fold);
-    solved("of pitchfork curves", SingularityKind::extremal_pitchfork);
-    solved("degenerate pitchforks", SingularityKind::tricritical_pitchfork);
-    out << "; " << e.seeds << " points in the window, " << e.untraced_seeds << " of them on no curve; "
-        << e.unseeded_crossings << " crossings of " << e.lines << " lines and " << e.unsolved_points
-        << " special points of curves were not solved for; " << e.wrong_counts << " of " << e.checked_points
-        << " enumerations differ from their region, and " << e.wrong_borders
-        << " borders of regions have tables that no fold or pitchfork explains";
-    if (!e.complete()) out << "; NOT COMPLETE";
-    return out.str();
+Locus<RuntimeUnknowns> runtime_locus(const Locus<M>& locus) {
+    Locus<RuntimeUnknowns> y;
+    y.parameters = runtime_array(locus.parameters);
+    return detail::converted_locus(locus, y, [](const Singularity<M>& at) { return runtime_singularity(at); });
+}
+template <Model M>
+Locus<M> typed(const Locus<RuntimeUnknowns>& locus) {
+    Locus<M> y;
+    y.parameters = parameters_from<M>(locus.parameters);
+    return detail::converted_locus(locus, y, [](const RuntimeSingularity<>& at) { return typed<M>(at); });
 }
 
 }  // namespace equilibria
+
+#ifndef EQUILIBRIA_COMPILED
+#include <equilibria/locus/plane/detail/locus_result_definitions.hpp>
+#endif

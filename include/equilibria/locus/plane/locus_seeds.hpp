@@ -5,13 +5,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <utility>
 #include <vector>
 
-#include <Eigen/LU>
-
 #include <equilibria/core/dense_solvers.hpp>
+#include <equilibria/core/eigen_copies.hpp>
 #include <equilibria/core/random.hpp>
 #include <equilibria/locus/plane/locus_result.hpp>
 #include <equilibria/locus/plane/plane_problems.hpp>
@@ -28,9 +28,8 @@ namespace detail {
 
 /// A point that some curve must pass: a fold or pitchfork on a line, on which the parameter number `fixed` has the
 /// value `line`, or a special point of the plane.
-template <Model M>
 struct LocusSeed {
-    Singularity<M> at;
+    RuntimeSingularity<> at;
     int fixed = -1;  ///< of points on lines; else -1
     double line = 0;
     bool traced = false;
@@ -39,112 +38,90 @@ struct LocusSeed {
 };
 
 /// All such points of a window, and what they have to do with the curves that were traced.
-template <Model M, int X, int Y>
 class LocusSeeds {
 public:
-    static constexpr int n = n_unknowns<M>;
-    static constexpr bool reflection_symmetric = Formulation<M>::reflection_symmetric;
-    using Evidence = typename Locus<M>::Evidence;
-
-    /// inner_lines: in each direction, beside the borders.
-    LocusSeeds(const Parameters<M>& p, const Window& window, int inner_lines, const RunOptions& run,
-               MoreDigits<> resort)
-        : parameters_(p), window_(window), inner_lines_(inner_lines), seed_(run.seed),
-          solver_(p, run,
+    /// The model and the plane's system have to outlive it. inner_lines: in each direction, beside the borders.
+    LocusSeeds(const SearchedModel& model, const CriticalSystem& system, const RuntimeArray<double>& p,
+               const Window& window, int inner_lines, const RunOptions& run, MoreDigits<> resort)
+        : model_(&model), system_(&system), parameters_(p), window_(window), inner_lines_(inner_lines), seed_(run.seed),
+          solver_(model, system, p, run,
                   {std::max(std::abs(window.x.low), std::abs(window.x.high)),
                    std::max(std::abs(window.y.low), std::abs(window.y.high))},
                   resort) {}
 
-    void solve(Evidence& evidence) {
-        solve_lines<X, Y>(evidence);
-        solve_lines<Y, X>(evidence);
+    void solve(LocusEvidence& evidence) {
+        solve_lines(1, evidence);
+        solve_lines(0, evidence);
         solve_points(evidence);
         evidence.seeds = seeds_.size();
     }
 
-    std::vector<LocusSeed<M>>& all() { return seeds_; }
+    std::vector<LocusSeed>& all() { return seeds_; }
     /// The values of the lines on which x (axis 0) or y (axis 1) is fixed.
     const std::vector<double>& lines(int axis) const { return lines_[static_cast<std::size_t>(axis)]; }
 
     /// The same event, or its mirror image; angles modulo 2 pi, null vectors up to sign.
-    bool same(const Singularity<M>& a, const Singularity<M>& b) const {
+    bool same(const RuntimeSingularity<>& a, const RuntimeSingularity<>& b) const {
         constexpr double tolerance = 1e-5;
         if (std::abs(a.x() - b.x()) > tolerance * window_.width()) return false;
         if (std::abs(a.y() - b.y()) > tolerance * window_.height()) return false;
         if (!(std::abs(std::abs(dot(a.v, b.v)) - 1) < 100 * tolerance)) return false;
-        return same_unknowns<M>(a.q, b.q, 100 * tolerance) ||
-               (reflection_symmetric && same_unknowns<M>(a.q, mirrored<M>(b.q), 100 * tolerance));
+        const RuntimeSizes& sizes = model_->sizes();
+        return same_unknowns(sizes, a.q, b.q, 100 * tolerance) ||
+               (model_->reflection_symmetric() && same_unknowns(sizes, a.q, mirrored(sizes, b.q), 100 * tolerance));
     }
 
     /// Every point solved for is on a curve, and every special point of a curve was solved for.
-    void compare(Locus<M>& locus) {
-        if constexpr (PotentialModel<M>) {
-            for (const Singularity<M>& at : locus.points) {
-                bool known = false;
-                for (LocusSeed<M>& seed : seeds_)
-                    if (seed.at.kind == at.kind && seed.at.extremal == at.extremal && same(seed.at, at))
-                        known = seed.traced = true;
-                locus.evidence.unsolved_points += !known;
-            }
+    void compare(Locus<RuntimeUnknowns>& locus) {
+        if (!model_->has_potential()) return;
+        for (const auto& at : locus.points) {
+            bool known = false;
+            for (LocusSeed& seed : seeds_)
+                if (seed.at.kind == at.kind && seed.at.extremal == at.extremal && same(seed.at, at))
+                    known = seed.traced = true;
+            locus.evidence.unsolved_points += !known;
         }
     }
 
 private:
-    using Solver = PlaneSolver<M, X, Y>;
-    using Problems = PlaneProblems<M, X, Y>;
-
-    void add_seed(const LocusSeed<M>& seed) {
+    void add_seed(const LocusSeed& seed) {
         if (!window_.contains(seed.at.x(), seed.at.y()) || is_family(seed.at)) return;
-        for (const LocusSeed<M>& other : seeds_)  // the mirror image
+        for (const LocusSeed& other : seeds_)  // the mirror image
             if (other.at.kind == seed.at.kind && other.at.extremal == seed.at.extremal && other.fixed == seed.fixed &&
                 other.line == seed.line && same(other.at, seed.at))
                 return;
         seeds_.push_back(seed);
     }
     /// Special points of the plane; extremal: the number of the parameter that turns back there, or -1.
-    void add_points(std::vector<Singularity<M>> points, SingularityKind kind, int extremal = -1) {
-        for (Singularity<M>& at : points) {
+    void add_points(std::vector<RuntimeSingularity<>> points, SingularityKind kind, int extremal = -1) {
+        for (auto& at : points) {
             at.kind = kind;
             at.extremal = extremal;
             add_seed({at});
         }
     }
 
-    template <int Active, int Fixed>
-    void solve_lines(Evidence& evidence) {
-        const double low = Fixed == X ? window_.x.low : window_.y.low;
-        const double size = Fixed == X ? window_.width() : window_.height();
-        const double active_low = Active == X ? window_.x.low : window_.y.low;
-        const double active_high = Active == X ? window_.x.high : window_.y.high;
-        const int degree = Solver::System::entry().degree[Active == X ? 0 : 1];
+    /// Lines on which x (axis 0) or y (axis 1) is fixed.
+    void solve_lines(int axis, LocusEvidence& evidence) {
+        const Interval &range = axis == 0 ? window_.x : window_.y, &moving = axis == 0 ? window_.y : window_.x;
+        const double low = range.low, size = range.high - range.low;
+        const std::size_t own = static_cast<std::size_t>(axis), other = 1 - own;
+        const int fixed = system_->active()[own], degree = system_->entry().degree[other];
         Generator generator(seed_);
-        const typename Solver::Lines lines(solver_, Fixed == X ? 0 : 1, low + size * uniform(generator));
+        const PlaneSolver::Lines lines(solver_, axis, low + size * uniform(generator));
         evidence.solved[SingularityKind::fold].add(lines.counts());
-        const auto add = [&](double line, const std::vector<Singularity<M>>& folds) {
-            for (Singularity<M> at : folds) {
+        const auto add = [&](double line, const std::vector<RuntimeSingularity<>>& folds) {
+            for (auto at : folds) {
                 at.kind = SingularityKind::fold;
-                add_seed({at, Fixed, line});
+                add_seed({at, fixed, line});
             }
-            Parameters<M> p = parameters_;
-            p[Fixed] = line;
-            for (const Unknowns<M>& branch : symmetric_branches<M>()) {
-                const auto determinant = [&](double value) {
-                    p[Active] = value;
-                    return equilibria::detail::determinant(
-                        Problems{p}(p[Y]).tangent(PlaneProblem<M, X, Y>::vector(branch), p[X]));
-                };
-                for (const double value : polynomial_roots(determinant, n * degree, active_low, active_high)) {
-                    p[Active] = value;
-                    const auto v = null_vector<M>(jacobian<M, double>(branch, p));
-                    add_seed({singularity_at<M, X, Y>(SingularityKind::pitchfork, branch, p, v), Fixed, line});
-                }
-            }
-            lines_[Fixed == X ? 0 : 1].push_back(line);
+            add_pitchforks(axis, line, degree, moving);
+            lines_[own].push_back(line);
             ++evidence.lines;
         };
         // the borders, moved in: the model may degenerate on them, and near to them may leave paths undecided, most of
         // all near 0 of a parameter that enters by its square
-        const bool squared = Solver::System::entry().power[Fixed == X ? 0 : 1] == 2;
+        const bool squared = system_->entry().power[own] == 2;
         for (const bool upper : {false, true})
             for (const double inset : {1e-6, 1e-4, 1e-2}) {
                 if (squared && !upper && low == 0 && inset < 1e-2) continue;
@@ -154,7 +131,7 @@ private:
                 const auto folds = lines.folds(line, failed, last);
                 if (failed > 0 && !last) continue;
                 evidence.failed_paths += failed;
-                double& widest = evidence.inset[Fixed == X ? 0 : 1];
+                double& widest = evidence.inset[own];
                 widest = std::max(widest, inset);
                 add(line, folds);
                 break;
@@ -166,42 +143,65 @@ private:
         }
     }
 
-    void solve_points(Evidence& evidence) {
-        if constexpr (PotentialModel<M>) {
-            using Kind = SingularityKind;
-            auto& solved = evidence.solved;
-            add_points(solver_.cusps(solved[Kind::cusp]), Kind::cusp);
-            for (const int which : {0, 1})
-                add_points(solver_.extremal_folds(which, solved[Kind::extremal_fold]), Kind::extremal_fold,
-                           which == 0 ? X : Y);
-            if constexpr (reflection_symmetric) {
-                for (const int which : {0, 1})
-                    add_points(solver_.extremal_pitchforks(which, solved[Kind::extremal_pitchfork]),
-                               Kind::extremal_pitchfork, which == 0 ? X : Y);
-                add_points(solver_.degenerate_pitchforks(solved[Kind::tricritical_pitchfork]),
-                           Kind::tricritical_pitchfork);
+    /// The pitchforks of symmetric branches on such a line.
+    void add_pitchforks(int axis, double line, int degree, const Interval& moving) {
+        const int fixed = system_->active()[static_cast<std::size_t>(axis)];
+        const int active = system_->active()[static_cast<std::size_t>(1 - axis)];
+        const int x = system_->active()[0], y = system_->active()[1];
+        RuntimeArray<double> p = parameters_;
+        p[fixed] = line;
+        for (const auto& branch : symmetric_branches(*model_->polynomials)) {
+            const auto determinant = [&](double value) {
+                p[active] = value;
+                const PlaneProblems problems{model_->functions, system_, p};
+                return equilibria::detail::determinant(problems(p[y]).tangent(eigen_vector(branch), p[x]));
+            };
+            for (const double value :
+                 polynomial_roots(determinant, model_->unknowns() * degree, moving.low, moving.high)) {
+                p[active] = value;
+                const auto v = null_vector(jacobian(*model_->functions, branch, p));
+                add_seed(
+                    {singularity_at<double>(SingularityKind::pitchfork, system_->active(), branch, p, v), fixed, line});
             }
         }
     }
 
+    void solve_points(LocusEvidence& evidence) {
+        if (!model_->has_potential()) return;
+        using Kind = SingularityKind;
+        auto& solved = evidence.solved;
+        const auto parameter = [&](int which) { return system_->active()[static_cast<std::size_t>(which)]; };
+        add_points(solver_.cusps(solved[Kind::cusp]), Kind::cusp);
+        for (const int which : {0, 1})
+            add_points(solver_.extremal_folds(which, solved[Kind::extremal_fold]), Kind::extremal_fold,
+                       parameter(which));
+        if (!model_->reflection_symmetric()) return;
+        for (const int which : {0, 1})
+            add_points(solver_.extremal_pitchforks(which, solved[Kind::extremal_pitchfork]), Kind::extremal_pitchfork,
+                       parameter(which));
+        add_points(solver_.degenerate_pitchforks(solved[Kind::tricritical_pitchfork]), Kind::tricritical_pitchfork);
+    }
+
     /// Where a parameter by which equations were divided is 0, one of them vanishes identically, as that of a massless
     /// link does: all its solutions are degenerate, and none is an event.
-    bool is_family(const Singularity<M>& at) const {
-        for (int i = 0; i < n; ++i)
-            for (int k = 0; k < 2; ++k)
-                if (Solver::System::entry().content[i][k] > 0 &&
+    bool is_family(const RuntimeSingularity<>& at) const {
+        for (const auto& content : system_->entry().content)
+            for (std::size_t k = 0; k < 2; ++k)
+                if (content[k] > 0 &&
                     std::abs(k == 0 ? at.x() : at.y()) <= 1e-9 * (k == 0 ? window_.width() : window_.height()))
                     return true;
         return false;
     }
 
-    Parameters<M> parameters_;
+    const SearchedModel* model_;
+    const CriticalSystem* system_;
+    RuntimeArray<double> parameters_;
     Window window_;
     int inner_lines_;
     std::uint64_t seed_;
-    Solver solver_;
+    PlaneSolver solver_;
     std::array<std::vector<double>, 2> lines_;  ///< values of x, and of y
-    std::vector<LocusSeed<M>> seeds_;
+    std::vector<LocusSeed> seeds_;
 };
 
 }  // namespace detail

@@ -7,16 +7,17 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include <equilibria/continuation/curves/critical_curve.hpp>
 #include <equilibria/continuation/event_function.hpp>
-#include <equilibria/enumerate/enumerate.hpp>
+#include <equilibria/core/eigen_copies.hpp>
+#include <equilibria/locus/plane/locus_options.hpp>
 #include <equilibria/locus/plane/locus_result.hpp>
 #include <equilibria/locus/plane/locus_seeds.hpp>
 #include <equilibria/locus/plane/pitchfork_curve.hpp>
 #include <equilibria/locus/plane/region_counts.hpp>
-#include <equilibria/model/active_parameters.hpp>
 #include <equilibria/model/torus.hpp>
 #include <equilibria/run/elapsed.hpp>
 #include <equilibria/singularity/null_vector.hpp>
@@ -26,76 +27,64 @@
 
 namespace equilibria {
 
-struct LocusOptions {
-    int lines = 12;   ///< lines in each direction that are solved beside the borders of the window, at least 2
-    int checks = 20;  ///< points in each direction whose count is compared with their region's; 0: none
-    /// Of the curves, in angles and in parts of the window; parameter_weight is set by it.
-    BranchOptions branch{.first_step = 1e-3, .largest_step = 0.006, .largest_angle = 0.15};
-    int most_points = 20000;  ///< of one curve
-
-    void validate() const {
-        require(lines >= 2 && lines <= 10000, "lines", lines, "must be 2 to 10000");
-        require(checks >= 0 && checks <= 10000, "checks", checks, "must be 0 to 10000");
-        require(most_points > 1, "most_points", most_points, "must be more than 1");
-        branch.validate();
-    }
-};
-
 namespace detail {
 
-template <Model M, int X, int Y>
 class LocusTracer {
 public:
-    static constexpr int n = n_unknowns<M>;
-
-    LocusTracer(const Parameters<M>& p, const Window& window, const RunOptions& run, const LocusOptions& options,
-                MoreDigits<> resort)
-        : run_(run), options_(options), seeds_(p, window, options.lines, run, resort) {
+    /// The model has to outlive it. active: the numbers of x and y.
+    LocusTracer(const SearchedModel& model, std::span<const int> active, const RuntimeArray<double>& p,
+                const Window& window, const RunOptions& run, const LocusOptions& options, MoreDigits<> resort)
+        : model_(model), functions_(*model.functions), n_(model.unknowns()), system_(*model.polynomials, active),
+          run_(run), options_(options), seeds_(model, system_, p, window, options.lines, run, resort) {
         locus_.window = window;
         locus_.parameters = p;
     }
+    LocusTracer(const LocusTracer&) = delete;
+    LocusTracer& operator=(const LocusTracer&) = delete;
 
-    Locus<M> run() {
+    Locus<RuntimeUnknowns> run() {
         const detail::Stopwatch begin;
         seeds_.solve(locus_.evidence);
         for (Seed& seed : seeds_.all())
             if (!seed.traced) trace_from(seed);
         seeds_.compare(locus_);
         for (const Seed& seed : seeds_.all()) locus_.evidence.untraced_seeds += !seed.traced;
-        count_regions<M, X, Y>(locus_, options_.checks, run_);
+        count_regions(locus_, model_, system_.active(), options_.checks, run_);
         locus_.evidence.seconds = begin.seconds();
         return std::move(locus_);
     }
 
 private:
-    using Seed = LocusSeed<M>;
-    using Problems = PlaneProblems<M, X, Y>;
-
-    using Folds = FoldCurve<Problems>;
-    using Pitchforks = PitchforkCurve<M, X, Y>;
+    using Seed = LocusSeed;
+    using Folds = FoldCurve<PlaneProblems>;
     /// Of both kinds of curves: q, x and the border.
     using At = Configuration<Folds>;
 
     /// A point of a curve with its unit null vector, that of the divided equations; 0 where they are not defined.
-    Singularity<M> point_of(const At& at, double y, SingularityKind kind) const {
-        const UnknownMatrix<M> tangent = Problems{locus_.parameters}(y).tangent(at.q, at.p);
-        return singularity_at<M, X, Y>(kind, PlaneProblem<M, X, Y>::unknowns(at.q),
-                                       with_active<X, Y>(locus_.parameters, at.p, y),
-                                       tangent.allFinite() ? null_vector<M>(tangent) : Unknowns<M>{});
+    RuntimeSingularity<> point_of(const At& at, double y, SingularityKind kind) const {
+        const Eigen::MatrixXd tangent = problems()(y).tangent(at.q, at.p);
+        RuntimeArray<double> p = locus_.parameters;
+        p[x_number()] = at.p;
+        p[y_number()] = y;
+        return singularity_at<double>(
+            kind, system_.active(), runtime_array(at.q), p,
+            tangent.allFinite() ? null_vector(runtime_matrix(tangent)) : RuntimeArray<double>(n_));
     }
+    PlaneProblems problems() const { return {&functions_, &system_, locus_.parameters}; }
+    int x_number() const { return system_.active()[0]; }
+    int y_number() const { return system_.active()[1]; }
 
     void trace_from(const Seed& seed) {
         At at;
-        at.q = PlaneProblem<M, X, Y>::vector(seed.at.q);
+        at.q = eigen_vector(seed.at.q);
         at.p = seed.at.x();
-        PlaneProblem<M, X, Y>::vector(seed.at.v).cwiseAbs().maxCoeff(&at.border.column);
+        eigen_vector(seed.at.v).cwiseAbs().maxCoeff(&at.border.column);
         at.border.row = at.border.column;  // about: J is symmetric but for scales of its rows
-        const Problems problems{locus_.parameters};
-        at = with_best_border(problems(seed.at.y()), at);
+        at = with_best_border(problems()(seed.at.y()), at);
         if (seed.curve() == SingularityKind::fold)
-            trace(Folds(problems, seed.at.y(), locus_.window.width()), at, seed);
-        else if constexpr (Formulation<M>::reflection_symmetric)
-            trace(Pitchforks(problems, locus_.window.width()), at, seed);
+            trace(Folds(problems(), seed.at.y(), locus_.window.width()), at, seed);
+        else if (model_.reflection_symmetric())
+            trace(PitchforkCurve(problems(), locus_.window.width()), at, seed);
     }
 
     template <class Curve>
@@ -110,7 +99,7 @@ private:
             if (!start) return;
             start->proposed_step = branch.first_step;
         }
-        LocusCurve<M> curve{seed.curve(), {}, {CurveEnd::step, CurveEnd::step}};
+        LocusCurve<RuntimeUnknowns> curve{seed.curve(), {}, {CurveEnd::step, CurveEnd::step}};
         std::vector<BranchPoint<Curve>> whole;
         for (int side = 0; side < 2; ++side) {
             BranchStepper<Curve>::flip(start->tangent);
@@ -155,7 +144,7 @@ private:
                 return CurveEnd::border;
             }
             if constexpr (folds) {
-                const Unknowns<M> v = point_of(last.q, last.p, SingularityKind::fold).v;
+                const RuntimeArray<double> v = point_of(last.q, last.p, SingularityKind::fold).v;
                 const EventFunction<Curve> third{"third derivative",
                                                  [&](const BranchPoint<Curve>& at) { return third_at(at, v); }};
                 std::optional<BranchPoint<Curve>> cusp;
@@ -177,9 +166,9 @@ private:
     }
 
     /// The reduced third derivative along the null vector on the side of `before`.
-    double third_at(const BranchPoint<Folds>& at, const Unknowns<M>& before) const {
-        const Singularity<M> point = point_of(at.q, at.p, SingularityKind::fold);
-        const double third = reduced_coefficients<M>(point.q, point.v, point.p).third;
+    double third_at(const BranchPoint<Folds>& at, const RuntimeArray<double>& before) const {
+        const auto point = point_of(at.q, at.p, SingularityKind::fold);
+        const double third = reduced_coefficients(functions_, point.q, point.v, point.p).third;
         return dot(point.v, before) < 0 ? -third : third;
     }
 
@@ -188,7 +177,7 @@ private:
     bool closes(const BranchStepper<Curve>& stepper, const BranchPoint<Curve>& first,
                 const BranchPoint<Curve>& now) const {
         Direction d = stepper.difference(first, now.q, now.p);
-        for (int i = 0; i + 1 < d.q.size() && i < n_angles<M>; ++i) d.q(i + 1) = wrap(d.q(i + 1));
+        for (int i = 0; i + 1 < d.q.size() && i < model_.sizes().angles; ++i) d.q(i + 1) = wrap(d.q(i + 1));
         return stepper.length(d) < 1.5 * options_.branch.largest_step && stepper.dot(first.tangent, now.tangent) > 0.95;
     }
 
@@ -260,26 +249,25 @@ private:
 
     /// A zero of the third derivative; true if it is a symmetric point, where the curve turns into its mirror image.
     bool note_cusp(const BranchPoint<Folds>& cusp) {
-        Singularity<M> at = point_of(cusp.q, cusp.p, SingularityKind::cusp);
-        const bool symmetric = on_symmetric_branch<M>(at.q);
+        auto at = point_of(cusp.q, cusp.p, SingularityKind::cusp);
+        const bool symmetric = on_symmetric_branch(*model_.polynomials, at.q);
         if (symmetric) {
             at.kind = SingularityKind::tricritical_pitchfork;
         } else {
-            const auto reduced = reduced_coefficients<M>(at.q, at.v, at.p);
-            const Eigen::Matrix<double, n, 1> v = PlaneProblem<M, X, Y>::vector(at.v);
+            const auto reduced = reduced_coefficients(functions_, at.q, at.v, at.p);
+            const Eigen::VectorXd jv = eigen_matrix(jacobian(functions_, at.q, at.p)) * eigen_vector(at.v);
             at.nullity = 1;
             at.derivatives[0] = reduced.third;
             at.derivatives[1] = reduced.fourth;
-            at.residual = std::max(
-                {cusp.residual, (jacobian<M, double>(at.q, at.p) * v).cwiseAbs().maxCoeff(), std::abs(reduced.third)});
+            at.residual = std::max({cusp.residual, jv.cwiseAbs().maxCoeff(), std::abs(reduced.third)});
         }
         note(at);
         return symmetric;
     }
 
     /// Keeps a special point unless it is known.
-    void note(const Singularity<M>& at) {
-        for (const Singularity<M>& other : locus_.points)
+    void note(const RuntimeSingularity<>& at) {
+        for (const auto& other : locus_.points)
             if (other.kind == at.kind && other.extremal == at.extremal && seeds_.same(other, at)) return;
         locus_.points.push_back(at);
     }
@@ -302,8 +290,8 @@ private:
             if (turns[0] == turns[1] || is_cusp(a) || is_cusp(b)) continue;
             const auto point = zero_between(stepper, slopes[turns[0] ? 0 : 1], a, b);
             if (!point || !locus_.window.contains(point->q.p, point->p)) continue;
-            Singularity<M> at = point_of(point->q, point->p, kind);
-            at.extremal = turns[0] ? X : Y;
+            auto at = point_of(point->q, point->p, kind);
+            at.extremal = turns[0] ? x_number() : y_number();
             note(at);
         }
     }
@@ -312,22 +300,22 @@ private:
     template <class Curve>
     void claim_near(BranchStepper<Curve>& stepper, const std::vector<BranchPoint<Curve>>& curve, SingularityKind kind) {
         const auto position = [&](const BranchPoint<Curve>& at) {
-            Eigen::VectorXd y(n + 2);
+            Eigen::VectorXd y(n_ + 2);
             y << at.q.p / locus_.window.width(), at.p / locus_.window.height(), at.q.q;
             return y;
         };
         for (Seed& seed : seeds_.all()) {
             if (seed.traced || seed.curve() != kind) continue;
             for (const bool mirror : {false, true}) {
-                if (seed.traced || (mirror && !Formulation<M>::reflection_symmetric)) break;
-                const Unknowns<M> image = mirror ? mirrored<M>(seed.at.q) : seed.at.q;
+                if (seed.traced || (mirror && !model_.reflection_symmetric())) break;
+                const auto image = mirror ? mirrored(model_.sizes(), seed.at.q) : seed.at.q;
                 for (std::size_t i = 0; i + 1 < curve.size() && !seed.traced; ++i) {
                     const Eigen::VectorXd a = position(curve[i]), chord = position(curve[i + 1]) - a;
-                    Eigen::VectorXd to(n + 2);
+                    Eigen::VectorXd to(n_ + 2);
                     to(0) = seed.at.x() / locus_.window.width() - a(0);
                     to(1) = seed.at.y() / locus_.window.height() - a(1);
-                    const auto d = displacement<M>(PlaneProblem<M, X, Y>::unknowns(a.tail(n)), image);
-                    for (int k = 0; k < n; ++k) to(k + 2) = d[k];
+                    const auto d = displacement(model_.sizes(), runtime_array(Eigen::VectorXd(a.tail(n_))), image);
+                    for (int k = 0; k < n_; ++k) to(k + 2) = d[k];
                     const double length2 = chord.squaredNorm(), part = to.dot(chord) / length2;
                     if (!(part > -0.1 && part < 1.1) || (to - part * chord).squaredNorm() > 0.1 * length2 + 1e-10)
                         continue;
@@ -337,7 +325,7 @@ private:
                     Direction target = step;
                     target.q(0) = to(0) * locus_.window.width();
                     target.p = to(1) * locus_.window.height();
-                    if constexpr (std::is_same_v<Curve, Folds>) target.q.tail(n) = to.tail(n);
+                    if constexpr (std::is_same_v<Curve, Folds>) target.q.tail(n_) = to.tail(n_);
                     const double reach = stepper.dot(target, step) / (along * along);
                     const Direction normal = step;
                     BranchStepper<Curve>::scale(step, reach);
@@ -364,11 +352,11 @@ private:
                     entry(chord, axis) = -before;
                     const auto point = where(stepper, curve[i], chord, axis);
                     if (!point || !w.contains(point->q.p, point->p)) continue;
-                    const Singularity<M> at = point_of(point->q, point->p, kind);
+                    const auto at = point_of(point->q, point->p, kind);
                     bool known = false;
                     for (Seed& seed : seeds_.all())
-                        if (seed.curve() == kind && seed.fixed == (axis == 0 ? X : Y) && seed.line == line &&
-                            seeds_.same(seed.at, at))
+                        if (seed.curve() == kind && seed.fixed == (axis == 0 ? x_number() : y_number()) &&
+                            seed.line == line && seeds_.same(seed.at, at))
                             known = seed.traced = true;
                     locus_.evidence.unseeded_crossings += !known;
                 }
@@ -376,10 +364,14 @@ private:
         }
     }
 
+    const SearchedModel& model_;
+    const ModelFunctions<>& functions_;
+    int n_;  ///< unknowns
+    CriticalSystem system_;
     RunOptions run_;
     LocusOptions options_;
-    LocusSeeds<M, X, Y> seeds_;
-    Locus<M> locus_;
+    LocusSeeds seeds_;
+    Locus<RuntimeUnknowns> locus_;
 };
 
 }  // namespace detail

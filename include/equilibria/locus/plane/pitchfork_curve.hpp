@@ -3,6 +3,7 @@
 #pragma once
 
 #include <limits>
+#include <utility>
 
 #include <Eigen/Core>
 
@@ -14,26 +15,25 @@ namespace equilibria {
 /// Where the tangent is singular on a branch q = const, in the plane of the parameters X and Y: sigma(x; y) = 0, a
 /// continuation problem in one unknown, x. It is regular where curves of bifurcation points in general are not: where
 /// the curve turns back in y.
-template <Model M, int X, int Y>
 class PitchforkCurve {
 public:
-    using Problems = PlaneProblems<M, X, Y>;
-    using Problem = PlaneProblem<M, X, Y>;
+    using Problems = PlaneProblems;
+    using Problem = PlaneProblem;
     using Configuration = CriticalConfiguration<equilibria::Configuration<Problem>>;
     static constexpr bool symmetric = false;
 
     /// x_scale: a change of x that counts as much as one of 1.
-    PitchforkCurve(const Problems& problems, double x_scale) : problems_(problems), x_scale_(x_scale) {}
+    PitchforkCurve(Problems problems, double x_scale) : problems_(std::move(problems)), x_scale_(x_scale) {}
 
     Eigen::VectorXd residual(const Configuration& at, double y) const {
         const BorderedTangent<Problem> b(problems_(y), at);
         return Eigen::VectorXd::Constant(1, b.regular ? b.sigma() : std::numeric_limits<double>::quiet_NaN());
     }
     Eigen::MatrixXd tangent(const Configuration& at, double y) const {
-        return Eigen::MatrixXd::Constant(1, 1, derivative<X>(at, y));
+        return Eigen::MatrixXd::Constant(1, 1, derivative(0, at, y));
     }
     Eigen::VectorXd parameter_derivative(const Configuration& at, double y) const {
-        return Eigen::VectorXd::Constant(1, derivative<Y>(at, y));
+        return Eigen::VectorXd::Constant(1, derivative(1, at, y));
     }
     Configuration retract(const Configuration& at, const Eigen::VectorXd& d) const {
         Configuration moved = at;
@@ -49,13 +49,12 @@ public:
     }
 
 private:
-    /// d sigma = -psi^T dK r.
-    template <int Parameter>
-    double derivative(const Configuration& at, double y) const {
+    /// d sigma = -psi^T dK r, along x (axis 0) or y.
+    double derivative(int axis, const Configuration& at, double y) const {
         const Problem problem = problems_(y);
         const BorderedTangent<Problem> b(problem, at);
         if (!b.regular) return std::numeric_limits<double>::quiet_NaN();
-        return -b.left.x.dot(problem.template tangent_by_parameter<Parameter>(at.q, at.p, b.null.x));
+        return -b.left.x.dot(problem.tangent_by_parameter(axis, at.q, at.p, b.null.x));
     }
 
     Problems problems_;

@@ -3,11 +3,13 @@
 #pragma once
 
 #include <cmath>
+#include <cstddef>
+#include <utility>
 
 #include <Eigen/Core>
 
-#include <equilibria/locus/line/model_problem.hpp>
-#include <equilibria/model/active_parameters.hpp>
+#include <equilibria/core/eigen_copies.hpp>
+#include <equilibria/model/model_functions.hpp>
 #include <equilibria/system/critical_system.hpp>
 
 namespace equilibria {
@@ -15,71 +17,77 @@ namespace equilibria {
 /// ModelProblem with each equation divided by the powers of the parameters X and Y that all its terms have (see
 /// CriticalSystem): curves of critical points stay regular up to values at which an equation vanishes identically, as
 /// that of a massless link does.
-template <Model M, int X, int Y>
 class PlaneProblem {
 public:
     using Vector = Eigen::VectorXd;
     using Matrix = Eigen::MatrixXd;
     static constexpr bool symmetric = false;
-    static constexpr int n = n_unknowns<M>;
 
-    /// parameters: entry X is not read.
-    explicit PlaneProblem(const Parameters<M>& parameters) : parameters_(parameters) {}
+    /// parameters: the entry of x is not read. system: of the plane, has to outlive it.
+    PlaneProblem(const ModelDerivatives<>& model, const CriticalSystem& system, RuntimeArray<double> parameters)
+        : model_(&model), system_(&system), parameters_(std::move(parameters)) {}
 
-    Vector residual(const Vector& q, double p) const { return divided(equations<M, double>(unknowns(q), at(p)), p); }
-    Matrix tangent(const Vector& q, double p) const {
-        return scales(p).asDiagonal().inverse() * Matrix(jacobian<M, double>(unknowns(q), at(p)));
+    Vector residual(const Vector& q, double x) const { return divided(equations(*model_, array(q), at(x)), x); }
+    Matrix tangent(const Vector& q, double x) const {
+        return scales(x).asDiagonal().inverse() * eigen_matrix(jacobian(*model_, array(q), at(x)));
     }
-    Vector parameter_derivative(const Vector& q, double p) const {
-        Vector y = divided(equilibria::parameter_derivative<M, double>(unknowns(q), at(p), X), p);
-        const Vector g = residual(q, p);
-        for (int i = 0; i < n; ++i) y(i) -= exponent(i, 0) / p * g(i);
+    Vector parameter_derivative(const Vector& q, double x) const {
+        Vector y = divided(parameter_derivatives(*model_, array(q), at(x), parameter(0)).first, x);
+        const Vector g = residual(q, x);
+        for (int i = 0; i < y.size(); ++i) y(i) -= exponent(i, 0) / x * g(i);
         return y;
     }
-    Matrix tangent_derivative(const Vector& q, double p, const Vector& v) const {
-        return scales(p).asDiagonal().inverse() *
-               Matrix(jacobian_derivative<M, double>(unknowns(q), unknowns(v), at(p)));
+    Matrix tangent_derivative(const Vector& q, double x, const Vector& v) const {
+        return scales(x).asDiagonal().inverse() * eigen_matrix(jacobian_derivative(*model_, array(q), array(v), at(x)));
     }
-    Vector parameter_derivative_along(const Vector& q, double p, const Vector& v) const {
-        return tangent_by_parameter<X>(q, p, v);
+    Vector parameter_derivative_along(const Vector& q, double x, const Vector& v) const {
+        return tangent_by_parameter(0, q, x, v);
     }
-    /// (dK/dp_Parameter) v, Parameter being X or Y.
-    template <int Parameter>
-    Vector tangent_by_parameter(const Vector& q, double p, const Vector& v) const {
-        const Eigen::Matrix<double, n, 1> fixed = v;
-        const Parameters<M> values = at(p);
-        const Eigen::Matrix<double, n, 1> y =
-            jacobian_parameter_derivative<M, double>(unknowns(q), values, Parameter) * fixed;
-        Vector z = divided(y, p);
-        const Vector kv = tangent(q, p) * v;
-        for (int i = 0; i < n; ++i) z(i) -= exponent(i, Parameter == X ? 0 : 1) / values[Parameter] * kv(i);
+    /// (dK/dx) v (axis 0) or (dK/dy) v (axis 1).
+    Vector tangent_by_parameter(int axis, const Vector& q, double x, const Vector& v) const {
+        const RuntimeArray<double> values = at(x);
+        const Vector y = eigen_matrix(parameter_derivatives(*model_, array(q), values, parameter(axis)).second) * v;
+        Vector z = y.cwiseQuotient(scales(x));
+        const Vector kv = tangent(q, x) * v;
+        for (int i = 0; i < z.size(); ++i) z(i) -= exponent(i, axis) / values[parameter(axis)] * kv(i);
         return z;
     }
 
-    /// Of n numbers, with operator[].
-    static Vector vector(const auto& q) { return ModelProblem<M, X>::vector(q); }
-    static Unknowns<M> unknowns(const Vector& v) { return ModelProblem<M, X>::unknowns(v); }
-
 private:
-    using System = CriticalSystem<M, X, Y>;
-
-    static double exponent(int i, int k) { return System::entry().content[i][k] * System::entry().power[k]; }
-    Parameters<M> at(double p) const { return with_active<X>(parameters_, p); }
-    Vector scales(double p) const {
-        Vector y(n);
-        for (int i = 0; i < n; ++i) y(i) = std::pow(p, exponent(i, 0)) * std::pow(parameters_[Y], exponent(i, 1));
+    static RuntimeArray<double> array(const Vector& v) { return runtime_array(v); }
+    int parameter(int axis) const { return system_->active()[static_cast<std::size_t>(axis)]; }
+    double exponent(int i, int axis) const {
+        const auto k = static_cast<std::size_t>(axis);
+        return system_->entry().content[static_cast<std::size_t>(i)][k] * system_->entry().power[k];
+    }
+    RuntimeArray<double> at(double x) const {
+        RuntimeArray<double> p = parameters_;
+        p[parameter(0)] = x;
+        return p;
+    }
+    Vector scales(double x) const {
+        Vector y(model_->unknowns());
+        for (int i = 0; i < y.size(); ++i)
+            y(i) = std::pow(x, exponent(i, 0)) * std::pow(parameters_[parameter(1)], exponent(i, 1));
         return y;
     }
-    Vector divided(const auto& f, double p) const { return vector(f).cwiseQuotient(scales(p)); }
+    Vector divided(const RuntimeArray<double>& f, double x) const { return eigen_vector(f).cwiseQuotient(scales(x)); }
 
-    Parameters<M> parameters_;
+    const ModelDerivatives<>* model_;
+    const CriticalSystem* system_;
+    RuntimeArray<double> parameters_;
 };
 
-/// The same for each value of the parameter number Y.
-template <Model M, int X, int Y>
+/// The same for each value of y.
 struct PlaneProblems {
-    Parameters<M> parameters;  ///< entries X and Y are not read
-    PlaneProblem<M, X, Y> operator()(double y) const { return PlaneProblem<M, X, Y>(with_active<Y>(parameters, y)); }
+    const ModelDerivatives<>* model;
+    const CriticalSystem* system;
+    RuntimeArray<double> parameters;  ///< the entries of x and y are not read
+    PlaneProblem operator()(double y) const {
+        RuntimeArray<double> p = parameters;
+        p[system->active()[1]] = y;
+        return PlaneProblem(*model, *system, std::move(p));
+    }
 };
 
 }  // namespace equilibria

@@ -4,11 +4,15 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <complex>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <vector>
 
+#include <equilibria/locus/line/searched_model.hpp>
 #include <equilibria/model/torus.hpp>
 #include <equilibria/paths/complex_roots.hpp>
 #include <equilibria/paths/solution_counts.hpp>
@@ -21,23 +25,20 @@
 
 namespace equilibria {
 
-/// Solves for points of the locus of the model in the plane of its parameters number X and Y.
-template <Model M, int X, int Y>
+/// Solves for points of the locus of a model in the plane of two of its parameters, x and y.
 class PlaneSolver {
 public:
-    using System = CriticalSystem<M, X, Y>;
-    using Numbers = typename System::Numbers;
+    using Numbers = CriticalSystem::Numbers;
     using Roots = ComplexRoots<>;
-    using Points = std::vector<Singularity<M>>;
-    static constexpr int n = n_unknowns<M>;
+    using Points = std::vector<RuntimeSingularity<>>;
 
-    /// scales: values of X and Y that count as large, positive: the size of the window. resort: for paths to cusps
-    /// and extremal points that fail.
-    PlaneSolver(const Parameters<M>& p, const RunOptions& run, const Array<double, 2>& scales = {1, 1},
-                MoreDigits<> resort = nullptr)
-        : p_(p), run_(run), scales_(scales), more_digits_(resort) {}
+    /// The model and the plane's system have to outlive it. scales: values of x and y that count as large, positive:
+    /// the size of the window. resort: for paths to cusps and extremal points that fail.
+    PlaneSolver(const SearchedModel& model, const CriticalSystem& system, const RuntimeArray<double>& p,
+                const RunOptions& run, const std::array<double, 2>& scales = {1, 1}, MoreDigits<> resort = nullptr)
+        : model_(&model), system_(&system), p_(p), run_(run), scales_(scales), more_digits_(resort) {}
 
-    /// The folds on lines on which the parameter number `fixed` (0 for X, 1 for Y) has the given value. One line is
+    /// The folds on lines on which x (`fixed` 0) or y (1) has the given value. One line is
     /// solved from its start system, at the value `generic`; the others follow by parameter homotopy, on as many paths
     /// as there are folds.
     class Lines {
@@ -57,8 +58,8 @@ public:
         /// its own start system.
         Points folds(double value, std::uint64_t& failed, bool thorough = true) const {
             Numbers there = numbers_;
-            there.slice[2] = -System::unknown(fixed_, value, solver_->scales_[fixed_]);
-            const auto from = System::system(numbers_), to = System::system(there);
+            there.slice[2] = -solver_->unknown(fixed_, value);
+            const auto from = solver_->system_->system(numbers_), to = solver_->system_->system(there);
             // gamma is a choice: where one leaves paths undecided, another may not
             Roots set;
             for (std::uint64_t k = 0; k < 4 && (k == 0 || set.paths.failed > 0); ++k)
@@ -69,10 +70,10 @@ public:
                     if (const auto near = solver_->real_point(root)) {
                         auto at = *near;
                         (fixed_ == 0 ? at.x() : at.y()) = value;
-                        constexpr auto fold = SingularityKind::fold;
+                        const int moving = solver_->system_->active()[fixed_ == 0 ? 1 : 0];
                         solver_->keep(points, at,
-                                      fixed_ == 0 ? refine_singularity<M, fold, Y>(at.q, at.p)
-                                                  : refine_singularity<M, fold, X>(at.q, at.p));
+                                      locate_singularity(*solver_->model_->functions, SingularityKind::fold,
+                                                         {&moving, 1}, at.q, at.p));
                     }
             };
             take(set.roots);
@@ -99,53 +100,42 @@ public:
     };
 
     /// All cusps of the plane.
-    Points cusps(SolutionCounts& counts) const
-    requires PotentialModel<M>
-    {
-        return solve(
-            counts, [](Numbers& numbers) { numbers.cusp = 1; },
-            [](const Unknowns<M>& q, const Parameters<M>& p) {
-                return refine_singularity<M, SingularityKind::cusp, X, Y>(q, p);
-            });
+    Points cusps(SolutionCounts& counts) const {
+        return solve(counts, [](Numbers& numbers) { numbers.cusp = 1; }, SingularityKind::cusp, 0);
     }
-    /// All points of fold curves at which the parameter number `which` (0 for X, 1 for Y) is extremal.
-    Points extremal_folds(int which, SolutionCounts& counts) const
-    requires PotentialModel<M>
-    {
+    /// All points of fold curves at which x (`which` 0) or y (1) is extremal.
+    Points extremal_folds(int which, SolutionCounts& counts) const {
         return solve(
-            counts, [which](Numbers& numbers) { numbers.extremal[1 - which] = 1; },
-            [which](const Unknowns<M>& q, const Parameters<M>& p) {
-                constexpr auto extremal = SingularityKind::extremal_fold;
-                return which == 0 ? refine_singularity<M, extremal, X, Y>(q, p)
-                                  : refine_singularity<M, extremal, Y, X>(q, p);
-            });
+            counts, [which](Numbers& numbers) { numbers.extremal[which == 0 ? 1 : 0] = 1; },
+            SingularityKind::extremal_fold, which);
     }
 
     /// All pitchforks of symmetric branches at which that parameter is extremal on their curve.
-    Points extremal_pitchforks(int which, SolutionCounts& counts) const
-    requires PotentialModel<M>
-    {
-        return on_branches(counts, [which](auto& numbers) { numbers.extremal[1 - which] = 1; });
+    Points extremal_pitchforks(int which, SolutionCounts& counts) const {
+        return on_branches(counts,
+                           [which](SymmetricSystem::Numbers& numbers) { numbers.extremal[which == 0 ? 1 : 0] = 1; });
     }
     /// All pitchforks of symmetric branches that turn from super- to subcritical.
-    Points degenerate_pitchforks(SolutionCounts& counts) const
-    requires PotentialModel<M>
-    {
-        return on_branches(counts, [](auto& numbers) { numbers.fourth = 1; });
+    Points degenerate_pitchforks(SolutionCounts& counts) const {
+        return on_branches(counts, [](SymmetricSystem::Numbers& numbers) { numbers.fourth = 1; });
     }
 
 private:
     static constexpr std::uint64_t most_attempts = 12;
 
-    /// Of the line on which the parameter number `fixed` has the value; and its folds, from their own start system.
+    static std::size_t at(int axis) { return static_cast<std::size_t>(axis); }
+    std::vector<double> scales() const { return {scales_[0], scales_[1]}; }
+    double unknown(int axis, double value) const { return system_->unknown(axis, value, scales_[at(axis)]); }
+
+    /// Of the line on which x or y has the value; and its folds, from their own start system.
     Numbers line(int fixed, double value, Generator& generator) const {
-        Numbers numbers = System::numbers(p_, scales_, generator);
-        numbers.slice[fixed] = 1;
-        numbers.slice[2] = -System::unknown(fixed, value, scales_[fixed]);
+        Numbers numbers = system_->numbers(p_, scales(), generator);
+        numbers.slice[at(fixed)] = 1;
+        numbers.slice[2] = -unknown(fixed, value);
         return numbers;
     }
     Roots solve_line(const Numbers& numbers, std::uint64_t seed) const {
-        return solve_multihomogeneous(System::system(numbers), System::grouping, run_.with_seed(seed));
+        return solve_multihomogeneous(system_->system(numbers), system_->grouping(), run_.with_seed(seed));
     }
 
     /// Start systems until one leaves no path undecided; solve(seed, generator) returns what it found.
@@ -167,35 +157,37 @@ private:
     }
 
     /// The real parameters and unknowns next to a root, if it is about real.
-    std::optional<Singularity<M>> real_point(const auto& root) const {
+    std::optional<RuntimeSingularity<>> real_point(const Root<RuntimeUnknowns>& root) const {
         const double near = root.status == PathStatus::singular ? 1e-3 : 1e-5;
-        auto at = singularity_at<M, X, Y>(SingularityKind::undecided, {}, p_);
-        for (int i = 0; i < n; ++i) {
+        auto at = singularity_at<double>(SingularityKind::undecided, system_->active(),
+                                         RuntimeArray<double>(model_->unknowns()), p_);
+        for (int i = 0; i < at.q.size(); ++i) {
             if (!(std::abs(root.q[i].imag()) < near)) return std::nullopt;
             at.q[i] = root.q[i].real();
         }
-        if (!real_parameters(&root.q[System::n_angles + System::first_active], near, at)) return std::nullopt;
+        if (!real_parameters(&root.q[model_->sizes().angles + system_->first_active()], near, at)) return std::nullopt;
         return at;
     }
     /// The two parameters from their unknowns; false where they are not real to within `near`.
-    bool real_parameters(const std::complex<double>* unknowns, double near, Singularity<M>& at) const {
+    bool real_parameters(const std::complex<double>* unknowns, double near, RuntimeSingularity<>& point) const {
         for (int k = 0; k < 2; ++k) {
             const std::complex<double> x = unknowns[k];
+            const bool squared = system_->entry().power[at(k)] == 2;
             if (!(std::abs(x.imag()) < near * (1 + std::abs(x)))) return false;
-            if (System::entry().power[k] == 2 && !(x.real() > -near)) return false;
-            (k == 0 ? at.x() : at.y()) =
-                System::parameter(k, System::entry().power[k] == 2 ? std::max(0.0, x.real()) : x.real(), scales_[k]);
+            if (squared && !(x.real() > -near)) return false;
+            (k == 0 ? point.x() : point.y()) =
+                system_->parameter(k, squared ? std::max(0.0, x.real()) : x.real(), scales_[at(k)]);
         }
         return true;
     }
 
-    bool same(const Singularity<M>& a, const Singularity<M>& b, double tolerance) const {
+    bool same(const RuntimeSingularity<>& a, const RuntimeSingularity<>& b, double tolerance) const {
         if (!(std::abs(a.x() - b.x()) <= tolerance * scales_[0])) return false;
         if (!(std::abs(a.y() - b.y()) <= tolerance * scales_[1])) return false;
-        return same_unknowns<M>(a.q, b.q, tolerance);
+        return same_unknowns(model_->sizes(), a.q, b.q, tolerance);
     }
     /// Keeps the refined point if Newton's method stayed near, and it is new.
-    void keep(Points& points, const Singularity<M>& near, Singularity<M> at) const {
+    void keep(Points& points, const RuntimeSingularity<>& near, RuntimeSingularity<> at) const {
         at.active = near.active;
         if (!at.converged || !same(at, near, 1e-3)) return;
         for (const auto& other : points)
@@ -203,16 +195,19 @@ private:
         points.push_back(at);
     }
 
-    /// weigh(numbers): sets the weights of the last equation.
-    Points solve(SolutionCounts& counts, const auto& weigh, const auto& refine) const {
+    /// weigh(numbers): sets the weights of the last equation. first: which parameter, x or y, is the first active one
+    /// of the kind.
+    Points solve(SolutionCounts& counts, const auto& weigh, SingularityKind kind, int first) const {
+        const int active[] = {system_->active()[at(first)], system_->active()[at(1 - first)]};
         Points points;
         attempt(counts, [&](std::uint64_t seed, Generator& generator) {
-            Numbers numbers = System::numbers(p_, scales_, generator);
+            Numbers numbers = system_->numbers(p_, scales(), generator);
             weigh(numbers);
-            auto set = solve_multihomogeneous(System::system(numbers), System::grouping, run_.with_seed(seed), {},
+            auto set = solve_multihomogeneous(system_->system(numbers), system_->grouping(), run_.with_seed(seed), {},
                                               more_digits_);
             for (const auto& root : set.roots)
-                if (const auto at = real_point(root)) keep(points, *at, refine(at->q, at->p));
+                if (const auto near = real_point(root))
+                    keep(points, *near, refine_singularity(*model_->functions, kind, active, near->q, near->p));
             return set;
         });
         return points;
@@ -220,30 +215,30 @@ private:
 
     Points on_branches(SolutionCounts& counts, const auto& weigh) const {
         Points points;
-        if constexpr (Formulation<M>::reflection_symmetric) {
-            using Branch = SymmetricSystem<M, X, Y>;
-            for (const Unknowns<M>& branch : symmetric_branches<M>())
-                attempt(counts, [&](std::uint64_t seed, Generator& generator) {
-                    auto numbers = Branch::numbers(p_, scales_, branch, generator);
-                    weigh(numbers);
-                    auto set = solve_multihomogeneous(Branch::system(numbers), Branch::grouping, run_.with_seed(seed));
-                    for (const auto& root : set.roots) {
-                        auto at = singularity_at<M, X, Y>(SingularityKind::pitchfork, branch, p_);
-                        if (!real_parameters(&root.q[Branch::first_active], 1e-6, at)) continue;
-                        at.v = null_vector<M>(jacobian<M, double>(branch, at.p));
-                        bool known = false;
-                        for (const auto& other : points) known = known || same(other, at, 1e-8);
-                        if (!known) points.push_back(at);
-                    }
-                    return set;
-                });
-        }
+        const SymmetricSystem system(*system_);
+        for (const auto& branch : symmetric_branches(*model_->polynomials))
+            attempt(counts, [&](std::uint64_t seed, Generator& generator) {
+                auto numbers = system.numbers(p_, scales(), branch, generator);
+                weigh(numbers);
+                auto set = solve_multihomogeneous(system.system(numbers), system.grouping(), run_.with_seed(seed));
+                for (const auto& root : set.roots) {
+                    auto found = singularity_at<double>(SingularityKind::pitchfork, system_->active(), branch, p_);
+                    if (!real_parameters(&root.q[system.first_active()], 1e-6, found)) continue;
+                    found.v = null_vector(jacobian(*model_->functions, branch, found.p));
+                    bool known = false;
+                    for (const auto& other : points) known = known || same(other, found, 1e-8);
+                    if (!known) points.push_back(found);
+                }
+                return set;
+            });
         return points;
     }
 
-    Parameters<M> p_;
+    const SearchedModel* model_;
+    const CriticalSystem* system_;
+    RuntimeArray<double> p_;
     RunOptions run_;
-    Array<double, 2> scales_;
+    std::array<double, 2> scales_;
     MoreDigits<> more_digits_;
 };
 

@@ -5,18 +5,18 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <span>
 #include <vector>
 
-#include <equilibria/enumerate/enumerate.hpp>
+#include <equilibria/core/sized_array.hpp>
+#include <equilibria/locus/line/searched_model.hpp>
 #include <equilibria/locus/plane/locus_result.hpp>
 #include <equilibria/locus/regions/regions.hpp>
-#include <equilibria/model/active_parameters.hpp>
 
 namespace equilibria::detail {
 
 /// A point of each region, as far from the curves and the border as a search over the cells and a grid finds.
-template <Model M>
-void place_points(Locus<M>& locus, const PlaneDecomposition& plane) {
+inline void place_points(Locus<RuntimeUnknowns>& locus, const PlaneDecomposition& plane) {
     const Window& w = locus.window;
     std::vector<double> best(locus.regions.size(), -1);
     const auto consider = [&](double x, double y, int number) {
@@ -69,9 +69,14 @@ inline bool is_resolved(const LocusRegion& region, const Window& window) {
 
 /// Decomposes the window, enumerates each region at its point, and compares with enumerations elsewhere in it: in its
 /// other cells, and at checks x checks points of a grid.
-template <Model M, int X, int Y>
-void count_regions(Locus<M>& locus, int checks, const RunOptions& run) {
-    const auto parameters_at = [&](double x, double y) { return with_active<X, Y>(locus.parameters, x, y); };
+inline void count_regions(Locus<RuntimeUnknowns>& locus, const SearchedModel& model, std::span<const int> active,
+                          int checks, const RunOptions& run) {
+    const auto count_at = [&](double x, double y) {
+        RuntimeArray<double> p = locus.parameters;
+        p[active[0]] = x;
+        p[active[1]] = y;
+        return model.count(p, run);
+    };
     std::vector<std::vector<PlanePoint>> lines;
     for (const auto& curve : locus.curves) {
         lines.emplace_back();
@@ -83,19 +88,19 @@ void count_regions(Locus<M>& locus, int checks, const RunOptions& run) {
     const auto is_region = [&](const LocusRegion& region) { return is_resolved(region, locus.window); };
     for (LocusRegion& region : locus.regions) {
         if (!is_region(region)) continue;
-        const auto found = enumerate<M>(parameters_at(region.point.x, region.point.y), run);
-        region.count = found.real();
-        region.by_index = found.by_index();
-        region.clean = found.clean();
+        const auto found = count_at(region.point.x, region.point.y);
+        region.count = found.real;
+        region.by_index = found.by_index;
+        region.clean = found.clean;
     }
     const auto check = [&](double x, double y) {
         const int number = plane.region_of(x, y);
         if (number < 0) return;
         LocusRegion& region = locus.regions[static_cast<std::size_t>(number)];
         if (!is_region(region)) return;
-        const auto found = enumerate<M>(parameters_at(x, y), run);
+        const auto found = count_at(x, y);
         ++locus.evidence.checked_points;
-        if (found.real() != region.count || found.by_index() != region.by_index) {
+        if (found.real != region.count || found.by_index != region.by_index) {
             region.confirmed = false;
             ++locus.evidence.wrong_counts;
         }

@@ -10,10 +10,25 @@
 /// have the lines alone.
 #pragma once
 
+#include <span>
+#include <utility>
+
+#include <equilibria/core/compiled.hpp>
+#include <equilibria/core/window.hpp>
+#include <equilibria/locus/line/searched_model.hpp>
+#include <equilibria/locus/plane/locus_options.hpp>
 #include <equilibria/locus/plane/locus_result.hpp>
-#include <equilibria/locus/plane/locus_tracer.hpp>
+#include <equilibria/model/active_parameters.hpp>
+#include <equilibria/paths/track.hpp>
+#include <equilibria/run/run_options.hpp>
 
 namespace equilibria {
+
+/// The locus of a model whose numbers of unknowns and parameters are known at run time; active: the numbers of x and y.
+/// Arguments, result and errors as of the function for a model below.
+Locus<RuntimeUnknowns> trace_locus(const SearchedModel& model, const RuntimeArray<double>& p,
+                                   std::span<const int> active, const Window& window, const RunOptions& run = {},
+                                   const LocusOptions& options = {}, MoreDigits<> resort = nullptr);
 
 /// The bifurcation locus of the model in the plane of its parameters number X and Y, the others being those of p.
 /// resort: more_digits (enumerate/more_digits.hpp) tracks paths that fail in double with
@@ -25,11 +40,13 @@ template <Model M, int X, int Y>
 Locus<M> trace_locus(const Parameters<M>& p, const Window& window, const RunOptions& run = {},
                      const LocusOptions& options = {}, MoreDigits<> resort = nullptr) {
     static_assert(X != Y, "equilibria: a plane needs two different parameters");
-    require_finite(p, "parameters");
-    window.validate();
-    options.validate();
-    run.require_whole("a locus");
-    return detail::LocusTracer<M, X, Y>(p, window, run, options, resort).run();
+    detail::check_active<M, X, Y>();
+    constexpr int active[] = {X, Y};
+    return typed<M>(trace_locus(searched_model<M>(), runtime_array(p), active, window, run, options, resort));
 }
 
 }  // namespace equilibria
+
+#ifndef EQUILIBRIA_COMPILED
+#include <equilibria/locus/plane/detail/trace_locus_definitions.hpp>
+#endif

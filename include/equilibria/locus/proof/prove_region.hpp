@@ -11,24 +11,20 @@
 /// bifurcation figure.
 #pragma once
 
-#include <algorithm>
-#include <array>
-#include <complex>
+#include <cmath>
 #include <cstdint>
-#include <memory>
+#include <functional>
+#include <optional>
 #include <utility>
 #include <vector>
 
-#include <equilibria/certify/enclosure.hpp>
-#include <equilibria/certify/krawczyk_systems.hpp>
-#include <equilibria/certify/newton.hpp>
+#include <equilibria/certify/exact_system.hpp>
 #include <equilibria/certify/proved_bound.hpp>
-#include <equilibria/certify/proved_index.hpp>
-#include <equilibria/certify/real_search.hpp>
+#include <equilibria/core/compiled.hpp>
+#include <equilibria/core/complex.hpp>
+#include <equilibria/core/window.hpp>
 #include <equilibria/enumerate/enumerate.hpp>
-#include <equilibria/locus/regions/regions.hpp>
-#include <equilibria/paths/coincidence.hpp>
-#include <equilibria/run/elapsed.hpp>
+#include <equilibria/model/active_parameters.hpp>
 
 namespace equilibria {
 
@@ -69,188 +65,20 @@ struct RegionProof {
 
 namespace detail {
 
-template <Model M, int X, int Y>
-class RegionProver {
-public:
-    static_assert(PotentialModel<M>, "equilibria: prove_region counts by the index of a Hessian: it needs a potential");
-    static constexpr int n = n_unknowns<M>;
-    using Pack = Lanes<native_lanes>;
-    using Candidates = std::vector<ComplexUnknowns<M, double>>;
+/// Roots near which proofs are tried.
+using Candidates = std::vector<RuntimeArray<Complex<double>>>;
 
-    RegionProver(const Parameters<M>& p, const Window& window, const RunOptions& run, const ProveRegionOptions& options)
-        : parameters_(p), window_(window), run_(run), options_(options) {}
-
-    RegionProof run() {
-        const detail::Stopwatch begin;
-        RegionProof proof;
-        proof.window = window_;
-        const double area = window_.width() * window_.height();
-        std::vector<Cell> generation{{window_, nullptr}};
-        double decided = 0;
-        while (!generation.empty()) {
-            std::vector<Outcome> outcomes(generation.size());
-            run_.executor.for_blocks(generation.size(), 16, [&](std::size_t first, std::size_t last) {
-                for (std::size_t k = first; k < last; ++k) outcomes[k] = test(generation[k]);
-            });
-            std::vector<Cell> next;
-            for (std::size_t k = 0; k < generation.size(); ++k) {
-                const Window& w = generation[k].window;
-                ++proof.tested;
-                proof.enumerations += outcomes[k].enumerated;
-                if (outcomes[k].proved) {
-                    auto& counts = outcomes[k].by_index;
-                    std::int64_t count = 0;
-                    for (const std::int64_t c : counts) count += c;
-                    proof.cells.push_back({w, outcomes[k].argument, count, std::move(counts)});
-                    decided += w.width() * w.height();
-                } else if (std::max(w.width(), w.height()) <= options_.min_cell) {
-                    proof.undecided.push_back(w);
-                    decided += w.width() * w.height();
-                } else {
-                    for (const Window& half : halves(w)) next.push_back({half, outcomes[k].candidates});
-                }
-            }
-            generation = std::move(next);
-            if (run_.progress)  // in millionths of the area
-                run_.progress(static_cast<std::uint64_t>(1e6 * std::min(1.0, decided / area)), 1000000);
-        }
-        for (const auto& cell : proof.cells)
-            proof.proved_area_share += cell.window.width() * cell.window.height() / area;
-        proof.seconds = begin.seconds();
-        return proof;
-    }
-
-private:
-    struct Cell {
-        Window window;
-        std::shared_ptr<const Candidates>
-            candidates;  ///< the roots at the middle of the cell that this one is a half of
-    };
-    struct Outcome {
-        bool proved = false, enumerated = false;
-        CountArgument argument = CountArgument::root_bound;
-        std::vector<std::int64_t> by_index;
-        std::shared_ptr<const Candidates> candidates;  ///< the roots at this cell's middle
-    };
-
-    static std::array<Window, 2> halves(Window w) {
-        Window a = w, b = w;
-        if (w.width() > w.height())
-            a.x.high = b.x.low = w.x.low + w.width() / 2;
-        else
-            a.y.high = b.y.low = w.y.low + w.height() / 2;
-        return {a, b};
-    }
-
-    Outcome test(const Cell& cell) const {
-        Outcome out;
-        const Window& w = cell.window;
-        const ExactSystems<M, 2> exact(parameters_, {{X, Y}}, {{w.x.low, w.y.low}}, {{w.x.high, w.y.high}});
-        const auto bound = total_degree_bound<M>(exact.all);
-        const BallSystems<M, double, 2> systems(exact);
-        Candidates roots;
-        if (cell.candidates) roots = moved(*cell.candidates, systems.center);
-        if (!bound || roots.size() != bound->value || !all_different(roots)) {
-            out.enumerated = true;
-            Parameters<M> p = parameters_;
-            p[X] = w.x.low + w.width() / 2;
-            p[Y] = w.y.low + w.height() / 2;
-            roots.clear();
-            for (const auto& root : enumerate<M>(p, {.seed = run_.seed}).roots) {
-                ComplexUnknowns<M, double> q;
-                for (int u = 0; u < n; ++u) q[u] = Complex<double>(root.q[u].real(), root.q[u].imag());
-                roots.push_back(q);
-            }
-        }
-        prove(systems, roots, bound && roots.size() == bound->value, out);
-        out.candidates = std::make_shared<const Candidates>(std::move(roots));
-        return out;
-    }
-
-    /// The roots of a neighbouring point brought to this cell's middle by Newton's method; without those that did not
-    /// come to a root.
-    static Candidates moved(const Candidates& from, const BallSystem<double>& system) {
-        Candidates y;
-        for (auto q : from)
-            if (newton(system, q, 8) < 1e-8) y.push_back(q);
-        return y;
-    }
-    static bool all_different(const Candidates& roots) {
-        std::vector<RuntimePoint<double>> points;
-        for (const auto& q : roots) points.push_back(runtime_point(point_of<M, double>(q)));
-        return coincident(points, 1e-9).empty();
-    }
-
-    /// What is proved of some roots, for all parameters of a cell.
-    struct ProvedRoots {
-        std::vector<Enclosure<double>> enclosures;
-        std::vector<AngleBox<n_angles<M>>> boxes;  ///< of real roots
-        std::vector<std::int64_t> by_index = std::vector<std::int64_t>(static_cast<std::size_t>(n) + 1);
-
-        bool distinct() const {
-            const auto groups = groups_of_enclosures(enclosures);
-            for (std::size_t k = 0; k < groups.size(); ++k)
-                if (groups[k] != k) return false;
-            return true;
-        }
-    };
-
-    void prove(const BallSystems<M, double, 2>& systems, const Candidates& roots, bool bound_reached,
-               Outcome& out) const {
-        ProvedRoots proved;
-        if (!prove_roots(systems, roots, true, proved) || !proved.distinct()) return;
-        const auto boxes = proved.boxes;
-        out.proved = bound_reached && prove_roots(systems, roots, false, proved) && proved.distinct();
-        if constexpr (n_coordinates<M> == 0)
-            if (!out.proved) {
-                out.argument = CountArgument::real_search;
-                out.proved = search_real_roots<M>(systems, boxes, most_boxes).complete;
-            }
-        out.by_index = std::move(proved.by_index);
-    }
-
-    /// The roots of one kind: that each exists, is real or not, and the index of real ones. False where one fails.
-    static bool prove_roots(const BallSystems<M, double, 2>& systems, const Candidates& roots, bool real,
-                            ProvedRoots& out) {
-        std::vector<std::size_t> members;
-        for (std::size_t k = 0; k < roots.size(); ++k) {
-            double imaginary = 0;
-            for (const auto& z : roots[k]) imaginary = std::max(imaginary, std::abs(z.im));
-            if ((imaginary < 1e-8) == real) members.push_back(k);
-        }
-        for (std::size_t at = 0; at < members.size(); at += native_lanes) {
-            Point<M, Pack> q;
-            for (int l = 0; l < native_lanes; ++l) {
-                auto root = roots[members[std::min(at + static_cast<std::size_t>(l), members.size() - 1)]];
-                if (real)
-                    for (auto& z : root) z.im = 0;
-                copy_lane(point_of<M, double>(root), 0, q, l);
-            }
-            const auto proof = krawczyk<M, Pack>(systems, q, real);
-            for (int l = 0; l < native_lanes && at + static_cast<std::size_t>(l) < members.size(); ++l) {
-                if (!mask_lane(proof.proved, l)) return false;
-                out.enclosures.push_back(Enclosure<double>::of(proof, l));
-                if (real) {
-                    const auto index = proved_index(proof, l);
-                    if (!index) return false;
-                    ++out.by_index[static_cast<std::size_t>(*index)];
-                    if constexpr (n_coordinates<M> == 0) out.boxes.push_back(AngleBox<n>::of(proof, q, l));
-                } else if (!out.enclosures.back().excludes_real_points()) {
-                    return false;
-                }
-            }
-        }
-        return true;
-    }
-
-    /// Of one search, before the cell is cut: several times what the searches that succeed need.
-    static constexpr std::size_t most_boxes = std::size_t{50} << (3 * std::min(n, 16));
-
-    Parameters<M> parameters_;
-    Window window_;
-    RunOptions run_;
-    ProveRegionOptions options_;
+/// What the proof needs of a model with a potential.
+struct ProvedModel {
+    RuntimeSizes sizes;
+    /// The equations for all parameters of a cell, and the bound of their roots, where there is one.
+    std::function<std::pair<ExactTermFamily, std::optional<std::uint64_t>>(const Window&)> systems;
+    /// The roots at a point of the plane, by an enumeration with this seed.
+    std::function<Candidates(double x, double y, std::uint64_t seed)> roots;
 };
+
+RegionProof prove_region(const ProvedModel& model, const Window& window, const RunOptions& run,
+                         const ProveRegionOptions& options);
 
 }  // namespace detail
 
@@ -261,12 +89,31 @@ private:
 template <Model M, int X, int Y>
 RegionProof prove_region(const Parameters<M>& p, const Window& window, const RunOptions& run = {},
                          const ProveRegionOptions& options = {}) {
+    static_assert(PotentialModel<M>, "equilibria: prove_region counts by the index of a Hessian: it needs a potential");
     static_assert(X != Y, "equilibria: a plane needs two different parameters");
     require_finite(p, "parameters");
-    window.validate();
-    options.validate();
-    run.require_whole("a proof");
-    return detail::RegionProver<M, X, Y>(p, window, run, options).run();
+    const detail::ProvedModel model{
+        Sizes<M>(),
+        [&](const Window& w) {
+            const ExactSystems<M, 2> exact(p, {{X, Y}}, {{w.x.low, w.y.low}}, {{w.x.high, w.y.high}});
+            std::optional<std::uint64_t> bound;
+            if (const auto total = total_degree_bound<M>(exact.all)) bound = total->value;
+            return std::pair(ExactTermFamily(exact), bound);
+        },
+        [&](double x, double y, std::uint64_t seed) {
+            detail::Candidates roots;
+            for (const auto& root : enumerate<M>(with_active<X, Y>(p, x, y), {.seed = seed}).roots) {
+                roots.emplace_back(n_unknowns<M>);
+                for (int u = 0; u < n_unknowns<M>; ++u)
+                    roots.back()[u] = Complex<double>(root.q[u].real(), root.q[u].imag());
+            }
+            return roots;
+        }};
+    return detail::prove_region(model, window, run, options);
 }
 
 }  // namespace equilibria
+
+#ifndef EQUILIBRIA_COMPILED
+#include <equilibria/locus/proof/detail/prove_region_definitions.hpp>
+#endif

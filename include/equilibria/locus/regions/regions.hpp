@@ -15,19 +15,9 @@
 #include <boost/pending/disjoint_sets.hpp>
 
 #include <equilibria/core/window.hpp>
+#include <equilibria/locus/regions/plane_point.hpp>
 
 namespace equilibria {
-
-struct PlanePoint {
-    double x = 0, y = 0;
-};
-
-/// Two regions with a common piece of a curve between them.
-struct RegionBorder {
-    int below, above;   ///< regions; `below` has the smaller y
-    std::size_t curve;  ///< the number of the curve
-    friend constexpr bool operator==(const RegionBorder&, const RegionBorder&) = default;
-};
 
 class PlaneDecomposition {
 public:

@@ -25,6 +25,7 @@
 #include <equilibria/algebra/formulation.hpp>
 #include <equilibria/core/error.hpp>
 #include <equilibria/core/random.hpp>
+#include <equilibria/locus/line/searched_model.hpp>
 #include <equilibria/locus/plane/plane_solver.hpp>
 #include <equilibria/locus/space/cusp_curve.hpp>
 #include <equilibria/locus/space/cusp_locus_result.hpp>
@@ -32,6 +33,8 @@
 #include <equilibria/model/torus.hpp>
 #include <equilibria/run/elapsed.hpp>
 #include <equilibria/singularity/refine_singularity.hpp>
+#include <equilibria/system/critical_system.hpp>
+#include <equilibria/system/model_polynomials.hpp>
 
 namespace equilibria {
 
@@ -121,10 +124,10 @@ private:
     CuspPlane<M> solved_at(double z) {
         CuspPlane<M> plane;
         plane.z = z;
-        const PlaneSolver<M, X, Y> solver(with_active<Z>(locus_.parameters, z), run_);
-        const auto points = solver.cusps(plane.counts);
+        const PlaneSolver solver(model_, plane_system_, runtime_array(with_active<Z>(locus_.parameters, z)), run_);
         std::vector<Singularity<M>> taken;
-        for (const auto& at : points) {
+        for (const auto& found : solver.cusps(plane.counts)) {
+            const auto at = typed<M>(found);
             if (std::ranges::any_of(taken, [&](const auto& other) { return same(other, at, 1e-7); })) continue;
             taken.push_back(at);
             if (!within(at))
@@ -204,6 +207,9 @@ private:
         return refined.converged && same(refined, at, 1e-2) ? refined : at;
     }
 
+    static constexpr int active_[] = {X, Y};
+    SearchedModel model_ = searched_model<M>();
+    CriticalSystem plane_system_{polynomials_of<M>(), active_};
     RunOptions run_;
     CuspLocusOptions options_;
     CuspLocus<M> locus_;

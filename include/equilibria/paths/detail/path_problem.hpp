@@ -2,10 +2,6 @@
 /// What a run tracks, beside its homotopy.
 #pragma once
 
-#include <cstdint>
-#include <functional>
-#include <span>
-
 #include <equilibria/homotopy/endpoint.hpp>
 #include <equilibria/homotopy/polynomial_homotopy.hpp>
 #include <equilibria/homotopy/tracker_options.hpp>
@@ -27,14 +23,8 @@ using MoreDigits = void (*)(const H&, const detail::Polisher<H>&, const TrackerO
 
 namespace detail {
 
-/// Paths by their start points and, of a model, how code for it alone tracks them.
 struct PathProblem {
-    using Ends = std::span<Endpoint>;
-
     StartPoints start;
-    /// Tracks the paths of these numbers in lanes, each until it arrives, is near t = 1 or stuck (lane_tracker.hpp).
-    /// Empty: the homotopy itself is tracked.
-    std::function<void(std::span<const std::uint64_t>, Ends)> track_block = {};
     CheckpointFields model = {};  ///< what a checkpoint says of the model; empty: there can be none
     bool streamed = false;        ///< a checkpoint alone keeps the endpoints
 };

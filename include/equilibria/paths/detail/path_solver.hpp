@@ -54,10 +54,7 @@ private:
     RuntimePoint<double> start_point(std::uint64_t k) const { return problem_.start.point(k); }
 
     void track_block(std::span<const std::uint64_t> paths, std::span<Endpoint> ends) const {
-        if (problem_.track_block)
-            problem_.track_block(paths, ends);
-        else
-            track_lanes<Pack, false>(*homotopy_, options_, paths, problem_.start.point, ends);
+        track_lanes<Pack, false>(*homotopy_, options_, paths, problem_.start.point, ends);
     }
 
     /// Solutions that rest at every t, and at which no other path may end.

@@ -108,7 +108,7 @@ BodyBeamSolver<K, Control>::BodyBeamSolver(const Values& body, RunOptions run)
     for (int draw = 1; draw <= 4; ++draw) {
         RunOptions options = run_;
         if (draw > 1 && !options.checkpoint.empty()) options.checkpoint += "." + std::to_string(draw);
-        auto member = enumerate_with_more_digits<Model, Moving<Model>>(Model::generic(p, generator), options);
+        auto member = enumerate_with_more_digits<Model, TotalDegree<Model>>(Model::generic(p, generator), options);
         generic_roots_.push_back(member.distinct());
         generic_seconds_ += member.seconds;
         const bool regular = detail::can_be_followed(member), had_regular = detail::can_be_followed(generic_);
@@ -142,7 +142,7 @@ RootSet<BodyBeamEitherStrain<K, Control>> BodyBeamSolver<K, Control>::enumerated
     require(p[given] > 0, Model::at_speed ? "speed" : "momentum", p[given], "must be positive");
     return detail::can_be_followed(generic_)
                ? enumerate_with_more_digits(generic_, target(p), further_run())
-               : enumerate_with_more_digits<Model, Moving<Model>>(target(p), further_run());
+               : enumerate_with_more_digits<Model, TotalDegree<Model>>(target(p), further_run());
 }
 
 template <int K, BeamControl Control>

@@ -1,0 +1,33 @@
+/// \file
+/// Trigonometric polynomials of one type for all numbers of unknowns: what is made at run time.
+#pragma once
+
+#include <vector>
+
+#include <equilibria/algebra/trigonometric_polynomial.hpp>
+#include <equilibria/model/sizes.hpp>
+
+namespace equilibria {
+
+/// A polynomial in at most so many angles and coordinates, most of which are not there.
+inline constexpr int most_angles = 16, most_coordinates = 48;
+template <class C = double>
+using RuntimePolynomial = TrigonometricPolynomial<most_angles, most_coordinates, C>;
+template <class C = double>
+using RuntimePolynomials = std::vector<RuntimePolynomial<C>>;
+
+/// The coordinate number j.
+template <class C = double>
+RuntimePolynomial<C> coordinate_polynomial(int j) {
+    return {RuntimePolynomial<C>::Basis::single(most_angles + j, 1), C(1)};
+}
+
+/// The code of each unknown of a system of these sizes.
+inline std::vector<int> codes_of(const Monomial<most_angles, most_coordinates>& monomial, const RuntimeSizes& sizes) {
+    std::vector<int> codes;
+    for (int i = 0; i < sizes.angles; ++i) codes.push_back(monomial.code(i));
+    for (int j = 0; j < sizes.coordinates; ++j) codes.push_back(monomial.code(most_angles + j));
+    return codes;
+}
+
+}  // namespace equilibria

@@ -1,0 +1,24 @@
+/// \file
+/// The kinds of critical points of a branch.
+#pragma once
+
+namespace equilibria {
+
+enum class CriticalKind {
+    fold,           ///< limit point: the branch turns back in p
+    transcritical,  ///< two branches cross, both transversal to p = const
+    pitchfork,      ///< a branch leaves along the null vector
+    isola_center,   ///< an isolated point of the set: the bifurcation equation has no real tangent
+    hilltop,        ///< a fold and a bifurcation in one point, or tangential branches: the equation is degenerate
+    cusp,           ///< a fold whose quadratic coefficient vanishes
+    multiple,       ///< more than one null vector
+    kinematic,      ///< dead point: the constraints lose rank, the null vector is one of multipliers alone
+};
+constexpr const char* to_string(CriticalKind kind) {
+    constexpr const char* names[] = {"fold",    "transcritical", "pitchfork", "isola centre",
+                                     "hilltop", "cusp",          "multiple",  "kinematic"};
+    return names[static_cast<int>(kind)];
+}
+constexpr bool is_bifurcation(CriticalKind kind) { return kind != CriticalKind::fold && kind != CriticalKind::cusp; }
+
+}  // namespace equilibria

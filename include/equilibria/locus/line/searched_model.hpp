@@ -1,0 +1,44 @@
+/// \file
+/// What searches for events and for loci need of a model, whatever the model: they are compiled once.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include <equilibria/core/sized_array.hpp>
+#include <equilibria/enumerate/enumerate.hpp>
+#include <equilibria/model/model_functions.hpp>
+#include <equilibria/run/run_options.hpp>
+#include <equilibria/system/model_polynomials.hpp>
+
+namespace equilibria {
+
+/// How many equilibria an enumeration found.
+struct EquilibriaCount {
+    std::uint64_t real = 0;
+    std::vector<std::int64_t> by_index;
+    bool clean = false;  ///< nothing speaks against it (RootSet::clean)
+};
+
+/// A model's functions, its polynomials and its enumeration.
+struct SearchedModel {
+    const ModelFunctions<>* functions;
+    const ModelPolynomials* polynomials;
+    std::function<EquilibriaCount(const RuntimeArray<double>& p, const RunOptions& run)> count;
+
+    const RuntimeSizes& sizes() const { return functions->sizes(); }
+    int unknowns() const { return functions->unknowns(); }
+    bool has_potential() const { return functions->has_potential(); }
+    bool reflection_symmetric() const { return polynomials->reflection_symmetric(); }
+};
+
+template <Model M>
+SearchedModel searched_model() {
+    return {&functions_of<M>(), &polynomials_of<M>(), [](const RuntimeArray<double>& p, const RunOptions& run) {
+                const auto set = enumerate<M>(parameters_from<M>(p), run);
+                return EquilibriaCount{set.real(), set.by_index(), set.clean()};
+            }};
+}
+
+}  // namespace equilibria

@@ -1,0 +1,116 @@
+/// \file
+/// A model's equations in its unknowns and in some of its parameters, as polynomials made at run time, of one type for
+/// all models: what critical systems are made of.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include <equilibria/algebra/formulation.hpp>
+#include <equilibria/algebra/runtime_polynomial.hpp>
+#include <equilibria/algebra/symbolic.hpp>
+#include <equilibria/core/error.hpp>
+#include <equilibria/core/sized_array.hpp>
+#include <equilibria/model/model_functions.hpp>
+#include <equilibria/model/sizes.hpp>
+#include <equilibria/system/sparse_system.hpp>
+
+namespace equilibria {
+
+/// n polynomials in n unknowns as a system. Throws InvalidArgument as SparseSystem does.
+inline SparseSystem sparse_system(const RuntimePolynomials<>& equations, const RuntimeSizes& sizes) {
+    std::vector<SparseTerm> terms;
+    int i = 0;
+    for (const auto& f : equations) {
+        for (const auto& t : f.terms())
+            terms.push_back({i, SparseMonomial(codes_of(t.monomial, sizes)), t.coefficient});
+        ++i;
+    }
+    return {sizes, std::move(terms)};
+}
+
+/// The equations of a model at p, but for the parameters number `active`, of which number k is `scales[k]` times the
+/// coordinate first + k. Throws InvalidArgument where there are more unknowns than a RuntimePolynomial has, or the
+/// active parameters do not enter as polynomials.
+template <Model M, class C>
+RuntimePolynomials<C> model_polynomials(const RuntimeArray<double>& p, std::span<const int> active,
+                                        std::span<const double> scales, int first) {
+    using Scalar = SymbolicScalar<most_angles, most_coordinates, C>;
+    using Angle = SymbolicAngle<most_angles, most_coordinates, C>;
+    require(n_angles<M> <= most_angles, "angles of the model", n_angles<M>, "must be at most 16");
+    require(first + static_cast<int>(active.size()) < most_coordinates, "unknowns of the model", n_unknowns<M>,
+            "must be fewer: a critical system has at most 48 coordinates");
+    typename Scalar::Pool pool;
+    Array<Angle, n_angles<M>> theta;
+    Array<Scalar, n_coordinates<M>> x;
+    Parameters<M, Scalar> q;
+    for (int i = 0; i < theta.size(); ++i) theta[i] = Angle(&pool, i);
+    for (int j = 0; j < x.size(); ++j) x[j] = Scalar(&pool, coordinate_polynomial<C>(j));
+    for (int k = 0; k < q.size(); ++k) q[k] = Scalar(C(p[k]));
+    for (std::size_t k = 0; k < active.size(); ++k)
+        q[active[k]] =
+            Scalar(&pool, coordinate_polynomial<C>(first + static_cast<int>(k)) * RuntimePolynomial<C>(C(scales[k])));
+    RuntimePolynomials<C> f;
+    if constexpr (PotentialModel<M>) {
+        const RuntimePolynomial<C> v = Scalar(detail::call_potential(M{}, theta, x, q)).polynomial();
+        for (int i = 0; i < n_angles<M>; ++i) f.push_back(derivative(v, i));
+        for (int j = 0; j < n_coordinates<M>; ++j) f.push_back(derivative(v, most_angles + j));
+    } else {
+        const auto values = detail::call_equations(M{}, theta, x, q);
+        for (const auto& value : values) f.push_back(Scalar(value).polynomial());
+    }
+    for (const auto& equation : f)
+        require(equation.fault() == NotPolynomial::no, "active parameters", active.size(),
+                "must enter the model's equations as polynomials");
+    return f;
+}
+
+/// The polynomials of a model as an object, whatever the model.
+class ModelPolynomials {
+public:
+    virtual ~ModelPolynomials() = default;
+
+    const RuntimeSizes& sizes() const { return sizes_; }
+    bool has_potential() const { return has_potential_; }
+    bool reflection_symmetric() const { return reflection_symmetric_; }
+    const RuntimeArray<double>& generic_parameters() const { return generic_parameters_; }
+
+    /// See model_polynomials.
+    virtual RuntimePolynomials<> equations(const RuntimeArray<double>& p, std::span<const int> active,
+                                           std::span<const double> scales, int first) const = 0;
+
+protected:
+    ModelPolynomials(const RuntimeSizes& sizes, bool has_potential, bool reflection_symmetric,
+                     RuntimeArray<double> generic)
+        : sizes_(sizes), has_potential_(has_potential), reflection_symmetric_(reflection_symmetric),
+          generic_parameters_(std::move(generic)) {}
+
+private:
+    RuntimeSizes sizes_;
+    bool has_potential_, reflection_symmetric_;
+    RuntimeArray<double> generic_parameters_;
+};
+
+template <Model M>
+class PolynomialsOf final : public ModelPolynomials {
+public:
+    PolynomialsOf()
+        : ModelPolynomials(Sizes<M>(), PotentialModel<M>, Formulation<M>::reflection_symmetric,
+                           runtime_array(detail::generic_parameters<M>())) {}
+
+    RuntimePolynomials<> equations(const RuntimeArray<double>& p, std::span<const int> active,
+                                   std::span<const double> scales, int first) const override {
+        return model_polynomials<M, double>(p, active, scales, first);
+    }
+};
+
+/// What all calls for the model M share.
+template <Model M>
+const ModelPolynomials& polynomials_of() {
+    static const PolynomialsOf<M> polynomials;
+    return polynomials;
+}
+
+}  // namespace equilibria

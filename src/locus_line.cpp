@@ -1,0 +1,1 @@
+#include <equilibria/locus/line/detail/line_events_definitions.hpp>

@@ -1,0 +1,2 @@
+#include <equilibria/locus/plane/detail/locus_result_definitions.hpp>
+#include <equilibria/locus/plane/detail/trace_locus_definitions.hpp>

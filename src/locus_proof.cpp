@@ -1,0 +1,2 @@
+#include <equilibria/locus/proof/detail/prove_locus_definitions.hpp>
+#include <equilibria/locus/proof/detail/prove_region_definitions.hpp>

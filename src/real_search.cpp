@@ -1,0 +1,1 @@
+#include <equilibria/certify/detail/real_search_definitions.hpp>

@@ -23,7 +23,7 @@ template <class R>
 struct KrawczykResult {
     using Mask = typename LaneTraits<R>::Mask;
     using Numbers = SizedArray<R, at_run_time>;
-    using Matrix = SizedMatrix<Complex<R>, at_run_time>;
+    using Matrix = RuntimeMatrix<Complex<R>>;
 
     Mask proved{};
     Numbers radius;          ///< |root - point| of each unknown, angles in radians; meaningful where proved
@@ -31,8 +31,8 @@ struct KrawczykResult {
     RuntimePoint<R> center;  ///< of the enclosure of (c, s, x)
     Numbers off;             ///< radius of the enclosures of c_u and s_u, or of x_u, around `center`
     // for proofs about the Jacobians over the polydisc
-    Matrix jacobian, inverse, basis;          ///< J at the point, Y, and B: displacements are B e
-    SizedMatrix<R, at_run_time> contraction;  ///< E >= |1 - Y J B| over the polydisc of e
+    Matrix jacobian, inverse, basis;  ///< J at the point, Y, and B: displacements are B e
+    RuntimeMatrix<R> contraction;     ///< E >= |1 - Y J B| over the polydisc of e
 
     KrawczykResult() = default;
     explicit KrawczykResult(const RuntimeSizes& sizes)
@@ -174,7 +174,7 @@ private:
     template <class T>
     using Numbers = SizedArray<T, at_run_time>;
     template <class T>
-    using Matrix = SizedMatrix<T, at_run_time>;
+    using Matrix = RuntimeMatrix<T>;
 
     /// J and Y at the points, |Y F|; nothing is proved yet.
     template <class M>

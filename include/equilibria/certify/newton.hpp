@@ -33,8 +33,8 @@ S newton(const BallSystem<S>& system, std::type_identity_t<std::span<Complex<S>>
     const int n = system.sizes.unknowns;
     FactorBalls<S> at(system);
     SizedArray<Ball<S>, at_run_time> f(n);
-    SizedMatrix<Ball<S>, at_run_time> j(n);
-    SizedMatrix<Complex<S>, at_run_time> mid(n);
+    RuntimeMatrix<Ball<S>> j(n);
+    RuntimeMatrix<Complex<S>> mid(n);
     SizedArray<Complex<S>, at_run_time> unknowns(n), d(n);
     PivotedFactorization<S> lu(n);
     S size(0), before(0);

@@ -130,19 +130,6 @@ template <class R>
 R square_root(const R& a) {
     if constexpr (is_pack<R>) {
         R y;
-#if defined(__AVX512F__)
-        if constexpr (sizeof(R) == 64) {
-            __asm__("vsqrtpd %1, %0" : "=v"(y) : "v"(a));
-            return y;
-        }
-#endif
-#if defined(__AVX__)
-        if constexpr (sizeof(R) == 32) {
-            __asm__("vsqrtpd %1, %0" : "=x"(y) : "x"(a));
-            return y;
-        }
-#endif
-        // std::sqrt may set errno, which no compiler does for several lanes at once
         for (int k = 0; k < LaneTraits<R>::width; ++k) y[k] = std::sqrt(a[k]);
         return y;
     } else {

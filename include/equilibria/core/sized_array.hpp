@@ -1,6 +1,6 @@
 /// \file
-/// Vectors and square matrices of a size that is known at compile time, or at run time alone: code that is written over
-/// their extent serves both, by loops whose bounds the compiler knows or does not.
+/// Vectors of a size that is known at compile time, or at run time alone: code that is written over their extent serves
+/// both. Square matrices of a size at run time.
 ///
 /// What has a size at compile time lies where it is declared and is not initialised, as a C array; what has not lies on
 /// the heap, made once and used again.
@@ -75,24 +75,11 @@ private:
 };
 
 /// n rows of n entries: m[row][column].
-template <class T, int N>
-class SizedMatrix {
-public:
-    SizedMatrix() = default;
-    explicit SizedMatrix(int) {}
-
-    T (&operator[](int row))[N] { return rows_[row]; }
-    const T (&operator[](int row) const)[N] { return rows_[row]; }
-
-private:
-    T rows_[N][N];
-};
-
 template <class T>
-class SizedMatrix<T, at_run_time> {
+class RuntimeMatrix {
 public:
-    SizedMatrix() = default;
-    explicit SizedMatrix(int n)
+    RuntimeMatrix() = default;
+    explicit RuntimeMatrix(int n)
         : n_(static_cast<std::size_t>(n)), entries_(static_cast<std::size_t>(n) * static_cast<std::size_t>(n)) {}
 
     int size() const { return static_cast<int>(n_); }
@@ -107,7 +94,5 @@ private:
 /// Of a size known at run time.
 template <class T>
 using RuntimeArray = SizedArray<T, at_run_time>;
-template <class T>
-using RuntimeMatrix = SizedMatrix<T, at_run_time>;
 
 }  // namespace equilibria

@@ -69,7 +69,7 @@ public:
         else
             set_slopes(blends(0), target(), [this](const Z& z) { return Z(time_ * z); }, j);
         if (form_.empty()) return;
-        SizedMatrix<Z, at_run_time> of_form(n_);
+        RuntimeMatrix<Z> of_form(n_);
         form_.slopes(factors_, of_form);
         for (int i = 0; i < n_; ++i)
             for (int u = symmetric_ ? i : 0; u < n_; ++u) j[i][u] += (1.0 - time_) * of_form[i][u];

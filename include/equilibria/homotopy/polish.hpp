@@ -25,7 +25,7 @@ public:
     template <class T>
     using Vector = SizedArray<T, at_run_time>;
     template <class T>
-    using Matrix = SizedMatrix<T, at_run_time>;
+    using Matrix = RuntimeMatrix<T>;
 
     explicit Polisher(const H& h) : h_(&h), n_(h.sizes().unknowns) {}
 

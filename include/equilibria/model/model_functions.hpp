@@ -84,12 +84,7 @@ public:
     void linearize(const RuntimeArray<S>& q, const RuntimeArray<S>& p, RuntimeArray<S>& f,
                    RuntimeMatrix<S>& j) const override {
         const auto values = equations_and_slopes<M, S>(unknowns_from<M>(q), parameters_from<M>(p));
-        f.resize(n_unknowns<M>);
-        j = RuntimeMatrix<S>(n_unknowns<M>);
-        for (int r = 0; r < n_unknowns<M>; ++r) {
-            f[r] = values[r].value;
-            for (int c = 0; c < n_unknowns<M>; ++c) j[r][c] = values[r].derivative[c];
-        }
+        assign(values, [](const S& z) { return z; }, f, j);
     }
     void derivatives_along(const RuntimeArray<S>& q, const RuntimeArray<S>& v, const RuntimeArray<S>& p,
                            const RuntimeArray<S>& w, RuntimeArray<S>& f, RuntimeMatrix<S>& j) const override {
@@ -99,11 +94,17 @@ public:
         for (int i = 0; i < along.size(); ++i) along[i] = D(q[i]), along[i].derivative[0] = v[i];
         for (int k = 0; k < parameters.size(); ++k) parameters[k] = D(p[k]), parameters[k].derivative[0] = w[k];
         const auto values = equations_and_slopes<M, D>(along, parameters);
+        assign(values, [](const D& z) { return z.derivative[0]; }, f, j);
+    }
+
+private:
+    /// f, j: part(z) of the values, and of their derivatives.
+    static void assign(const auto& values, const auto& part, RuntimeArray<S>& f, RuntimeMatrix<S>& j) {
         f.resize(n_unknowns<M>);
         j = RuntimeMatrix<S>(n_unknowns<M>);
         for (int r = 0; r < n_unknowns<M>; ++r) {
-            f[r] = values[r].value.derivative[0];
-            for (int c = 0; c < n_unknowns<M>; ++c) j[r][c] = values[r].derivative[c].derivative[0];
+            f[r] = part(values[r].value);
+            for (int c = 0; c < n_unknowns<M>; ++c) j[r][c] = part(values[r].derivative[c]);
         }
     }
 };

@@ -253,10 +253,10 @@ TEST_CASE("the checkpoint of another model, seed, parameter, start or option is 
                       "is of another run: its seed is 5, this run's is 6; its homotopy is "));
     CHECK(starts_with(said([](auto& q, auto&, auto&) { q[3] = 0.5; }),
                       "is of another run: its parameters[3] is 1.05, this run's is 0.5; its homotopy is "));
-    CHECK(said([](auto&, auto&, auto& o) { o.contraction = 0.002; }) ==
-          "is of another run: its contraction is 0.001, this run's is 0.002");
+    CHECK(said([](auto&, auto&, auto& o) { o.contraction = 0.001; }) ==
+          "is of another run: its contraction is 0.002, this run's is 0.001");
     CHECK(said([](auto&, auto&, auto& o) { o.largest_contraction = 0.03; }) ==
-          "is of another run: its largest_contraction is 0.02, this run's is 0.029999999999999999");
+          "is of another run: its largest_contraction is 0.050000000000000003, this run's is 0.029999999999999999");
     CHECK(said([](auto&, auto&, auto& o) { o.largest_turn = 0.25; }) ==
           "is of another run: its largest_turn is 0.40000000000000002, this run's is 0.25");
     CHECK(said([](auto&, auto&, auto& o) { o.pole_fraction = 0.5; }) ==

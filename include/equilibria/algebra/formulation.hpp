@@ -43,6 +43,7 @@ constexpr std::vector<PolynomialOf<M, C>> symbolic_equations(const Parameters<M,
         x[j] = Scalar(&pool, Polynomial(Polynomial::Basis::single(n_angles<M> + j, 1), C(1)));
     for (int k = 0; k < q.size(); ++k) q[k] = Scalar(p[k]);
     std::vector<Polynomial> f;
+    f.reserve(n_unknowns<M>);
     if constexpr (PotentialModel<M>) {
         const Polynomial v = Scalar(call_potential(M{}, theta, x, q)).polynomial();
         for (int i = 0; i < n_unknowns<M>; ++i) f.push_back(derivative(v, i));

@@ -28,16 +28,24 @@ public:
     constexpr PolynomialPool(const PolynomialPool&) = delete;
     constexpr PolynomialPool& operator=(const PolynomialPool&) = delete;
     constexpr ~PolynomialPool() {
-        for (const Polynomial* p : owned_) delete p;
+        for (const Polynomial* chunk : chunks_) delete[] chunk;
     }
 
     constexpr const Polynomial* keep(Polynomial&& p) {
-        owned_.push_back(nullptr);
-        return owned_.back() = new Polynomial(std::move(p));
+        if (used_ == chunk_size) {
+            chunks_.push_back(nullptr);
+            chunks_.back() = new Polynomial[chunk_size];
+            used_ = 0;
+        }
+        Polynomial* const kept = chunks_.back() + used_++;
+        *kept = std::move(p);
+        return kept;
     }
 
 private:
-    std::vector<const Polynomial*> owned_;
+    static constexpr int chunk_size = 16;
+    std::vector<Polynomial*> chunks_;
+    int used_ = chunk_size;  // of the last chunk
 };
 
 /// A constant, or a polynomial in the pool.
@@ -53,6 +61,7 @@ public:
     constexpr SymbolicScalar(const A& constant) : constant_(static_cast<C>(constant)) {}
     constexpr SymbolicScalar(Pool* pool, Polynomial&& p) : pool_(pool), kept_(pool->keep(std::move(p))) {}
 
+    constexpr bool is_zero() const { return !kept_ && constant_ == C(0); }
     constexpr Polynomial polynomial() const {
         if (kept_) return *kept_;
         return Polynomial(constant_);
@@ -63,12 +72,16 @@ public:
         return a.kept_ ? SymbolicScalar(a.pool_, -*a.kept_) : SymbolicScalar(C(-a.constant_));
     }
     friend constexpr SymbolicScalar operator+(const SymbolicScalar& a, const SymbolicScalar& b) {
+        if (a.is_zero()) return b;
+        if (b.is_zero()) return a;
         return combined(a, b, [](const auto& x, const auto& y) { return x + y; });
     }
     friend constexpr SymbolicScalar operator-(const SymbolicScalar& a, const SymbolicScalar& b) {
         return combined(a, b, [](const auto& x, const auto& y) { return x - y; });
     }
     friend constexpr SymbolicScalar operator*(const SymbolicScalar& a, const SymbolicScalar& b) {
+        if (a.kept_ && !b.kept_) return {a.pool_, *a.kept_ * b.constant_};
+        if (!a.kept_ && b.kept_) return {b.pool_, a.constant_ * *b.kept_};
         return combined(a, b, [](const auto& x, const auto& y) { return x * y; });
     }
     friend constexpr SymbolicScalar operator/(const SymbolicScalar& a, const SymbolicScalar& b) {
@@ -189,16 +202,24 @@ private:
     constexpr Scalar expanded(bool cosine) const {
         using Basis = typename Polynomial::Basis;
         if (!pool_) return cosine ? cos(phase_) : sin(phase_);
-        Polynomial c = cos(phase_).polynomial(), s = sin(phase_).polynomial();
+        Polynomial c, s;
+        bool begun = !phase_.is_zero();
+        if (begun) c = cos(phase_).polynomial(), s = sin(phase_).polynomial();
         for (int i = 0; i < Angles; ++i) {
             const int m = multiples_[i], k = m < 0 ? -m : m;
             if (m == 0) continue;
             if (k > Basis::highest) return {pool_, Polynomial::faulty(NotPolynomial::degree_too_high)};
-            const Polynomial ci(Basis::single(i, k), C(1)), si(Basis::single(i, -k), C(m < 0 ? -1 : 1));
+            Polynomial ci(Basis::single(i, k), C(1)), si(Basis::single(i, -k), C(m < 0 ? -1 : 1));
+            if (!begun) {
+                c = std::move(ci), s = std::move(si);
+                begun = true;
+                continue;
+            }
             const Polynomial next = c * ci - s * si;
             s = s * ci + c * si;
             c = next;
         }
+        if (!begun) c = Polynomial(C(1));
         if (cosine) return {pool_, std::move(c)};
         return {pool_, std::move(s)};
     }

@@ -96,6 +96,14 @@ public:
                                                        const TrigonometricPolynomial& b) {
         return merged(a, b, C(-1));
     }
+    friend constexpr TrigonometricPolynomial operator*(TrigonometricPolynomial a, const C& b) {
+        a.scale_by(b);
+        return a;
+    }
+    friend constexpr TrigonometricPolynomial operator*(const C& a, TrigonometricPolynomial b) {
+        b.scale_by(a);
+        return b;
+    }
     friend constexpr TrigonometricPolynomial operator*(const TrigonometricPolynomial& a,
                                                        const TrigonometricPolynomial& b) {
         TrigonometricPolynomial y;
@@ -166,6 +174,7 @@ public:
     friend constexpr TrigonometricPolynomial derivative(const TrigonometricPolynomial& a, int unknown) {
         TrigonometricPolynomial y;
         y.fault_ = a.fault_;
+        y.terms_.reserve(a.terms_.size());
         for (const Term& t : a.terms_) {
             const int k = t.monomial.code(unknown);
             if (k == 0) continue;
@@ -243,12 +252,13 @@ private:
 
     /// Appends the product of overlapping monomials: powers add, and cos, sin by the product-to-sum formulas.
     constexpr void append_product(const Basis& a, const Basis& b, const C& coefficient) {
-        std::vector<Term> products{{Basis{}, coefficient}};
+        const std::size_t first = terms_.size();  // of the products
+        terms_.push_back({Basis{}, coefficient});
         for (int u = 0; u < Basis::unknowns; ++u) {
             const int p = a.code(u), q = b.code(u);
             if (a.degree(u) + b.degree(u) > Basis::highest) fault_ = std::max(fault_, NotPolynomial::degree_too_high);
             if (p == 0 || q == 0 || !Basis::is_angle(u)) {
-                for (Term& t : products) t.monomial.set_code(u, p + q);
+                for (std::size_t i = first; i < terms_.size(); ++i) terms_[i].monomial.set_code(u, p + q);
                 continue;
             }
             const int k = p < 0 ? -p : p, l = q < 0 ? -q : q;
@@ -258,19 +268,18 @@ private:
             double difference_sign = 0.5;
             if (odd) difference_sign = (p < 0) == (k > l) ? 0.5 : -0.5;
             const int difference = k > l ? k - l : l - k;
-            const std::size_t count = products.size();
-            for (std::size_t i = 0; i < count; ++i) {
+            const std::size_t last = terms_.size();
+            for (std::size_t i = first; i < last; ++i) {
                 if (!(odd && difference == 0)) {
-                    Term t = products[i];
+                    Term t = terms_[i];
                     t.coefficient = t.coefficient * difference_sign;
                     t.monomial.set_code(u, odd ? -difference : difference);
-                    products.push_back(t);
+                    terms_.push_back(t);
                 }
-                products[i].coefficient = products[i].coefficient * sum_sign;
-                products[i].monomial.set_code(u, odd ? -(k + l) : k + l);
+                terms_[i].coefficient = terms_[i].coefficient * sum_sign;
+                terms_[i].monomial.set_code(u, odd ? -(k + l) : k + l);
             }
         }
-        terms_.insert(terms_.end(), products.begin(), products.end());
     }
 
     /// Sorts and adds up equal monomials; sums that cancel to rounding are dropped.

@@ -9,7 +9,8 @@
 #include <cstddef>
 #include <initializer_list>
 #include <utility>
-#include <vector>
+
+#include <equilibria/core/aligned_vector.hpp>
 
 namespace equilibria {
 
@@ -57,7 +58,7 @@ public:
     /// n entries, value-initialised.
     explicit SizedArray(int n) : entries_(static_cast<std::size_t>(n)) {}
     SizedArray(std::initializer_list<T> entries) : entries_(entries) {}
-    explicit SizedArray(std::vector<T> entries) : entries_(std::move(entries)) {}
+    explicit SizedArray(AlignedVector<T> entries) : entries_(std::move(entries)) {}
 
     int size() const { return static_cast<int>(entries_.size()); }
     void resize(int n) { entries_.resize(static_cast<std::size_t>(n)); }
@@ -71,7 +72,7 @@ public:
     friend bool operator==(const SizedArray&, const SizedArray&) = default;
 
 private:
-    std::vector<T> entries_;
+    AlignedVector<T> entries_;
 };
 
 /// n rows of n entries: m[row][column].
@@ -88,7 +89,7 @@ public:
 
 private:
     std::size_t n_ = 0;
-    std::vector<T> entries_;
+    AlignedVector<T> entries_;
 };
 
 /// Of a size known at run time.

@@ -132,6 +132,7 @@ RealRoots<M> classify(const std::vector<Root<M>>& roots, const Parameters<M>& p,
     });
     RootClassifier classifier(equations);
     RealRoots<M> y;
+    y.equilibria.reserve(static_cast<std::size_t>(std::count(real.begin(), real.end(), 1)));
     for (std::size_t k = 0; k < roots.size(); ++k) {
         const double imaginary = largest_imaginary(roots[k]);
         if (real[k]) {
@@ -142,6 +143,7 @@ RealRoots<M> classify(const std::vector<Root<M>>& roots, const Parameters<M>& p,
         }
     }
     std::vector<std::array<std::int64_t, 3>> keys;
+    keys.reserve(y.equilibria.size());
     for (const auto& e : y.equilibria) keys.push_back({e.index, e.nullity, static_cast<std::int64_t>(e.path)});
     y.equilibria = in_order(sorted_order(keys), std::move(y.equilibria));
     return y;

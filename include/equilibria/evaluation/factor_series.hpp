@@ -4,8 +4,8 @@
 #pragma once
 
 #include <cstddef>
-#include <vector>
 
+#include <equilibria/core/aligned_vector.hpp>
 #include <equilibria/core/complex.hpp>
 #include <equilibria/evaluation/point.hpp>
 #include <equilibria/evaluation/term_tables.hpp>
@@ -136,9 +136,9 @@ private:
         int target = tables_->factors;
         for (const auto& node : tables_->nodes) {
             const auto place = [this](int operand, int u) { return index(tables_->slope_place(operand, u)); };
-            for (const int u : tables_->unknowns[index(node.left)])
+            for (const int u : tables_->unknowns(node.left))
                 slope_[place(target, u)] = slope_[place(node.left, u)] * at(0, node.right);
-            const int own = tables_->unknowns[index(node.right)].front();
+            const int own = tables_->unknowns(node.right).front();
             slope_[place(target, own)] = at(0, node.left) * slope_[index(node.right)];
             ++target;
         }
@@ -154,7 +154,7 @@ private:
 
     const TermTables* tables_;
     std::size_t size_;
-    std::vector<Z> value_, slope_, path_;
+    AlignedVector<Z> value_, slope_, path_;
 };
 
 }  // namespace equilibria::detail

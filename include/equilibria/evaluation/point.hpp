@@ -4,8 +4,9 @@
 
 #include <cmath>
 #include <complex>
-#include <vector>
+#include <utility>
 
+#include <equilibria/core/aligned_vector.hpp>
 #include <equilibria/core/array.hpp>
 #include <equilibria/core/complex.hpp>
 #include <equilibria/model/sizes.hpp>
@@ -56,7 +57,7 @@ void copy_lane(const Point<M, R>& a, int from, Point<N, Q>& b, int to) {
 template <class M, class R>
 RuntimePoint<R> runtime_point(const Point<M, R>& q) {
     const auto entries = [](const auto& a) {
-        return SizedArray<Complex<R>, at_run_time>(std::vector<Complex<R>>(a.begin(), a.end()));
+        return SizedArray<Complex<R>, at_run_time>(AlignedVector<Complex<R>>(a.begin(), a.end()));
     };
     return {entries(q.c), entries(q.s), entries(q.x)};
 }
@@ -115,20 +116,35 @@ void turn(Complex<R>& c, Complex<R>& s, const Complex<R>& co, const Complex<R>& 
     s = select(near, sine * back, sine);
 }
 
+/// cos d and sin d by their series to d^8 and d^9 (|d| < 0.5: error below 1e-9, absorbed by the corrector): no
+/// transcendental function is called.
+template <class R>
+std::pair<Complex<R>, Complex<R>> series_of_circle(const Complex<R>& d) {
+    const Complex<R> d2 = d * d;
+    return {
+        Complex<R>(1.0 - 0.5 * (d2 * (1.0 - 1 / 12. * (d2 * (1.0 - 1 / 30. * (d2 * (1.0 - 1 / 56. * d2))))))),
+        Complex<R>(d * (1.0 - 1 / 6. * (d2 * (1.0 - 1 / 20. * (d2 * (1.0 - 1 / 42. * (d2 * (1.0 - 1 / 72. * d2))))))))};
+}
+
 }  // namespace detail
 
 /// Moves the point by d: angles turned by the small complex angle d_i, coordinates shifted by d_j.
-///
-/// sin d and cos d by their series to d^8 and d^9 (|d| < 0.5: error below 1e-9, absorbed by the corrector): no
-/// transcendental function is called.
 template <class M, class R>
 void move(Point<M, R>& q, const auto& d) {
     for (int i = 0; i < q.c.size(); ++i) {
-        const Complex<R> d2 = d[i] * d[i];
-        const Complex<R> co = 1.0 - 0.5 * (d2 * (1.0 - 1 / 12. * (d2 * (1.0 - 1 / 30. * (d2 * (1.0 - 1 / 56. * d2))))));
-        const Complex<R> si =
-            d[i] * (1.0 - 1 / 6. * (d2 * (1.0 - 1 / 20. * (d2 * (1.0 - 1 / 42. * (d2 * (1.0 - 1 / 72. * d2)))))));
+        const auto [co, si] = detail::series_of_circle(d[i]);
         detail::turn(q.c[i], q.s[i], co, si);
+    }
+    for (int j = 0; j < q.x.size(); ++j) q.x[j] += d[q.c.size() + j];
+}
+/// The same, off the circle by the error of the series: for a prediction, whose corrector goes back onto it.
+template <class M, class R>
+void move_roughly(Point<M, R>& q, const auto& d) {
+    for (int i = 0; i < q.c.size(); ++i) {
+        const auto [co, si] = detail::series_of_circle(d[i]);
+        const Complex<R> cosine = q.c[i] * co - q.s[i] * si;
+        q.s[i] = q.s[i] * co + q.c[i] * si;
+        q.c[i] = cosine;
     }
     for (int j = 0; j < q.x.size(); ++j) q.x[j] += d[q.c.size() + j];
 }

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include <equilibria/core/aligned_vector.hpp>
 #include <equilibria/core/complex.hpp>
 #include <equilibria/evaluation/factor_series.hpp>
 #include <equilibria/evaluation/start_forms.hpp>
@@ -102,7 +103,7 @@ private:
     std::vector<Part> parts_;
     std::vector<Form> forms_;
     std::vector<Product> products_;
-    std::vector<Series> series_, partial_;  // of each form; of each product up to form number m
+    AlignedVector<Series> series_, partial_;  // of each form; of each product up to form number m
 };
 
 }  // namespace equilibria::detail

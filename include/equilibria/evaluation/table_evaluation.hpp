@@ -14,6 +14,7 @@
 #include <utility>
 #include <vector>
 
+#include <equilibria/core/aligned_vector.hpp>
 #include <equilibria/core/complex.hpp>
 #include <equilibria/evaluation/factor_series.hpp>
 #include <equilibria/evaluation/point.hpp>
@@ -35,6 +36,8 @@ public:
           factors_(*tables_), form_(h.forms(), *tables_), groups_(tables_->groups.size()), start_(groups_),
           sum_(static_cast<std::size_t>(moving_ ? H::law_order + 1 : 1) * (order + 1) * groups_),
           blend_((order + 1) * groups_), current_(moving_ ? tables_->operand.size() : 0) {
+        by_share_.reserve(tables_->shares.size());
+        for (const auto& share : tables_->shares) by_share_.push_back(h.target(share.term));
         for (const auto& t : h.forms().terms) {
             const int own = tables_->factor(t.equation, t.code);
             for (int g = first_group(t.equation); g < first_group(t.equation + 1); ++g)
@@ -46,23 +49,16 @@ public:
 
     /// H(q, t).
     void value(const RuntimePoint<R>& q, const Time& t, auto& f) {
-        time_ = t;
-        factors_.begin(q);
-        for (std::size_t k = 0; k < current_.size(); ++k) current_[k] = h_->template law<0, R>(static_cast<int>(k), t);
-        for_equations([&](int i, auto moving) {
-            Z y = zero();
-            for (int g = first_group(i); g < first_group(i + 1); ++g)
-                y += with_own_factor(group(g), keep<moving>(0, g, sums<moving>(0, group(g))));
-            f[i] = y;
+        begin(q, t, f, [this]<bool moving>(std::bool_constant<moving>, int g, const Sums<moving>& sums) {
+            return blended<moving>(0, g, sums);
         });
-        if (form_.empty()) return;
-        form_.series(0, factors_, products_[0]);
-        for (int i = 0; i < n_; ++i) f[i] += (1.0 - time_) * products_[0][i];
     }
 
     /// H(q, t) and its Jacobian; with a potential only the entries on and above the diagonal are set.
     void jacobian(const RuntimePoint<R>& q, const Time& t, auto& f, auto& j) {
-        value(q, t, f);
+        begin(q, t, f, [this]<bool moving>(std::bool_constant<moving>, int g, const Sums<moving>& sums) {
+            return keep<moving>(0, g, sums);
+        });
         factors_.begin_slopes();
         if (moving_)
             set_slopes(blends(0), current(), [](const Z& z) -> const Z& { return z; }, j);
@@ -153,6 +149,22 @@ private:
             for (int i = 0; i < n_; ++i) work(i, std::false_type());
     }
 
+    /// H(q, t); blend(moving, g, sums) gives the blend of group g.
+    void begin(const RuntimePoint<R>& q, const Time& t, auto& f, const auto& blend) {
+        time_ = t;
+        factors_.begin(q);
+        for (std::size_t k = 0; k < current_.size(); ++k) current_[k] = h_->template law<0, R>(static_cast<int>(k), t);
+        for_equations([&](int i, auto moving) {
+            Z y = zero();
+            for (int g = first_group(i); g < first_group(i + 1); ++g)
+                y += with_own_factor(group(g), blend(moving, g, sums<moving>(0, group(g))));
+            f[i] = y;
+        });
+        if (form_.empty()) return;
+        form_.series(0, factors_, products_[0]);
+        for (int i = 0; i < n_; ++i) f[i] += (1.0 - time_) * products_[0][i];
+    }
+
     /// The sums of each group, by law and order.
     Z* kept_sums(int law, int k) {
         return sum_.data() + (static_cast<std::size_t>(law) * (order + 1) + static_cast<std::size_t>(k)) * groups_;
@@ -164,26 +176,29 @@ private:
         return group.own_factor < 0 ? z : Z(factors_(0, group.own_factor) * z);
     }
 
-    /// Of the shares of a group, or of a derivative: the sum of coefficient(term) times the factor.
+    /// Of the shares of a group, or of a derivative: the sum of coefficient(share) times the factor.
     Z total(const auto& of, const Z* factor, const auto& coefficient) const {
-        const TermTables::Share* share = tables_->shares.data() + of.first;
-        const TermTables::Share* const last = tables_->shares.data() + of.last;
-        if (share == last) return zero();
-        Z y = coefficient(share->term) * factor[share->factor];
-        if (++share == last) return y;
-        Z z = coefficient(share->term) * factor[share->factor];  // two sums: each addition waits for the one before it
-        for (++share; share + 1 < last; share += 2) {
-            y += coefficient(share[0].term) * factor[share[0].factor];
-            z += coefficient(share[1].term) * factor[share[1].factor];
+        const TermTables::Share* const share = tables_->shares.data();
+        const auto summand = [&](int m) { return Z(coefficient(m) * factor[share[m].factor]); };
+        int m = of.first;
+        if (m == of.last) return zero();
+        Z y = summand(m);
+        if (++m == of.last) return y;
+        Z z = summand(m);  // two sums: each addition waits for the one before it
+        for (++m; m + 1 < of.last; m += 2) {
+            y += summand(m);
+            z += summand(m + 1);
         }
-        if (share < last) y += coefficient(share->term) * factor[share->factor];
+        if (m < of.last) y += summand(m);
         return y + z;
     }
+    /// Coefficients of shares, by their numbers.
     auto target() const {
-        return [of = h_->targets()](int term) { return number(of[term]); };
+        return [of = by_share_.data()](int share) { return number(of[share]); };
     }
     auto current() const {
-        return [of = current_.data()](int term) -> const Z& { return of[term]; };
+        return
+            [of = current_.data(), at = tables_->shares.data()](int share) -> const Z& { return of[at[share].term]; };
     }
 
     template <bool Moving>
@@ -274,8 +289,9 @@ private:
     StartFormSeries<R> form_;
     std::size_t groups_;
     std::vector<std::complex<double>> start_;  // of each group: the coefficient of its own factor in G
-    std::vector<Z> sum_, blend_;
-    std::vector<Z> current_;                                      // where coefficients move
+    std::vector<double> by_share_;             // of each share: the target's coefficient
+    AlignedVector<Z> sum_, blend_;
+    AlignedVector<Z> current_;                                    // where coefficients move
     std::array<SizedArray<Z, at_run_time>, order + 1> products_;  // the Taylor coefficients of the products of G
 };
 

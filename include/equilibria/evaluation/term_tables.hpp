@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <cstddef>
 #include <map>
+#include <numeric>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -59,9 +61,12 @@ public:
         for (int u = 0; u < sizes.unknowns; ++u)
             offset[at(u + 1)] = offset[at(u)] + (u < sizes.angles ? 2 : 1) * highest[at(u)];
         factors = offset.back();
-        unknowns.resize(at(factors));
+        unknowns_.resize(at(factors));
         for (int u = 0; u < sizes.unknowns; ++u)
-            for (int f = offset[at(u)]; f < offset[at(u + 1)]; ++f) unknowns[at(f)] = {u};
+            for (int f = offset[at(u)]; f < offset[at(u + 1)]; ++f) unknowns_[at(f)] = u;
+        first_unknown_.resize(at(factors + 1));
+        std::iota(first_unknown_.begin(), first_unknown_.end(), std::size_t(0));
+        operand.reserve(terms.size());
         std::map<Node, int> known;
         for (const auto& t : terms) operand.push_back(product(t, known));
         find_groups(terms, more);
@@ -72,6 +77,10 @@ public:
         if (code == 0) return -1;
         if (u >= sizes.angles) return offset[at(u)] + code - 1;
         return offset[at(u)] + (code > 0 ? 2 * (code - 1) : 2 * (-code - 1) + 1);
+    }
+    /// That an operand depends on, ascending.
+    std::span<const int> unknowns(int of) const {
+        return {unknowns_.data() + first_unknown_[at(of)], first_unknown_[at(of + 1)] - first_unknown_[at(of)]};
     }
     int operands() const { return factors + static_cast<int>(nodes.size()); }
     /// Where the slope of an operand by an unknown has its place: factors first, which depend on one, then a row a
@@ -86,14 +95,13 @@ public:
     std::vector<int> offset;   ///< of each unknown's factors
     int factors = 0;
     std::vector<Node> nodes;
-    std::vector<int> operand;                ///< of each term: the product of its factors other than the own one
-    std::vector<Group> groups;               ///< by equation
-    std::vector<int> first_group;            ///< of each equation, and one past the last group
-    std::vector<Entry> entries;              ///< all of them, those above the diagonal first
-    int entries_above = 0;                   ///< the diagonal
-    std::vector<Derivative> derivatives;     ///< of the entries
-    std::vector<Share> shares;               ///< of the groups, and of the derivatives
-    std::vector<std::vector<int>> unknowns;  ///< of each operand, ascending
+    std::vector<int> operand;             ///< of each term: the product of its factors other than the own one
+    std::vector<Group> groups;            ///< by equation
+    std::vector<int> first_group;         ///< of each equation, and one past the last group
+    std::vector<Entry> entries;           ///< all of them, those above the diagonal first
+    int entries_above = 0;                ///< the diagonal
+    std::vector<Derivative> derivatives;  ///< of the entries
+    std::vector<Share> shares;            ///< of the groups, and of the derivatives
 
 private:
     static std::size_t at(int k) { return static_cast<std::size_t>(k); }
@@ -110,10 +118,13 @@ private:
             const Node node{y, f};
             const auto [place, fresh] = known.try_emplace(node, operands());
             if (fresh) {
-                std::vector<int> depends = unknowns[at(node.left)];
-                depends.push_back(u);  // the highest so far
                 nodes.push_back(node);
-                unknowns.push_back(std::move(depends));
+                for (std::size_t k = first_unknown_[at(y)]; k < first_unknown_[at(y + 1)]; ++k) {
+                    const int of_left = unknowns_[k];
+                    unknowns_.push_back(of_left);
+                }
+                unknowns_.push_back(u);  // the highest so far
+                first_unknown_.push_back(unknowns_.size());
             }
             y = place->second;
         }
@@ -121,18 +132,25 @@ private:
     }
 
     void find_groups(const std::vector<SparseTerm>& terms, const std::vector<OwnFactor>& more) {
-        std::map<OwnFactor, std::vector<int>> members;
-        for (const auto& own : more) members[own];
+        std::vector<std::pair<OwnFactor, int>> members;  // and the term, -1 for none
+        members.reserve(terms.size() + more.size());
+        for (const auto& own : more) members.push_back({own, -1});
         for (int k = 0; k < static_cast<int>(terms.size()); ++k)
-            members[{terms[at(k)].equation, terms[at(k)].own_code()}].push_back(k);
+            members.push_back({{terms[at(k)].equation, terms[at(k)].own_code()}, k});
+        std::sort(members.begin(), members.end());
         first_group.assign(at(sizes.unknowns + 1), 0);
-        for (const auto& [own, of] : members) {
+        shares.reserve(2 * terms.size());
+        for (auto member = members.begin(); member != members.end();) {
+            const OwnFactor own = member->first;
             Group group{factor(own.equation, own.code), static_cast<int>(shares.size()), 0, -1};
-            for (const int term : of)
+            for (; member != members.end() && member->first == own; ++member) {
+                const int term = member->second;
+                if (term < 0) continue;
                 if (operand[at(term)] < 0)
                     group.constant = term;
                 else
                     shares.push_back({term, operand[at(term)]});
+            }
             group.last = static_cast<int>(shares.size());
             groups.push_back(group);
             ++first_group[at(own.equation + 1)];
@@ -151,13 +169,16 @@ private:
             Derivative by{group.own_factor, static_cast<int>(shares.size()), 0};
             for (int k = group.first; k < group.last; ++k) {
                 const auto [term, of] = shares[at(k)];
-                if (std::ranges::count(unknowns[at(of)], u) > 0) shares.push_back({term, slope_place(of, u)});
+                if (std::ranges::count(unknowns(of), u) > 0) shares.push_back({term, slope_place(of, u)});
             }
             by.last = static_cast<int>(shares.size());
             if (by.last > by.first) derivatives.push_back(by);
         }
         entries.push_back({i, u, first, static_cast<int>(derivatives.size())});
     }
+
+    std::vector<int> unknowns_;  // of each operand, from first_unknown_ on
+    std::vector<std::size_t> first_unknown_;
 };
 
 }  // namespace equilibria::detail

@@ -61,6 +61,7 @@ private:
 template <Model M, class StartSystem>
 PolynomialHomotopy model_homotopy(const ModelSystem<M>& target, const StartSystem& start) {
     PolynomialHomotopy::Parts parts{.sizes = Sizes<M>(), .terms = {}, .from = {}, .forms = {}, .scale = {}};
+    parts.terms.reserve(Formulation<M>::terms);
     for (int k = 0; k < Formulation<M>::terms; ++k) {
         const auto& term = Formulation<M>::support[k];
         parts.terms.push_back({term.equation, sparse_monomial(term.monomial), target.coefficients[k]});

@@ -37,7 +37,8 @@ struct PadePredictor {
         for (int u = 0; u < n; ++u) {
             const R a1 = norm2(taylor[0][u]) + 1e-20, a2 = norm2(taylor[1][u]) + 1e-20,
                     a3 = norm2(taylor[2][u]) + 1e-24;
-            nearest4 = lane_min(nearest4, lane_max(a2 * a2 / a3, 0.0625 * a1) / a3);
+            const R by = 1.0 / a3;
+            nearest4 = lane_min(nearest4, lane_max(a2 * a2 * by, 0.0625 * a1) * by);
         }
         return square_root(square_root(nearest4));
     }

@@ -42,19 +42,21 @@ public:
     explicit ContractionControl(const TrackerOptions& options) : options_(options) {}
 
     R longest(const R& pole) const { return options_.pole_fraction * pole; }
-    R first(const R& pole) const { return lane_min(R{} + 0.1, longest(pole)); }
+    R first(const R& pole) const { return lane_min(R{} + 0.4, longest(pole)); }
 
     Verdict<R> judge(const Trial<R>& trial) const {
         const R &h = trial.step, &turn2 = trial.turn2;
         // a first correction below the noise is no cause for concern, and its quotient may be rounding
-        const R theta2 = trial.second2 / (trial.first2 + trial.noise2);
+        const R first2 = trial.first2 + trial.noise2;
         const R largest_turn2 = options_.largest_turn * options_.largest_turn + R{};
         const R largest_theta2 = options_.largest_contraction * options_.largest_contraction + R{};
         const R largest_first2 = R{} + 1e-2;
         Verdict<R> y;
-        y.accepted = mask_and(mask_and(turn2 < largest_turn2, theta2 < largest_theta2), trial.first2 < largest_first2);
+        y.accepted = mask_and(mask_and(turn2 < largest_turn2, trial.second2 < largest_theta2 * first2),
+                              trial.first2 < largest_first2);
         // h (target / Theta)^(1 / local_order), between a quarter and four times h
-        const R growth = root((options_.contraction * options_.contraction) / (theta2 + 1e-30));
+        const R growth =
+            root((options_.contraction * options_.contraction) * first2 / (trial.second2 + 1e-30 * first2));
         R proposed = h * lane_min(lane_max(growth, R{} + 0.25), R{} + 4.0);
         const R turn_limit = h * (0.8 * options_.largest_turn) / square_root(turn2 + 1e-30);
         proposed = lane_min(proposed, lane_max(turn_limit, 0.25 * h));

@@ -86,7 +86,7 @@ public:
             if (u < angles_) trial.turn2 = lane_max(trial.turn2, norm2(d_[u]));
         }
         y.q = q;
-        move(y.q, d_);
+        move_roughly(y.q, d_);
         solve_newton(y.q, tau + h);
         trial.first2 = correction_size(y.q, f_);
         correct_roughly(y.q, f_);

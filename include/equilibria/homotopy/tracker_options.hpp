@@ -9,8 +9,8 @@
 namespace equilibria {
 
 struct TrackerOptions {
-    double contraction = 1e-3;          ///< target of Theta, in (0, 0.05]; smaller: shorter, safer steps
-    double largest_contraction = 0.02;  ///< a step with a larger Theta is refused
+    double contraction = 2e-3;          ///< target of Theta, in (0, 0.05]; smaller: shorter, safer steps
+    double largest_contraction = 0.05;  ///< a step with a larger Theta is refused
     double largest_turn = 0.4;          ///< largest predicted change of an angle in a step, radians
     double pole_fraction = 0.4;         ///< largest step over the distance to the nearest pole of the path, in (0, 1)
     double smallest_step = 1e-12;       ///< a path that needs a smaller one fails

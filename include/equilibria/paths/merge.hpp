@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <concepts>
+#include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <utility>
 #include <vector>
@@ -12,6 +14,9 @@
 #include <equilibria/paths/path_set.hpp>
 
 namespace equilibria {
+
+/// How many roots the paths have found if no two of them found the same.
+std::uint64_t most_roots(PathSet& paths);
 
 /// The distinct roots, one after the other: take(root) is called in the order of the tracked paths, a mirror image
 /// after its original; roots that are their own mirror images come last.
@@ -28,6 +33,7 @@ void merge(PathSet& paths, Take&& take) {
 template <class M>
 std::vector<Root<M>> merge(PathSet& paths) {
     std::vector<Root<M>> roots;
+    roots.reserve(static_cast<std::size_t>(most_roots(paths)));
     merge<M>(paths, [&](const Root<M>& root) { roots.push_back(root); });
     std::sort(roots.begin(), roots.end(), [](const auto& a, const auto& b) { return a.path < b.path; });
     return roots;

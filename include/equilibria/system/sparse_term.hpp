@@ -41,8 +41,8 @@ private:
 /// The same product of factors.
 template <int Angles, int Coordinates>
 SparseMonomial sparse_monomial(const Monomial<Angles, Coordinates>& monomial) {
-    std::vector<int> codes;
-    for (int u = 0; u < Angles + Coordinates; ++u) codes.push_back(monomial.code(u));
+    std::vector<int> codes(Angles + Coordinates);
+    for (int u = 0; u < Angles + Coordinates; ++u) codes[static_cast<std::size_t>(u)] = monomial.code(u);
     return SparseMonomial(std::move(codes));
 }
 

@@ -15,6 +15,8 @@ namespace equilibria {
 
 namespace detail {
 
+constexpr bool is_root(PathStatus status) { return status == PathStatus::finite || status == PathStatus::singular; }
+
 /// Which records are the same root. 9 bytes a record.
 class MergedPaths {
 public:
@@ -38,7 +40,7 @@ public:
         for (std::size_t k = 0; k < paths.size(); ++k) {
             if (merged_[k] || !paths.finished(k)) continue;
             const Endpoint& end = paths[k];
-            if (end.status != PathStatus::finite && end.status != PathStatus::singular) continue;
+            if (!is_root(end.status)) continue;
             Root<RuntimeUnknowns> root = root_of(end, paths.path(k));
             root.paths += others_[k];
             root.winding_number = winding_[k];
@@ -80,12 +82,20 @@ private:
 
 }  // namespace detail
 
+EQUILIBRIA_INLINE std::uint64_t most_roots(PathSet& paths) {
+    std::uint64_t y = 0;
+    for (std::size_t k = 0; k < paths.size(); ++k)
+        if (paths.finished(k) && detail::is_root(paths[k].status)) y += paths.weight(k);
+    return y;
+}
+
 EQUILIBRIA_INLINE void merge(PathSet& paths, const std::function<void(Root<RuntimeUnknowns>)>& take) {
     detail::MergedPaths(paths).for_each(take);
 }
 
 EQUILIBRIA_INLINE std::vector<Root<RuntimeUnknowns>> merge(PathSet& paths) {
     std::vector<Root<RuntimeUnknowns>> roots;
+    roots.reserve(static_cast<std::size_t>(most_roots(paths)));
     detail::MergedPaths(paths).for_each([&](Root<RuntimeUnknowns> root) { roots.push_back(std::move(root)); });
     std::sort(roots.begin(), roots.end(), [](const auto& a, const auto& b) { return a.path < b.path; });
     return roots;

@@ -20,7 +20,7 @@
 #include <vector>
 
 #include "support/body_beam_options.hpp"
-#include "support/links.hpp"
+#include "support/joined.hpp"
 #include "support/options.hpp"
 #include "support/output_file.hpp"
 #include "support/progress_bar.hpp"

@@ -3,18 +3,25 @@
 //
 //   equilibrium_events --links 2 --lengths 1,1.5 --masses .6,.4 --omega 0:5
 //   equilibrium_events --links 3 --omega 0:20 --threads 2 --prove --json events.json
-#include "equilibrium_events/events.hpp"
-
 #include <algorithm>
+#include <chrono>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
 #include <exception>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "support/links.hpp"
+#include <equilibria/enumerate/prove.hpp>
+#include <equilibria/io/results/line_events_output.hpp>
+#include <equilibria/io/results/proof_output.hpp>
+#include <equilibria/locus/line/line_events_at_run_time.hpp>
+#include <equilibria/mechanisms/rotating_chain.hpp>
+
+#include "support/joined.hpp"
 #include "support/options.hpp"
 #include "support/output_file.hpp"
 #include "support/progress_bar.hpp"
@@ -22,7 +29,23 @@
 namespace {
 
 using equilibria::Json;
+using equilibria::mechanisms::RuntimeRotatingChain;
 using support::joined;
+
+constexpr int most_links = equilibria::most_angles;
+
+struct Chain {
+    std::vector<double> lengths, masses;
+    double gravity;
+};
+
+struct Options {
+    double low, high;  // of omega
+    std::uint64_t seed;
+    unsigned threads;
+    std::function<void(std::uint64_t done, std::uint64_t all)> progress;
+    bool prove;
+};
 
 /// What the command line says.
 struct Command {
@@ -41,7 +64,8 @@ Command read(int argc, char** argv) {
         "through its first joint (Baillieul, equations 3.1): all angular speeds of a segment at which equilibria are "
         "born, "
         "merge or change their index, and the equilibria between them by index."};
-    app.add_option("--links", c.links, "number of links, 1 to 4 (default 2); four take a minute")
+    app.add_option("--links", c.links,
+                   "number of links, 1 to 16 (default 2); n links have n (n + 1) 4^n paths, four take a minute")
         ->transform(support::integer(1, most_links));
     app.add_option("--lengths", lengths,
                    "length of each link, positive, commas between (default: 1 + i/10, i = 1, 2, ..)")
@@ -70,6 +94,59 @@ Command read(int argc, char** argv) {
     c.options.low = omega.low;
     c.options.high = omega.high;
     return c;
+}
+
+/// Whether a pitchfork is supercritical: its pair lives where the branch has one more negative eigenvalue. The energy
+/// along the null vector is slope (omega - omega_c) x^2 / 2 + fourth x^4 / 24. Nothing where one of them is next to 0.
+std::optional<bool> supercritical(const Chain& chain, double omega, double slope, double fourth) {
+    double size = 0, reach = 0;
+    for (std::size_t k = 0; k < chain.lengths.size(); ++k) {
+        reach += chain.lengths[k];
+        size += chain.masses[k] * reach * (chain.gravity + omega * omega * reach);
+    }
+    if (!(std::abs(fourth) > 1e-9 * size && std::abs(slope) * omega > 1e-9 * size)) return {};
+    return fourth > 0;
+}
+
+/// The equilibria in the middle of each interval, proved: each gets a "proof", with "proved": that its table is the one
+/// of its middle, complete, and each index as it was counted.
+void add_proofs(Json& out, const RuntimeRotatingChain& model,
+                const equilibria::LineEvents<equilibria::RuntimeUnknowns>& found, equilibria::RuntimeArray<double> p,
+                const equilibria::RunOptions& how) {
+    const auto begin = std::chrono::steady_clock::now();
+    for (std::size_t k = 0; k < found.intervals.size(); ++k) {
+        const auto& interval = found.intervals[k];
+        p[2 * model.links] = interval.at;
+        const auto proof = equilibria::prove(model, equilibria::enumerate(model, p, how), {.executor = how.executor});
+        auto& json = out["intervals"][k]["proof"] = equilibria::json_of(proof);
+        json["proved"] = proof.complete && proof.contradictions == 0 && proof.by_index == interval.by_index;
+    }
+    out["proving_seconds"] = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
+
+/// LineEvents as a document. Of pitchforks also "supercritical"; nothing where that cannot be told.
+Json chain_events(const Chain& chain, const Options& options) {
+    const RuntimeRotatingChain model{static_cast<int>(chain.lengths.size())};
+    const int omega = 2 * model.links;
+    equilibria::RuntimeArray<double> p(model.parameters());
+    std::copy(chain.lengths.begin(), chain.lengths.end(), p.begin());
+    std::copy(chain.masses.begin(), chain.masses.end(), p.begin() + model.links);
+    p[omega] = options.low;
+    p[omega + 1] = chain.gravity;
+    equilibria::RunOptions how{
+        .seed = options.seed, .executor = equilibria::threads(options.threads), .progress = options.progress};
+    const auto found = equilibria::find_events(model, p, omega, {options.low, options.high}, how);
+
+    auto out = equilibria::json_of(found, "omega");
+    for (std::size_t k = 0; k < found.events.size(); ++k) {
+        const auto& e = found.events[k];
+        if (e.kind != equilibria::CriticalKind::pitchfork) continue;
+        if (const auto so = supercritical(chain, e.value, e.slope, e.reduced.fourth))
+            out["events"][k]["supercritical"] = *so;
+    }
+    how.progress = nullptr;
+    if (options.prove) add_proofs(out, model, found, p, how);
+    return out;
 }
 
 std::size_t proved(const Json& intervals) {
@@ -140,8 +217,7 @@ int main(int argc, char** argv) {
         if (all == critical_paths) bar->update(done, all);  // not the enumerations between the events, which are short
     };
     try {
-        const Json found =
-            support::for_links<most_links, Json>(c.links, [&](auto n) { return chain_events<n>(c.chain, c.options); });
+        const Json found = chain_events(c.chain, c.options);
         bar.reset();
         if (c.json) c.json->write(equilibria::json_text(document(c.chain, c.options, found)));
         if (!to_stdout(c.json)) print(c.chain, c.options, found);
@@ -155,11 +231,11 @@ int main(int argc, char** argv) {
 // clang-format off
 /* Refused:
 --links 0
-    equilibrium_events: --links 0: must be an integer from 1 to 4
---links 5
-    equilibrium_events: --links 5: must be an integer from 1 to 4
+    equilibrium_events: --links 0: must be an integer from 1 to 16
+--links 17
+    equilibrium_events: --links 17: must be an integer from 1 to 16
 --links 2.5
-    equilibrium_events: --links 2.5: must be an integer from 1 to 4
+    equilibrium_events: --links 2.5: must be an integer from 1 to 16
 --links
     equilibrium_events: --links: must be followed by a value
 --links 2 --links 3

@@ -4,22 +4,32 @@
 //   rotating_chain --links 6 --omega 1.7 --threads 2 --json equilibria.json
 //   rotating_chain --links 3 --prove --digits 100
 //   rotating_chain --links 8 --checkpoint chain.ckpt    (after Ctrl-C, or worse, the same command goes on)
-#include "rotating_chain/chain.hpp"
-
 #include <signal.h>
 
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <complex>
+#include <cstddef>
+#include <cstdint>
 #include <cstdio>
-#include <equilibria/storage/locked_file.hpp>
 #include <exception>
+#include <functional>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "support/links.hpp"
+#include <equilibria/certify/refine_root.hpp>
+#include <equilibria/enumerate/enumerate_at_run_time.hpp>
+#include <equilibria/enumerate/prove.hpp>
+#include <equilibria/io/results/json.hpp>
+#include <equilibria/io/results/proof_output.hpp>
+#include <equilibria/io/results/root_set_output.hpp>
+#include <equilibria/mechanisms/rotating_chain.hpp>
+#include <equilibria/storage/locked_file.hpp>
+
+#include "support/joined.hpp"
 #include "support/options.hpp"
 #include "support/output_file.hpp"
 #include "support/progress_bar.hpp"
@@ -27,7 +37,25 @@
 namespace {
 
 using equilibria::Json;
+using equilibria::mechanisms::RuntimeRotatingChain;
 using support::joined;
+
+constexpr int most_links = equilibria::most_angles;
+
+struct Chain {
+    std::vector<double> lengths, masses;
+    double omega, gravity;
+};
+
+struct Options {
+    std::uint64_t seed;
+    unsigned threads;
+    std::function<void(std::uint64_t done, std::uint64_t all)> progress;
+    std::string checkpoint;
+    const std::atomic<bool>* cancel;
+    bool prove;
+    int digits;  // 0: none
+};
 
 /// What the command line says.
 struct Command {
@@ -44,9 +72,10 @@ Command read(int argc, char** argv) {
     CLI::App app{
         "Every equilibrium of a chain of massless links with point masses, hanging in a plane that turns about the "
         "vertical through its first joint (Baillieul, equations 3.1), with its index: the number of directions in "
-        "which "
-        "it is unstable."};
-    app.add_option("--links", c.links, "number of links, 1 to 8 (default 2)")
+        "which it is unstable."};
+    app.add_option(
+           "--links", c.links,
+           "number of links, 1 to 16 (default 2); the memory, 450 bytes for each of the 4^links roots, sets the limit")
         ->transform(support::integer(1, most_links));
     app.add_option("--lengths", lengths, "length of each link, positive, commas between (default: all 1)")
         ->transform(support::positive_list([&c] { return c.links; }));
@@ -74,6 +103,54 @@ Command read(int argc, char** argv) {
     c.chain.lengths = app.count("--lengths") > 0 ? lengths.values : ones;
     c.chain.masses = app.count("--masses") > 0 ? masses.values : ones;
     return c;
+}
+
+struct Result {
+    equilibria::PathCounts paths;
+    Json json;  // of the RootSet, with what is proved and the digits
+};
+
+void add_digits(Json& equilibria, const RuntimeRotatingChain& model,
+                const equilibria::RootSet<equilibria::RuntimeUnknowns>& found, int digits) {
+    for (std::size_t k = 0; k < found.equilibria.size(); ++k) {
+        const auto& at = found.equilibria[k].q;
+        equilibria::RuntimeArray<std::complex<double>> q(at.size());
+        std::copy(at.begin(), at.end(), q.begin());
+        const auto refined = equilibria::refine(model, q, found.parameters, digits);
+        equilibria[k]["angles_in_digits"] = equilibria::json_list(refined.real);
+        equilibria[k]["digits_proved"] = refined.proved;
+        equilibria[k]["digits_error"] = refined.error;
+    }
+}
+
+Result enumerate(const Chain& chain, const Options& options) {
+    const int links = static_cast<int>(chain.lengths.size());
+    const RuntimeRotatingChain model{links};
+    equilibria::RuntimeArray<double> p(model.parameters());
+    std::copy(chain.lengths.begin(), chain.lengths.end(), p.begin());
+    std::copy(chain.masses.begin(), chain.masses.end(), p.begin() + links);
+    p[2 * links] = chain.omega;
+    p[2 * links + 1] = chain.gravity;
+    const auto found = equilibria::enumerate(model, p,
+                                             {.seed = options.seed,
+                                              .executor = equilibria::threads(options.threads),
+                                              .progress = options.progress,
+                                              .checkpoint = options.checkpoint,
+                                              .cancel = options.cancel});
+    Result result{found.paths, equilibria::json_of(found, {.roots = false})};
+    auto& out = result.json;
+    out["complete"] = false;
+    out["reason"] = "nothing was proved: --prove was not given";
+    if (options.prove) {
+        const auto proof = equilibria::prove(model, found, {.executor = equilibria::threads(options.threads)});
+        equilibria::add_proof(out, proof);
+        equilibria::add_certificates(out["equilibria"], proof);
+        // names of before
+        out["bound"] = proof.bound ? proof.bound->value : 0;
+        out["more_digits"] = proof.more_digits;
+    }
+    if (options.digits > 0) add_digits(out["equilibria"], model, found, options.digits);
+    return result;
 }
 
 Json document(const Chain& chain, const Options& options, const Json& result) {
@@ -123,8 +200,7 @@ void print_verdicts(const Json& r) {
     if (singular > 0 || degenerate > 0)
         std::printf(
             "DEGENERATE: the number of equilibria changes here, or they form curves; the numbers by index leave out "
-            "the "
-            "%llu degenerate ones.\n",
+            "the %llu degenerate ones.\n",
             degenerate);
     if (singular == 0 && failed == 0 && r["finite"] != r["distinct"])
         std::printf("INCOMPLETE: %llu paths ended on another's root.\n", count(r["finite"]) - count(r["distinct"]));
@@ -181,8 +257,7 @@ int main(int argc, char** argv) {
     c.options.cancel = &cancelled;
     cancel_on_interrupt();
     try {
-        const auto result = support::for_links<most_links, ChainResult>(
-            c.links, [&](auto n) { return enumerate_chain<n>(c.chain, c.options); });
+        const Result result = enumerate(c.chain, c.options);
         bar.reset();
         if (result.paths.cancelled > 0) return interrupted(result.paths, c.options.checkpoint);
         if (c.json) c.json->write(equilibria::json_text(document(c.chain, c.options, result.json)));
@@ -198,11 +273,11 @@ int main(int argc, char** argv) {
 // clang-format off
 /* Refused:
 --links 0
-    rotating_chain: --links 0: must be an integer from 1 to 8
---links 9
-    rotating_chain: --links 9: must be an integer from 1 to 8
+    rotating_chain: --links 0: must be an integer from 1 to 16
+--links 17
+    rotating_chain: --links 17: must be an integer from 1 to 16
 --links 2.5
-    rotating_chain: --links 2.5: must be an integer from 1 to 8
+    rotating_chain: --links 2.5: must be an integer from 1 to 16
 --links
     rotating_chain: --links: must be followed by a value
 --links 2 --links 3

@@ -12,6 +12,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -56,16 +57,19 @@ constexpr std::vector<PolynomialOf<M, C>> symbolic_equations(const Parameters<M,
 
 /// Generic parameters: in [0.25, 1), 53 random bits each (splitmix64), so that no relation with small integers holds,
 /// as p_0 - 2 p_1 + p_2 = 0 does for any arithmetic sequence.
-template <class M>
-constexpr Parameters<M> generic_parameters() {
-    Parameters<M> p;
+constexpr void set_generic(std::span<double> parameters) {
     std::uint64_t state = 0;
-    for (double& value : p) {
+    for (double& value : parameters) {
         std::uint64_t z = state += 0x9e3779b97f4a7c15;
         z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9;
         z = (z ^ (z >> 27)) * 0x94d049bb133111eb;
         value = 0.25 + 0.75 * (static_cast<double>((z ^ (z >> 31)) >> 11) * 0x1p-53);
     }
+}
+template <class M>
+constexpr Parameters<M> generic_parameters() {
+    Parameters<M> p;
+    set_generic({p.begin(), p.end()});
     return p;
 }
 

@@ -5,10 +5,11 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdlib>
 #include <vector>
 
 #include <equilibria/algebra/formulation.hpp>
-#include <equilibria/algebra/runtime_polynomial.hpp>
+#include <equilibria/algebra/runtime_equations.hpp>
 #include <equilibria/core/dual.hpp>
 #include <equilibria/core/error.hpp>
 #include <equilibria/core/exact_ball.hpp>
@@ -89,6 +90,18 @@ struct ExactTerms {
     std::vector<Term> terms;
     std::vector<Factor> factors;
 
+    /// Total degree of each equation in (cos, sin) and the coordinates; 0 of one that vanishes.
+    std::vector<int> degrees() const {
+        std::vector<int> y(static_cast<std::size_t>(sizes.unknowns));
+        for (const auto& t : terms) {
+            int degree = 0;
+            for (int k = t.first; k < t.last; ++k) degree += std::abs(factors[static_cast<std::size_t>(k)].code);
+            int& largest = y[static_cast<std::size_t>(t.equation)];
+            largest = std::max(largest, degree);
+        }
+        return y;
+    }
+
     ExactTerms() = default;
     template <class M>
     ExactTerms(const ExactSystem<M>& system) : sizes(Sizes<M>()), symmetric(PotentialModel<M>) {
@@ -114,6 +127,18 @@ struct ExactTerms {
         }
     }
 };
+
+/// The equations of a model at run time at the parameters p, exactly. Throws InvalidArgument where the model is no
+/// trigonometric polynomial there, or a parameter is not finite.
+template <RuntimeModel T>
+ExactTerms exact_terms(const T& model, const RuntimeArray<double>& p) {
+    require_finite(p, "parameters");
+    RuntimeArray<ExactBall> exact(p.size());
+    for (int k = 0; k < p.size(); ++k) exact[k] = p[k];
+    ExactTerms y(detail::symbolic_equations<ExactBall>(model, exact), sizes_of(model));
+    y.symmetric = RuntimePotentialModel<T>;
+    return y;
+}
 
 /// The system for all values of some parameters in intervals, and its derivatives by those parameters.
 template <class M, int N>

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <optional>
@@ -24,23 +25,28 @@ struct ProvedBound {
 /// The total degree of the equations in (cos, sin) with the circle equations: by Bezout's theorem the number of roots
 /// in affine space, each counted with its multiplicity and each component of positive dimension with its degree, is at
 /// most that. Nothing where an equation vanishes identically, or the number does not fit.
-template <Model M>
-std::optional<ProvedBound> total_degree_bound(const ExactSystem<M>& system) {
+inline std::optional<ProvedBound> total_degree_bound(const ExactTerms& system) {
     PathCount bound{1, false};
     const auto degrees = system.degrees();
-    for (int i = 0; i < n_unknowns<M>; ++i) {
-        if (degrees[i] == 0) return {};
-        bound = bound * PathCount{static_cast<std::int64_t>(degrees[i]) * (i < n_angles<M> ? 2 : 1), false};
+    for (int i = 0; i < system.sizes.unknowns; ++i) {
+        const int degree = degrees[static_cast<std::size_t>(i)];
+        if (degree == 0) return {};
+        bound = bound * PathCount{static_cast<std::int64_t>(degree) * (i < system.sizes.angles ? 2 : 1), false};
     }
     if (bound.saturated) return {};
     return ProvedBound{static_cast<std::uint64_t>(bound.value), "total degree", "Bezout's"};
+}
+
+template <Model M>
+std::optional<ProvedBound> total_degree_bound(const ExactSystem<M>& system) {
+    return total_degree_bound(ExactTerms(system));
 }
 
 /// The smallest bound that the library knows: the total degree, a multihomogeneous Bezout number, or, of one or two
 /// angles, Bernstein's mixed volume.
 template <Model M>
 std::optional<ProvedBound> smallest_proved_bound(const ExactSystem<M>& system) {
-    auto bound = total_degree_bound(system);
+    auto bound = total_degree_bound<M>(system);
     if (!bound) return bound;
     if (system.within_support()) {
         const auto other = smallest_multihomogeneous_number<M>().number;

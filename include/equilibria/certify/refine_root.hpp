@@ -51,6 +51,17 @@ RefinedRoot<M> refine(const Array<std::complex<double>, n_unknowns<M>>& q, const
     return out;
 }
 
+/// The same of a model at run time.
+template <RuntimeModel T>
+RefinedRoot<RuntimeUnknowns> refine(const T& model, const RuntimeArray<std::complex<double>>& q,
+                                    const RuntimeArray<double>& p, int digits) {
+    require(digits >= 1 && digits <= 1000, "digits", digits, "must be 1 to 1000");
+    const ExactTerms exact = exact_terms(model, p);
+    require(q.size() == exact.sizes.unknowns, "q", q.size(), "must be a number for each unknown");
+    for (const auto& z : q) require(std::isfinite(z.real()) && std::isfinite(z.imag()), "q", z, "must be finite");
+    return detail::refine_root(exact, {q.begin(), q.end()}, digits);
+}
+
 }  // namespace equilibria
 
 #ifndef EQUILIBRIA_COMPILED

@@ -33,15 +33,15 @@ Alarms alarms_of(const RootPartners& partners, bool symmetric);
 
 /// The tests that cost no path, done on the set as it is. set.alarms is not read: `enumerate` stores there what this
 /// returns. The trace test comes out as not applied.
-template <Model M>
+template <class M>
 Alarms check_alarms(const RootSet<M>& set, const Executor& executor = {}) {
     std::vector<detail::RootView> roots;
     roots.reserve(set.roots.size());
     for (const auto& root : set.roots) roots.push_back(detail::view(root));
     Alarms y =
-        detail::alarms_of(detail::find_partners(Sizes<M>(), roots, executor), Formulation<M>::reflection_symmetric);
-    y.poincare_hopf =
-        detail::poincare_hopf(set.by_index(), n_coordinates<M> == 0, set.degenerate() == 0 && set.paths.singular == 0);
+        detail::alarms_of(detail::find_partners(set.model.sizes, roots, executor), set.model.reflection_symmetric);
+    y.poincare_hopf = detail::poincare_hopf(set.by_index(), set.model.sizes.coordinates == 0,
+                                            set.degenerate() == 0 && set.paths.singular == 0);
     return y;
 }
 

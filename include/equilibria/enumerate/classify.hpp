@@ -10,6 +10,7 @@
 #include <limits>
 #include <memory>
 #include <span>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -89,15 +90,15 @@ private:
     std::unique_ptr<Workspace> with_;
 };
 
-template <Model M>
+template <class M>
 double largest_imaginary(const Root<M>& root) {
     double y = 0;
     for (const auto& q : root.q) y = std::max(y, std::abs(q.imag()));
     return y;
 }
 /// The equilibrium at q, the real root that a root is.
-template <Model M>
-Equilibrium<M> equilibrium_of(const Root<M>& root, const Unknowns<M>& q, const Classification& found) {
+template <class M>
+Equilibrium<M> equilibrium_of(const Root<M>& root, const UnknownArray<M, double>& q, const Classification& found) {
     Equilibrium<M> e;
     e.q = q;
     e.energy = found.energy;
@@ -113,22 +114,25 @@ Equilibrium<M> equilibrium_of(const Root<M>& root, const Unknowns<M>& q, const C
 }
 
 /// The real roots among roots, classified.
-template <Model M>
+template <class M>
 struct RealRoots {
     std::vector<Equilibrium<M>> equilibria;  ///< by index, then nullity, then path
     /// The largest imaginary part among the real roots, the smallest among the others (infinity where there are none).
     double largest_real_imaginary = 0, smallest_nonreal_imaginary = std::numeric_limits<double>::infinity();
 };
 
-template <Model M>
-RealRoots<M> classify(const std::vector<Root<M>>& roots, const Parameters<M>& p, const Executor& executor) {
-    const RealModelEquations<M> equations(p);
+template <class M>
+RealRoots<M> classify(const std::vector<Root<M>>& roots, const RealEquations& equations, const Executor& executor) {
     std::vector<std::uint8_t> real(roots.size());
-    std::vector<Unknowns<M>> at(roots.size());
+    std::vector<UnknownArray<M, double>> at(roots.size());
     executor.for_blocks(roots.size(), 4096, [&](std::size_t first, std::size_t last) {
         RootClassifier classifier(equations);
-        for (std::size_t k = first; k < last; ++k)
-            real[k] = classifier.is_real(view(roots[k]), {at[k].begin(), at[k].end()});
+        for (std::size_t k = first; k < last; ++k) {
+            UnknownArray<M, double> q{};
+            if constexpr (std::is_same_v<M, RuntimeUnknowns>) q.resize(equations.sizes.unknowns);
+            real[k] = classifier.is_real(view(roots[k]), {q.begin(), q.end()});
+            if (real[k]) at[k] = std::move(q);
+        }
     });
     RootClassifier classifier(equations);
     RealRoots<M> y;

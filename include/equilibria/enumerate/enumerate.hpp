@@ -23,18 +23,20 @@ namespace equilibria {
 
 namespace detail {
 
-/// The way from a start to a root set, the same for every start: paths, their account, roots, families, equilibria,
-/// alarms.
-template <Model M, class StartSystem>
-RootSet<M> enumerate_from(const ModelSystem<M>& target, const StartSystem& start, const RunOptions& run,
-                          const TrackerOptions& options, MoreDigits<> resort = nullptr) {
-    const detail::Stopwatch begin;
-    const PolynomialHomotopy homotopy = model_homotopy(target, start);
-    auto paths = track_paths(homotopy, model_problem<M>(start, target.parameters, run), run, options, resort);
+/// The way from tracked paths to a root set: their account, roots, families, equilibria, alarms.
+template <class M>
+RootSet<M> root_set_of(PathSet paths, const ParameterArray<M, double>& p, const ModelProperties<M>& model,
+                       const PolynomialHomotopy& homotopy, const RealEquations& equations, const RunOptions& run) {
     auto [counts, failures] = account_for<M>(paths);
-    auto [isolated, families, regular_paths] = split_families(merge<M>(paths), homotopy, run.executor);
-    auto real = classify(isolated, target.parameters, run.executor);
-    RootSet<M> set{.parameters = target.parameters,
+    const double tracking_seconds = paths.effort.tracking_seconds;
+    std::vector<Root<M>> roots;
+    {
+        PathSet done = std::move(paths);  // many paths have large records
+        roots = merge<M>(done);
+    }
+    auto [isolated, families, regular_paths] = split_families(std::move(roots), homotopy, run.executor);
+    auto real = classify(isolated, equations, run.executor);
+    RootSet<M> set{.parameters = p,
                    .seed = run.seed,
                    .paths = counts.with_singular(regular_paths),
                    .roots = std::move(isolated),
@@ -44,9 +46,21 @@ RootSet<M> enumerate_from(const ModelSystem<M>& target, const StartSystem& start
                    .alarms = {},
                    .largest_real_imaginary = real.largest_real_imaginary,
                    .smallest_nonreal_imaginary = real.smallest_nonreal_imaginary,
-                   .tracking_seconds = paths.effort.tracking_seconds,
-                   .seconds = 0};
+                   .tracking_seconds = tracking_seconds,
+                   .seconds = 0,
+                   .model = model};
     set.alarms = check_alarms(set, run.executor);
+    return set;
+}
+
+template <Model M, class StartSystem>
+RootSet<M> enumerate_from(const ModelSystem<M>& target, const StartSystem& start, const RunOptions& run,
+                          const TrackerOptions& options, MoreDigits<> resort = nullptr) {
+    const detail::Stopwatch begin;
+    const PolynomialHomotopy homotopy = model_homotopy(target, start);
+    auto paths = track_paths(homotopy, model_problem<M>(start, target.parameters, run), run, options, resort);
+    auto set = root_set_of<M>(std::move(paths), target.parameters, {}, homotopy,
+                              RealModelEquations<M>(target.parameters), run);
     set.seconds = begin.seconds();
     return set;
 }

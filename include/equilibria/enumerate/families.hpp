@@ -2,7 +2,6 @@
 /// Which roots of an enumeration lie on families of solutions.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <complex>
 #include <cstddef>
@@ -45,7 +44,7 @@ std::vector<FoundFamily> find_families(const PolynomialHomotopy& homotopy,
 inline constexpr double suspect_condition = 1e5;
 
 /// The roots that are isolated, and the families that the others lie on.
-template <Model M>
+template <class M>
 struct RootFamilies {
     std::vector<Root<M>> isolated;    ///< in the order of the roots
     std::vector<Family<M>> families;  ///< surfaces first, then by path
@@ -53,7 +52,7 @@ struct RootFamilies {
 };
 
 /// Tells the roots that lie on families of solutions from those that are isolated. homotopy: to the model's system.
-template <Model M>
+template <class M>
 RootFamilies<M> split_families(std::vector<Root<M>> roots, const PolynomialHomotopy& homotopy,
                                const Executor& executor) {
     std::vector<std::size_t> suspects;
@@ -68,11 +67,7 @@ RootFamilies<M> split_families(std::vector<Root<M>> roots, const PolynomialHomot
         y.isolated = std::move(roots);
         return y;
     }
-    const auto unknowns = [](const FoundFamily::Vector& q) {
-        typename FamilyPoint<M>::Vector numbers;
-        std::copy(q.begin(), q.end(), numbers.begin());
-        return numbers;
-    };
+    const auto unknowns = [](const FoundFamily::Vector& q) { return typed<M>(RuntimeArray<std::complex<double>>(q)); };
     std::vector<bool> on_family(roots.size());
     for (const FoundFamily& found : find_families(homotopy, solutions, executor)) {
         Family<M> family{found.dimension, std::nullopt, {}};
@@ -88,8 +83,9 @@ RootFamilies<M> split_families(std::vector<Root<M>> roots, const PolynomialHomot
             family.points.push_back(point);
         }
         if (found.real_point) {
-            Unknowns<M>& real = family.real_point.emplace();
-            for (int u = 0; u < n_unknowns<M>; ++u) real[u] = (*found.real_point)[static_cast<std::size_t>(u)].real();
+            RuntimeArray<double> real(homotopy.sizes().unknowns);
+            for (int u = 0; u < real.size(); ++u) real[u] = (*found.real_point)[static_cast<std::size_t>(u)].real();
+            family.real_point = typed<M>(std::move(real));
         }
         y.families.push_back(std::move(family));
     }

@@ -8,16 +8,15 @@
 #include <string>
 #include <vector>
 
-#include <equilibria/core/array.hpp>
 #include <equilibria/core/compiled.hpp>
-#include <equilibria/model/equations.hpp>
+#include <equilibria/model/sizes.hpp>
 
 namespace equilibria {
 
 /// An endpoint of paths that lies on a family, and what shows it.
-template <Model M>
+template <class M>
 struct FamilyPoint {
-    using Vector = Array<std::complex<double>, n_unknowns<M>>;
+    using Vector = UnknownArray<M, std::complex<double>>;
 
     Vector q;                     ///< complex angles, radians, then the plain coordinates
     int nullity = 0;              ///< of the Jacobian there; more than the dimension where families cross, say
@@ -32,10 +31,10 @@ struct FamilyPoint {
 
 /// A family of solutions. Points are of one family where a walk on it leads from one to the other: what no walk
 /// connected may be one family all the same, so that the number of families is an upper bound.
-template <Model M>
+template <class M>
 struct Family {
     int dimension = 0;  ///< complex dimension: 1 a curve, 2 a surface
-    std::optional<Unknowns<M>>
+    std::optional<UnknownArray<M, double>>
         real_point;                      ///< a real point with real neighbours in as many directions, if one was found
     std::vector<FamilyPoint<M>> points;  ///< the endpoints on it, by path
 
@@ -61,7 +60,7 @@ std::string summary(const std::vector<FamilySummary>& families);
 }  // namespace detail
 
 /// "a real curve of solutions (18 paths)"; many families of a kind are counted.
-template <Model M>
+template <class M>
 std::string summary(const std::vector<Family<M>>& families) {
     std::vector<detail::FamilySummary> all;
     for (const auto& family : families) all.push_back({family.dimension, family.real(), family.paths()});

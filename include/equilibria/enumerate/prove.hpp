@@ -14,6 +14,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <equilibria/certify/certificate.hpp>
@@ -80,6 +81,23 @@ struct RootsToProve {
 };
 ProofOfRoots prove_roots(const RootsToProve& set, const RunOptions& run, const ProveOptions& options);
 
+/// equations: those of the model at the parameters of the set.
+template <class M>
+ProofOfRoots prove_set(const RootSet<M>& set, const ExactTerms& equations,
+                       std::function<std::optional<ProvedBound>()> smallest_bound, const RunOptions& run,
+                       const ProveOptions& options) {
+    RootsToProve task{.equations = equations,
+                      .roots = {},
+                      .equilibria = {},
+                      .bound = total_degree_bound(equations),
+                      .smallest_bound = std::move(smallest_bound)};
+    task.roots.reserve(set.roots.size());
+    for (const auto& root : set.roots)
+        task.roots.push_back({{root.q.begin(), root.q.end()}, root.path, root.status == PathStatus::singular});
+    for (const auto& e : set.equilibria) task.equilibria.push_back({e.path, e.index, e.degenerate()});
+    return prove_roots(task, run, options);
+}
+
 }  // namespace detail
 
 /// Proves what can be proved of the roots of an enumeration. Throws InvalidArgument for options out of range, and for a
@@ -89,16 +107,17 @@ Proof<M> prove(const RootSet<M>& set, const RunOptions& run = {}, const ProveOpt
     options.validate();
     run.require_whole("a proof");
     const auto exact = ExactSystem<M>::at(set.parameters);
-    detail::RootsToProve task{.equations = exact,
-                              .roots = {},
-                              .equilibria = {},
-                              .bound = total_degree_bound<M>(exact),
-                              .smallest_bound = [&] { return smallest_proved_bound<M>(exact); }};
-    task.roots.reserve(set.roots.size());
-    for (const auto& root : set.roots)
-        task.roots.push_back({{root.q.begin(), root.q.end()}, root.path, root.status == PathStatus::singular});
-    for (const auto& e : set.equilibria) task.equilibria.push_back({e.path, e.index, e.degenerate()});
-    return {detail::prove_roots(task, run, options)};
+    return {detail::prove_set(set, exact, [&] { return smallest_proved_bound<M>(exact); }, run, options)};
+}
+
+/// The same of the roots of a model at run time: none is missing where they are as many as the total degree.
+template <RuntimeModel T>
+ProofOfRoots prove(const T& model, const RootSet<RuntimeUnknowns>& set, const RunOptions& run = {},
+                   const ProveOptions& options = {}) {
+    options.validate();
+    run.require_whole("a proof");
+    const ExactTerms exact = exact_terms(model, set.parameters);
+    return detail::prove_set(set, exact, [&] { return total_degree_bound(exact); }, run, options);
 }
 
 }  // namespace equilibria

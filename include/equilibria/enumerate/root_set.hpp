@@ -9,22 +9,21 @@
 #include <string>
 #include <vector>
 
-#include <equilibria/algebra/formulation.hpp>
 #include <equilibria/core/compiled.hpp>
 #include <equilibria/enumerate/alarm.hpp>
 #include <equilibria/enumerate/count_verdict.hpp>
 #include <equilibria/enumerate/family.hpp>
-#include <equilibria/model/equations.hpp>
+#include <equilibria/enumerate/model_properties.hpp>
 #include <equilibria/paths/path_counts.hpp>
 #include <equilibria/paths/root.hpp>
 
 namespace equilibria {
 
-/// A real root, classified.
-template <Model M>
+/// A real root, classified. M: the model, or RuntimeUnknowns.
+template <class M>
 struct Equilibrium {
-    Unknowns<M> q;      ///< angles in (-pi, pi], radians; then the plain coordinates
-    double energy = 0;  ///< the potential there; NaN for models without one
+    UnknownArray<M, double> q;  ///< angles in (-pi, pi], radians; then the plain coordinates
+    double energy = 0;          ///< the potential there; NaN for models without one
     /// Negative eigenvalues of the Hessian. Of a model without a potential, eigenvalues of dF/dq with a negative real
     /// part: those with which dq/dt = -F(q) departs. Where F are polynomials in any order and sign, that is no number
     /// of theirs.
@@ -53,9 +52,10 @@ struct RootSetSummary {
 std::ostream& write(std::ostream& out, const RootSetSummary& set);
 }  // namespace detail
 
-template <Model M>
+/// M: the model, or RuntimeUnknowns.
+template <class M>
 struct RootSet {
-    Parameters<M> parameters;
+    ParameterArray<M, double> parameters;
     std::uint64_t seed = 0;
     PathCounts paths;
     std::vector<Root<M>> roots;              ///< distinct and isolated, by path number
@@ -67,6 +67,7 @@ struct RootSet {
     /// others (infinity where there are none).
     double largest_real_imaginary = 0, smallest_nonreal_imaginary = 0;
     double tracking_seconds = 0, seconds = 0;
+    [[no_unique_address]] ModelProperties<M> model{};
 
     std::uint64_t distinct() const { return roots.size(); }
     std::uint64_t real() const { return equilibria.size(); }
@@ -78,14 +79,15 @@ struct RootSet {
     /// that ran into each other are not told apart.
     bool cancelled() const { return paths.cancelled > 0; }
     CountVerdict verdict() const {
-        return {&paths, &alarms, distinct(), degenerate(), by_index(), n_coordinates<M> == 0 && PotentialModel<M>};
+        return {&paths,       &alarms,    distinct(),
+                degenerate(), by_index(), model.sizes.coordinates == 0 && model.has_potential};
     }
     /// Whether nothing speaks against the count of equilibria, see CountVerdict.
     bool clean() const { return verdict().clean(); }
 
     /// Nondegenerate equilibria of each index 0 .. n (see Equilibrium).
     std::vector<std::int64_t> by_index() const {
-        std::vector<std::int64_t> counts(static_cast<std::size_t>(n_unknowns<M>) + 1);
+        std::vector<std::int64_t> counts(static_cast<std::size_t>(model.sizes.unknowns) + 1);
         for (const auto& e : equilibria)
             if (!e.degenerate()) ++counts[static_cast<std::size_t>(e.index)];
         return counts;
@@ -98,9 +100,9 @@ struct RootSet {
         std::uint64_t on_families = 0;
         for (const auto& family : set.families) on_families += family.paths();
         // polynomials in plain coordinates come in any order and sign: their Jacobian's eigenvalues mean nothing
-        const std::string counted = PotentialModel<M>  ? "index"
-                                    : n_angles<M> == 0 ? ""
-                                                       : "unstable eigenvalues of dq/dt = -F(q)";
+        const std::string counted = set.model.has_potential       ? "index"
+                                    : set.model.sizes.angles == 0 ? ""
+                                                                  : "unstable eigenvalues of dq/dt = -F(q)";
         return detail::write(out, {set.verdict(), set.real(), counted, summary(set.families), on_families});
     }
 };

@@ -54,6 +54,10 @@ void copy_lane(const Point<M, R>& a, int from, Point<N, Q>& b, int to) {
 }
 
 /// The same point, with its numbers of unknowns at run time.
+template <class R>
+RuntimePoint<R> runtime_point(RuntimePoint<R> q) {
+    return q;
+}
 template <class M, class R>
 RuntimePoint<R> runtime_point(const Point<M, R>& q) {
     const auto entries = [](const auto& a) {

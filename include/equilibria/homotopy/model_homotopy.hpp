@@ -9,49 +9,92 @@
 
 #include <equilibria/evaluation/point.hpp>
 #include <equilibria/homotopy/polynomial_homotopy.hpp>
-#include <equilibria/start/start.hpp>
+#include <equilibria/model/runtime_model.hpp>
+#include <equilibria/start/total_degree_start.hpp>
 #include <equilibria/system/model_system.hpp>
+#include <equilibria/system/runtime_formulation.hpp>
 #include <equilibria/system/sparse_system.hpp>
 
 namespace equilibria {
 
 namespace detail {
 
-/// The model's own function at points, in lanes and alone.
-template <Model M>
-class ModelEquations : public OwnEquations {
+/// Numbers of OwnEquations::at, at points number `first` on, as many as R has lanes.
+struct PointNumbers {
+    int width, first;
+
+    template <class R>
+    void read(const double* from, int i, Complex<R>& z) const {
+        std::memcpy(&z.re, from + 2 * i * width + first, sizeof(R));
+        std::memcpy(&z.im, from + (2 * i + 1) * width + first, sizeof(R));
+    }
+    template <class R>
+    void write(const Complex<R>& z, double* to, int i) const {
+        std::memcpy(to + 2 * i * width + first, &z.re, sizeof(R));
+        std::memcpy(to + (2 * i + 1) * width + first, &z.im, sizeof(R));
+    }
+};
+
+/// Of a model `Of`: angles<Z>() and coordinates<Z>(), arrays of the model's, and values(theta, x).
+template <class Of>
+class OwnEquationsOf final : public OwnEquations {
 public:
-    explicit ModelEquations(const Parameters<M>& p) : p_(p) {}
+    explicit OwnEquationsOf(Of of) : of_(std::move(of)) {}
 
     void at(int width, const double* c, const double* s, const double* x, double* f) const override {
-        using Pack = Lanes<native_lanes>;
+        const auto some = [&]<class R>(R, int first) {
+            const PointNumbers numbers{width, first};
+            auto theta = of_.template angles<Complex<R>>();
+            auto coordinates = of_.template coordinates<Complex<R>>();
+            for (int i = 0; i < theta.size(); ++i) numbers.read(c, i, theta[i].c), numbers.read(s, i, theta[i].s);
+            for (int j = 0; j < coordinates.size(); ++j) numbers.read(x, j, coordinates[j]);
+            const auto values = of_.values(theta, coordinates);
+            for (int i = 0; i < theta.size() + coordinates.size(); ++i) numbers.write(values[i], f, i);
+        };
         int k = 0;
-        for (; k + native_lanes <= width; k += native_lanes) evaluate<Pack>(width, k, c, s, x, f);
-        for (; k < width; ++k) evaluate<double>(width, k, c, s, x, f);
+        for (; k + native_lanes <= width; k += native_lanes) some(Lanes<native_lanes>{}, k);
+        for (; k < width; ++k) some(0.0, k);
     }
 
 private:
-    /// At points number k to k + (lanes of R).
-    template <class R>
-    void evaluate(int width, int k, const double* c, const double* s, const double* x, double* f) const {
-        const auto number = [&](const double* from, int i) {
-            Complex<R> z;
-            std::memcpy(&z.re, from + 2 * i * width + k, sizeof(R));
-            std::memcpy(&z.im, from + (2 * i + 1) * width + k, sizeof(R));
-            return z;
-        };
-        AnglesOf<M, Complex<R>> theta;
-        CoordinatesOf<M, Complex<R>> coordinates;
-        for (int i = 0; i < n_angles<M>; ++i) theta[i] = {number(c, i), number(s, i)};
-        for (int j = 0; j < n_coordinates<M>; ++j) coordinates[j] = number(x, j);
-        const auto values = equations_at<M, Complex<R>>(theta, coordinates, p_);
-        for (int i = 0; i < n_unknowns<M>; ++i) {
-            const Complex<R> value = values[i];
-            std::memcpy(f + 2 * i * width + k, &value.re, sizeof(R));
-            std::memcpy(f + (2 * i + 1) * width + k, &value.im, sizeof(R));
-        }
+    Of of_;
+};
+
+template <Model M>
+struct ModelValues {
+    Parameters<M> p;
+
+    template <class Z>
+    AnglesOf<M, Z> angles() const {
+        return {};
     }
-    Parameters<M> p_;
+    template <class Z>
+    CoordinatesOf<M, Z> coordinates() const {
+        return {};
+    }
+    template <class Z>
+    Unknowns<M, Z> values(const AnglesOf<M, Z>& theta, const CoordinatesOf<M, Z>& x) const {
+        return equations_at<M, Z>(theta, x, p);
+    }
+};
+template <RuntimeModel T>
+struct RuntimeModelValues {
+    T model;
+    RuntimeSizes sizes;
+    RuntimeArray<double> p;
+
+    template <class Z>
+    RuntimeArray<CircleAngle<Z>> angles() const {
+        return RuntimeArray<CircleAngle<Z>>(sizes.angles);
+    }
+    template <class Z>
+    RuntimeArray<Z> coordinates() const {
+        return RuntimeArray<Z>(sizes.coordinates);
+    }
+    template <class Z>
+    RuntimeArray<Z> values(const RuntimeArray<CircleAngle<Z>>& theta, const RuntimeArray<Z>& x) const {
+        return equations_at(model, theta, x, p);
+    }
 };
 
 }  // namespace detail
@@ -71,9 +114,25 @@ PolynomialHomotopy model_homotopy(const ModelSystem<M>& target, const StartSyste
     parts.scale.assign(target.scale.begin(), target.scale.end());
     // with a potential the Jacobian is complex symmetric
     parts.symmetric = Formulation<M>::has_potential;
-    parts.own = std::make_shared<detail::ModelEquations<M>>(target.parameters);
+    parts.own =
+        std::make_shared<detail::OwnEquationsOf<detail::ModelValues<M>>>(detail::ModelValues<M>{target.parameters});
     parts.degrees.assign(Formulation<M>::degrees.begin(), Formulation<M>::degrees.end());
     return PolynomialHomotopy(std::move(parts));
+}
+
+/// The same of a model at run time, from a start of such a model.
+template <RuntimeModel T>
+PolynomialHomotopy model_homotopy(const T& model, const RuntimeModelSystem& target, const TotalDegreeStart& start) {
+    return PolynomialHomotopy(
+        {.sizes = target.formulation->sizes(),
+         .terms = target.terms,
+         .from = {},
+         .forms = {.terms = start.system().terms(), .products = {}},
+         .scale = target.scale,
+         .symmetric = target.formulation->has_potential(),
+         .own = std::make_shared<detail::OwnEquationsOf<detail::RuntimeModelValues<T>>>(
+             detail::RuntimeModelValues<T>{model, target.formulation->sizes(), target.parameters}),
+         .degrees = target.formulation->degrees()});
 }
 
 }  // namespace equilibria

@@ -8,6 +8,20 @@
 
 namespace equilibria::mechanisms {
 
+namespace detail {
+/// Of so many links. Parameters p: as of RotatingChain.
+constexpr auto rotating_chain_potential(int links, const auto& theta, const auto& p) {
+    const auto &omega = p[2 * links], &gravity = p[2 * links + 1];
+    scalar_of<decltype(theta)> x{}, z{}, v{};
+    for (int k = 0; k < links; ++k) {
+        x += p[k] * sin(theta[k]);
+        z += p[k] * cos(theta[k]);
+        v -= p[links + k] * (0.5 * omega * omega * x * x + gravity * z);
+    }
+    return v;
+}
+}  // namespace detail
+
 /// N links of lengths l_i with mass m_i at the end of each, angular speed omega, gravity g. The angles are measured
 /// from the hanging vertical, in radians. With X_k = sum_{j<=k} l_j sin theta_j and mass m_k at depth
 /// Z_k = sum_{j<=k} l_j cos theta_j, V = -1/2 omega^2 sum m_k X_k^2 - g sum m_k Z_k.
@@ -20,14 +34,17 @@ struct RotatingChain {
     static constexpr int length = 0, mass = N, omega = 2 * N, gravity = 2 * N + 1, n_parameters = 2 * N + 2;
 
     constexpr auto potential(const auto& theta, const auto& p) const {
-        scalar_of<decltype(theta)> x{}, z{}, v{};
-        for (int k = 0; k < N; ++k) {
-            x += p[length + k] * sin(theta[k]);
-            z += p[length + k] * cos(theta[k]);
-            v -= p[mass + k] * (0.5 * p[omega] * p[omega] * x * x + p[gravity] * z);
-        }
-        return v;
+        return detail::rotating_chain_potential(N, theta, p);
     }
+};
+
+/// The same of a number of links that is known at run time, with the same parameters.
+struct RuntimeRotatingChain {
+    int links;
+
+    int angles() const { return links; }
+    int parameters() const { return 2 * links + 2; }
+    auto potential(const auto& theta, const auto& p) const { return detail::rotating_chain_potential(links, theta, p); }
 };
 
 /// Two links, l_1 = g = 1, in the normal form (3.2): alpha = m_2 / (m_1 + m_2), ratio = l_2 / l_1, omega. The potential

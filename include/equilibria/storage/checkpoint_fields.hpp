@@ -12,6 +12,7 @@
 #include <equilibria/core/compiled.hpp>
 #include <equilibria/core/lanes.hpp>
 #include <equilibria/model/sizes.hpp>
+#include <equilibria/system/sparse_term.hpp>
 
 namespace equilibria::detail {
 
@@ -67,6 +68,17 @@ CheckpointFields model_fields(const Parameters<M>& p) {
         for (int u = 0; u < n_unknowns<M>; ++u) support.push_back(static_cast<std::uint64_t>(term.monomial.code(u)));
     }
     return model_fields(type_name<M>(), Sizes<M>(), Formulation<M>::terms, support, {p.begin(), p.end()}, build_name());
+}
+
+/// Of a model at run time.
+inline CheckpointFields model_fields(const std::string& name, const RuntimeSizes& sizes,
+                                     const std::vector<SparseTerm>& terms, std::span<const double> parameters) {
+    std::vector<std::uint64_t> support;
+    for (const auto& term : terms) {
+        support.push_back(static_cast<std::uint64_t>(term.equation));
+        for (int u = 0; u < sizes.unknowns; ++u) support.push_back(static_cast<std::uint64_t>(term.monomial.code(u)));
+    }
+    return model_fields(name, sizes, static_cast<int>(terms.size()), support, parameters, build_name());
 }
 
 }  // namespace equilibria::detail

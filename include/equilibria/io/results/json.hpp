@@ -20,6 +20,7 @@
 
 #include <equilibria/io/results/text_file.hpp>
 #include <equilibria/model/derivatives.hpp>
+#include <equilibria/model/sizes.hpp>
 
 namespace equilibria {
 
@@ -67,10 +68,10 @@ Json json_rows(const Matrix& matrix) {
 inline Json json_range(double low, double high) { return Json::array({json_of(low), json_of(high)}); }
 
 /// The keys "angles" (radians) and, where the model has plain coordinates, "coordinates".
-template <Model M>
-void add_unknowns(Json& out, const Unknowns<M>& q) {
+template <class M>
+void add_unknowns(Json& out, const UnknownArray<M, double>& q, const Sizes<M>& sizes = {}) {
     Json angles = Json::array(), coordinates = Json::array();
-    for (int i = 0; i < n_unknowns<M>; ++i) (i < n_angles<M> ? angles : coordinates).push_back(json_of(q[i]));
+    for (int i = 0; i < sizes.unknowns; ++i) (i < sizes.angles ? angles : coordinates).push_back(json_of(q[i]));
     out["angles"] = std::move(angles);
     if (!coordinates.empty()) out["coordinates"] = std::move(coordinates);
 }

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -16,10 +17,10 @@
 namespace equilibria {
 
 /// One event; `parameter` names the active parameter, and is the key of its value.
-template <Model M>
-Json json_of(const LineEvent<M>& e, const std::string& parameter) {
+template <class M>
+Json json_of(const LineEvent<M>& e, const std::string& parameter, const Sizes<M>& sizes = {}) {
     Json out{{parameter, json_of(e.value)}, {"kind", kind_name(e.kind)}};
-    add_unknowns<M>(out, e.q);
+    add_unknowns<M>(out, e.q, sizes);
     add_keys(out, {{"null_vector", json_list(e.v)},
                    {"index", e.index},
                    {"change_by_index", e.change},
@@ -38,16 +39,26 @@ inline Json json_of(const EventGap& i) {
             {"count", i.count}, {"by_index", i.by_index}, {"clean", i.clean}};
 }
 
+namespace detail {
+template <class M>
+Sizes<M> model_sizes(const LineEvents<M>& found) {
+    if constexpr (std::is_same_v<M, RuntimeUnknowns>)
+        return found.sizes;
+    else
+        return {};
+}
+}  // namespace detail
+
 /// "low", "high", "events" (each with the tables "before" and "after", null beyond an end of the line), "intervals",
 /// "paths", the counts of LineEvents, "argument", "complete", "solve_seconds", "seconds": see docs/output.md.
-template <Model M>
+template <class M>
 Json json_of(const LineEvents<M>& found, const std::string& parameter) {
     Json events = Json::array(), intervals = Json::array(), paths = json_of(found.paths);
     const auto table = [&](std::size_t k) {
         return k < found.intervals.size() ? Json(found.intervals[k].by_index) : Json(nullptr);
     };
     for (const auto& e : found.events) {
-        events.push_back(json_of(e, parameter));
+        events.push_back(json_of(e, parameter, detail::model_sizes(found)));
         events.back()["before"] = table(e.interval - 1);
         events.back()["after"] = table(e.interval);
     }
@@ -74,11 +85,11 @@ Json json_of(const LineEvents<M>& found, const std::string& parameter) {
 
 /// A line an event: its parameter by its name, kind, q1, .. (angles in radians, then coordinates), v1, .. (the unit
 /// null vector), index, interval, residual, correction, third_derivative, fourth_derivative, slope.
-template <Model M>
-CsvTable events_csv(const std::vector<LineEvent<M>>& events, const std::string& parameter) {
+template <class M>
+CsvTable events_csv(const std::vector<LineEvent<M>>& events, const std::string& parameter, const Sizes<M>& sizes = {}) {
     std::vector<std::string> columns{parameter, "kind"};
-    add_columns(columns, "q", n_unknowns<M>);
-    add_columns(columns, "v", n_unknowns<M>);
+    add_columns(columns, "q", sizes.unknowns);
+    add_columns(columns, "v", sizes.unknowns);
     for (const char* column :
          {"index", "interval", "residual", "correction", "third_derivative", "fourth_derivative", "slope"})
         columns.emplace_back(column);
@@ -100,10 +111,10 @@ CsvTable events_csv(const std::vector<LineEvent<M>>& events, const std::string& 
 }
 
 /// A line an interval: low, high, at, count, clean, index_0, index_1, ..
-template <Model M>
+template <class M>
 CsvTable intervals_csv(const LineEvents<M>& found) {
     std::vector<std::string> columns{"low", "high", "at", "count", "clean"};
-    add_index_columns(columns, n_unknowns<M>);
+    add_index_columns(columns, detail::model_sizes(found).unknowns);
     CsvTable table(columns);
     for (const auto& i : found.intervals)
         table.add(CsvRow().add(i.low).add(i.high).add(i.at).add(i.count).add(i.clean).add_all(i.by_index));

@@ -22,8 +22,7 @@ inline Json json_of(const Certificate& c) {
 inline Json bound_json(const std::optional<ProvedBound>& bound) { return bound ? Json(bound->value) : Json(nullptr); }
 
 /// An object of its own, beside the counts that the enumeration itself gives.
-template <Model M>
-Json json_of(const Proof<M>& p) {
+inline Json json_of(const ProofOfRoots& p) {
     return {{"complete", p.complete},
             {"reason", p.reason},
             {"bound", bound_json(p.bound)},
@@ -42,8 +41,7 @@ Json json_of(const Proof<M>& p) {
 /// Keys of a document that holds the enumeration's as well: "complete", "reason", "proved_bound", "proved_distinct",
 /// "proved_real", "proved_non_real", "undecided", "duplicates", "proved_index", "contradictions",
 /// "proved_with_more_digits", "proved_by_index", "proving_seconds".
-template <Model M>
-void add_proof(Json& out, const Proof<M>& p) {
+inline void add_proof(Json& out, const ProofOfRoots& p) {
     add_keys(out, {{"complete", p.complete},
                    {"reason", p.reason},
                    {"proved_bound", bound_json(p.bound)},
@@ -60,19 +58,16 @@ void add_proof(Json& out, const Proof<M>& p) {
 }
 
 /// The certificate of the root that the path number `path` led to; nothing where there is none.
-template <Model M>
-std::optional<Certificate> certificate_of(const Proof<M>& p, std::uint64_t path) {
+inline std::optional<Certificate> certificate_of(const ProofOfRoots& p, std::uint64_t path) {
     for (const auto& c : p.certificates)
         if (c.path == path) return c;
     return std::nullopt;
 }
 
 /// Gives each entry of "equilibria" its "certificate".
-template <Model M>
-void add_certificates(Json& equilibria, const Proof<M>& p) {
+inline void add_certificates(Json& equilibria, const ProofOfRoots& p) {
     for (auto& e : equilibria)
-        if (const auto c = certificate_of(p, e.at("path").template get<std::uint64_t>()))
-            e["certificate"] = json_of(*c);
+        if (const auto c = certificate_of(p, e.at("path").get<std::uint64_t>())) e["certificate"] = json_of(*c);
 }
 
 }  // namespace equilibria

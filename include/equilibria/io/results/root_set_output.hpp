@@ -21,17 +21,17 @@ struct RootSetJson {
 };
 
 /// "a real curve of solutions (18 paths)".
-template <Model M>
+template <class M>
 std::string in_words(const Family<M>& family) {
     return std::string(family.real() ? "a real " : "a ") + family_kind(family.dimension) + " of solutions (" +
            std::to_string(family.paths()) + " paths)";
 }
 
 /// One equilibrium: "angles" in (-pi, pi], radians, and the evidence.
-template <Model M>
-Json json_of(const Equilibrium<M>& e) {
+template <class M>
+Json json_of(const Equilibrium<M>& e, const Sizes<M>& sizes = {}) {
     Json out = Json::object();
-    add_unknowns<M>(out, e.q);
+    add_unknowns<M>(out, e.q, sizes);
     add_keys(out, {{"index", e.index},
                    {"degenerate", e.degenerate()},
                    {"nullity", e.nullity},
@@ -47,8 +47,8 @@ Json json_of(const Equilibrium<M>& e) {
 
 /// The parameters as an array in the model's order, or by their names. Throws InvalidArgument unless there is a name
 /// for each.
-template <Model M>
-Json parameters_json(const Parameters<M>& p, const std::vector<std::string>& names = {}) {
+template <class M>
+Json parameters_json(const ParameterArray<M, double>& p, const std::vector<std::string>& names = {}) {
     if (names.empty()) return json_list(p);
     require(names.size() == static_cast<std::size_t>(p.size()), "names", names.size(),
             "must be one a parameter of the model");
@@ -60,7 +60,7 @@ Json parameters_json(const Parameters<M>& p, const std::vector<std::string>& nam
 /// The keys "parameters", "seed", those of the paths, "distinct", "real", "by_index", "degenerate", "multiplicities",
 /// "winding_numbers", "families", "clean", "alarms", "morse_applies", "morse", "tracking_seconds", "seconds",
 /// "failures", "equilibria" and "roots": see docs/output.md.
-template <Model M>
+template <class M>
 Json json_of(const RootSet<M>& set, const RootSetJson& how = {}) {
     Json out{{"parameters", parameters_json<M>(set.parameters, how.parameter_names)}, {"seed", set.seed}};
     add_paths(out, set.paths);
@@ -72,7 +72,7 @@ Json json_of(const RootSet<M>& set, const RootSetJson& how = {}) {
     }
     for (const auto& family : set.families) families.push_back(in_words(family));
     for (const auto& f : set.failures) failures.push_back({{"path", f.path}, {"reason", to_string(f.reason)}});
-    for (const auto& e : set.equilibria) equilibria.push_back(json_of(e));
+    for (const auto& e : set.equilibria) equilibria.push_back(json_of(e, set.model.sizes));
     add_keys(out, {{"distinct", set.distinct()},
                    {"real", set.real()},
                    {"by_index", set.by_index()},
@@ -97,10 +97,10 @@ Json json_of(const RootSet<M>& set, const RootSetJson& how = {}) {
 
 /// A line an equilibrium: q1, q2, .. (angles in radians, then coordinates), index, nullity, multiplicity, stable,
 /// energy, residual, condition, margin, path.
-template <Model M>
+template <class M>
 CsvTable equilibria_csv(const RootSet<M>& set) {
     std::vector<std::string> columns;
-    add_columns(columns, "q", n_unknowns<M>);
+    add_columns(columns, "q", set.model.sizes.unknowns);
     for (const char* column :
          {"index", "nullity", "multiplicity", "stable", "energy", "residual", "condition", "margin", "path"})
         columns.emplace_back(column);
@@ -121,10 +121,10 @@ CsvTable equilibria_csv(const RootSet<M>& set) {
 }
 
 /// A line a root, real or not: q1_re, q1_im, q2_re, .., residual, condition, path, paths, winding_number, status.
-template <Model M>
+template <class M>
 CsvTable roots_csv(const RootSet<M>& set) {
     std::vector<std::string> columns;
-    for (int i = 1; i <= n_unknowns<M>; ++i)
+    for (int i = 1; i <= set.model.sizes.unknowns; ++i)
         for (const char* part : {"_re", "_im"}) columns.push_back("q" + std::to_string(i) + part);
     for (const char* column : {"residual", "condition", "path", "paths", "winding_number", "status"})
         columns.emplace_back(column);

@@ -34,6 +34,7 @@ struct EventGap : Interval {
 
 /// A search for events, whatever the model: its evidence.
 struct EventSearch {
+    RuntimeSizes sizes;  ///< of the model's unknowns
     Interval range;
     std::vector<EventGap> intervals;  ///< one more than there are different values of events
     bool has_potential = true;        ///< the model: without one tables are not compared with the events

@@ -66,6 +66,7 @@ public:
                     const RunOptions& run)
         : model_(model), functions_(*model.functions), n_(model.unknowns()), p_(p), active_(active), run_(run),
           system_(*model.polynomials, {&active, 1}), scale_(1) {
+        found_.sizes = model.sizes();
         found_.range = range;
         found_.has_potential = model.has_potential();
     }

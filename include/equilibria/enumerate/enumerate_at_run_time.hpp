@@ -1,0 +1,90 @@
+/// \file
+/// `enumerate` of models whose numbers of unknowns are known at run time alone: the same paths, the same account.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include <equilibria/algebra/multihomogeneous.hpp>
+#include <equilibria/enumerate/enumerate.hpp>
+#include <equilibria/model/runtime_model.hpp>
+#include <equilibria/system/runtime_formulation.hpp>
+
+namespace equilibria {
+
+namespace detail {
+
+template <RuntimeModel T>
+class RealRuntimeEquations final : public RealEquations {
+public:
+    RealRuntimeEquations(const T& model, const RuntimeArray<double>& p)
+        : RealEquations(sizes_of(model), RuntimePotentialModel<T>), model_(model), p_(p) {}
+
+    void linearize(const double* q, double* f, double* jacobian) const override {
+        const auto [theta, x] = split(q);
+        const auto [values, slopes] = equations_and_jacobian(model_, theta, x, p_);
+        for (int r = 0; r < sizes.unknowns; ++r) {
+            f[r] = values[r];
+            for (int c = 0; c < sizes.unknowns; ++c) jacobian[r * sizes.unknowns + c] = slopes[r][c];
+        }
+    }
+    double energy(const double* q) const override {
+        if constexpr (RuntimePotentialModel<T>) {
+            const auto [theta, x] = split(q);
+            return call_runtime_potential(model_, theta, x, p_);
+        } else {
+            return std::numeric_limits<double>::quiet_NaN();
+        }
+    }
+
+private:
+    std::pair<RuntimeArray<CircleAngle<double>>, RuntimeArray<double>> split(const double* q) const {
+        return split_unknowns(RuntimeArray<double>(std::vector<double>(q, q + sizes.unknowns)), sizes);
+    }
+
+    T model_;
+    RuntimeArray<double> p_;
+};
+
+}  // namespace detail
+
+/// Every isolated equilibrium of a model at run time at the parameters p, from a total-degree start: the reflected one
+/// where the equations are odd under theta -> -theta. As `enumerate` of a Model; a resort (more_digits of
+/// more_digits.hpp) is for paths that fail in double.
+///
+/// Throws InvalidArgument for a model that is no trigonometric polynomial, for parameters that are not finite or not
+/// as many as the model's, for more paths than can be numbered and for options out of range; CheckpointError for a
+/// checkpoint that cannot be used.
+template <RuntimeModel T>
+RootSet<RuntimeUnknowns> enumerate(const T& model, const RuntimeArray<double>& p, const RunOptions& run = {},
+                                   const TrackerOptions& options = {}, MoreDigits<> resort = nullptr) {
+    const detail::Stopwatch begin;
+    require_finite(p, "parameters");
+    options.validate();
+    const RuntimeFormulation formulation(model);
+    const RuntimeSizes& sizes = formulation.sizes();
+    PathCount paths{1, false};
+    for (int i = 0; i < sizes.unknowns; ++i)
+        paths =
+            paths * PathCount{(i < sizes.angles ? 2 : 1) * formulation.degrees()[static_cast<std::size_t>(i)], false};
+    require(!paths.saturated, "model", "a total degree above 2^62", "must have fewer paths than can be numbered");
+    const RuntimeModelSystem target(formulation, model, p);
+    Generator generator(run.seed);
+    const TotalDegreeStart start(
+        formulation.reflection_symmetric() ? TotalDegreeKind::reflected : TotalDegreeKind::general, sizes,
+        formulation.degrees(), target.scale, generator);
+    const PolynomialHomotopy homotopy = model_homotopy(model, target, start);
+    detail::PathProblem problem{.start = StartPoints(start)};
+    if (!run.checkpoint.empty())
+        problem.model = detail::model_fields(detail::type_name<T>(), sizes, target.terms, {p.begin(), p.end()});
+    auto set =
+        detail::root_set_of<RuntimeUnknowns>(detail::track_paths(homotopy, std::move(problem), run, options, resort), p,
+                                             {sizes, formulation.has_potential(), formulation.reflection_symmetric()},
+                                             homotopy, detail::RealRuntimeEquations<T>(model, p), run);
+    set.seconds = begin.seconds();
+    return set;
+}
+
+}  // namespace equilibria

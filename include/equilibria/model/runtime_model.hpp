@@ -1,0 +1,215 @@
+/// \file
+/// Models whose numbers of angles, coordinates and parameters are known at run time alone. They are objects: what a
+/// Model says by constants of its type, they say by functions, and they may hold data.
+///
+/// \code
+/// struct Row {  // of equal pendulums, coupled to their neighbours
+///     int n;
+///     int angles() const { return n; }
+///     int parameters() const { return 1; }
+///     auto potential(const auto& theta, const auto& p) const {
+///         equilibria::scalar_of<decltype(theta)> v{};
+///         for (int i = 0; i < n; ++i) v -= cos(theta[i]);
+///         for (int i = 1; i < n; ++i) v -= p[0] * cos(theta[i] - theta[i - 1]);
+///         return v;
+///     }
+/// };
+/// \endcode
+///
+/// - `angles()`, `parameters()`: how many there are, the same in each call.
+/// - `coordinates()` (optional, 0): plain unknowns; they come as `x[j]`, a second argument.
+/// - `potential(theta, p)`; or `equations(theta, p)`: anything with `size()` and `[i]`, of as many scalars as there are
+///   unknowns.
+///
+/// The function is const and draws no conclusions from values, as a Model's, but need not be constexpr: what it is, is
+/// found out when it is called.
+#pragma once
+
+#include <cmath>
+#include <concepts>
+#include <iterator>
+#include <type_traits>
+#include <utility>
+
+#include <equilibria/core/dual.hpp>
+#include <equilibria/core/error.hpp>
+#include <equilibria/core/sized_array.hpp>
+#include <equilibria/model/angle.hpp>
+#include <equilibria/model/model.hpp>
+#include <equilibria/model/sizes.hpp>
+
+namespace equilibria {
+
+namespace detail {
+
+template <class T>
+concept HasRuntimeCoordinates = requires(const T& model) {
+    { model.coordinates() } -> std::convertible_to<int>;
+};
+template <class T, class Theta, class X, class P>
+concept RuntimePotentialOf = requires(const T& model, const Theta& theta, const X& x, const P& p) {
+    requires HasRuntimeCoordinates<T> || requires { model.potential(theta, p); };
+    requires !HasRuntimeCoordinates<T> || requires { model.potential(theta, x, p); };
+};
+template <class T, class Theta, class X, class P>
+concept RuntimeEquationsOf = requires(const T& model, const Theta& theta, const X& x, const P& p) {
+    requires HasRuntimeCoordinates<T> || requires { model.equations(theta, p); };
+    requires !HasRuntimeCoordinates<T> || requires { model.equations(theta, x, p); };
+};
+template <class T>
+concept RuntimeModelSizes = requires(const T& model) {
+    { model.angles() } -> std::convertible_to<int>;
+    { model.parameters() } -> std::convertible_to<int>;
+};
+
+}  // namespace detail
+
+/// A model at run time that gives a potential, checked with real scalars.
+template <class T>
+concept RuntimePotentialModel =
+    detail::RuntimeModelSizes<T> &&
+    detail::RuntimePotentialOf<T, RuntimeArray<CircleAngle<double>>, RuntimeArray<double>, RuntimeArray<double>>;
+/// One that gives its equations.
+template <class T>
+concept RuntimeEquationsModel =
+    detail::RuntimeModelSizes<T> && !RuntimePotentialModel<T> &&
+    detail::RuntimeEquationsOf<T, RuntimeArray<CircleAngle<double>>, RuntimeArray<double>, RuntimeArray<double>>;
+template <class T>
+concept RuntimeModel = RuntimePotentialModel<T> || RuntimeEquationsModel<T>;
+
+/// The numbers of unknowns of a model at run time. Throws InvalidArgument where one of them is negative, or all are 0.
+template <RuntimeModel T>
+RuntimeSizes sizes_of(const T& model) {
+    const int angles = model.angles();
+    int coordinates = 0;
+    if constexpr (detail::HasRuntimeCoordinates<T>) coordinates = model.coordinates();
+    require(angles >= 0, "model.angles()", angles, "must not be negative");
+    require(coordinates >= 0, "model.coordinates()", coordinates, "must not be negative");
+    require(model.parameters() >= 0, "model.parameters()", model.parameters(), "must not be negative");
+    require(angles + coordinates > 0, "model", "no unknowns", "needs at least one unknown angle or coordinate");
+    return {angles, coordinates};
+}
+
+namespace detail {
+
+template <class T, class Theta, class X, class P>
+auto call_runtime_potential(const T& model, const Theta& theta, const X& x, const P& p) {
+    const auto value = [&] {
+        if constexpr (HasRuntimeCoordinates<T>)
+            return model.potential(theta, x, p);
+        else
+            return model.potential(theta, p);
+    }();
+    static_assert(!AngleLike<decltype(value)>,
+                  "equilibria: potential must return a scalar, and angles enter it only inside sin and cos: this one "
+                  "returns an angle");
+    return value;
+}
+/// Throws InvalidArgument where there are not as many equations as unknowns.
+template <class T, class Theta, class X, class P>
+auto call_runtime_equations(const T& model, const Theta& theta, const X& x, const P& p) {
+    auto values = [&] {
+        if constexpr (HasRuntimeCoordinates<T>)
+            return model.equations(theta, x, p);
+        else
+            return model.equations(theta, p);
+    }();
+    require(static_cast<int>(values.size()) == theta.size() + x.size(), "model.equations(..).size()", values.size(),
+            "must be one for each unknown angle and coordinate");
+    return values;
+}
+
+/// Unknowns as variables, those from number `first` on in the directions that there are.
+template <class S>
+struct DirectedUnknowns {
+    static constexpr int directions = 4;
+    using D = Dual<S, directions>;
+    RuntimeArray<CircleAngle<D>> theta;
+    RuntimeArray<D> x;
+
+    DirectedUnknowns(const RuntimeArray<CircleAngle<S>>& angles, const RuntimeArray<S>& coordinates, int first)
+        : theta(angles.size()), x(coordinates.size()) {
+        for (int i = 0; i < theta.size(); ++i) {
+            theta[i] = {D(angles[i].c), D(angles[i].s)};
+            if (const int d = i - first; d >= 0 && d < directions) {
+                theta[i].c.derivative[d] = -angles[i].s;
+                theta[i].s.derivative[d] = angles[i].c;
+            }
+        }
+        for (int j = 0; j < x.size(); ++j) {
+            x[j] = D(coordinates[j]);
+            if (const int d = theta.size() + j - first; d >= 0 && d < directions) x[j].derivative[d] = S(1.0);
+        }
+    }
+};
+
+/// Parameters as a scalar of the function has to be: plain numbers as they are.
+template <class S, class P>
+auto lifted(const RuntimeArray<P>& p) {
+    if constexpr (std::is_arithmetic_v<P> || std::is_same_v<P, S>) {
+        return p;
+    } else {
+        RuntimeArray<S> y(p.size());
+        for (int k = 0; k < p.size(); ++k) y[k] = S(p[k]);
+        return y;
+    }
+}
+
+}  // namespace detail
+
+/// The equations at points (c, s) of the circles and coordinates: the gradient of the potential, by automatic
+/// differentiation, where there is one. An entry an unknown. p: numbers, or of the scalar S.
+template <RuntimeModel T, class S, class P>
+RuntimeArray<S> equations_at(const T& model, const RuntimeArray<CircleAngle<S>>& theta, const RuntimeArray<S>& x,
+                             const RuntimeArray<P>& p) {
+    RuntimeArray<S> f(theta.size() + x.size());
+    if constexpr (RuntimePotentialModel<T>) {
+        using Directed = detail::DirectedUnknowns<S>;
+        const auto parameters = detail::lifted<typename Directed::D>(p);
+        for (int first = 0; first < f.size(); first += Directed::directions) {
+            const Directed at(theta, x, first);
+            const typename Directed::D v = detail::call_runtime_potential(model, at.theta, at.x, parameters);
+            for (int d = 0; d < Directed::directions && first + d < f.size(); ++d) f[first + d] = v.derivative[d];
+        }
+    } else {
+        const auto values = detail::call_runtime_equations(model, theta, x, p);
+        for (int i = 0; i < f.size(); ++i) f[i] = S(std::begin(values)[i]);
+    }
+    return f;
+}
+
+/// F and its Jacobian: J[r][c] = dF_r / dq_c.
+template <RuntimeModel T, class S, class P>
+std::pair<RuntimeArray<S>, RuntimeMatrix<S>> equations_and_jacobian(const T& model,
+                                                                    const RuntimeArray<CircleAngle<S>>& theta,
+                                                                    const RuntimeArray<S>& x,
+                                                                    const RuntimeArray<P>& p) {
+    using Directed = detail::DirectedUnknowns<S>;
+    const auto parameters = detail::lifted<typename Directed::D>(p);
+    const int n = theta.size() + x.size();
+    RuntimeArray<S> f(n);
+    RuntimeMatrix<S> j(n);
+    for (int first = 0; first < n; first += Directed::directions) {
+        const Directed at(theta, x, first);
+        const auto values = equations_at(model, at.theta, at.x, parameters);
+        for (int r = 0; r < n; ++r) {
+            f[r] = values[r].value;
+            for (int d = 0; d < Directed::directions && first + d < n; ++d) j[r][first + d] = values[r].derivative[d];
+        }
+    }
+    return {std::move(f), std::move(j)};
+}
+
+/// Unknowns (angles in radians, then coordinates) as points of the circles and coordinates.
+template <class S>
+std::pair<RuntimeArray<CircleAngle<S>>, RuntimeArray<S>> split_unknowns(const RuntimeArray<S>& q,
+                                                                        const RuntimeSizes& sizes) {
+    using std::cos, std::sin;
+    std::pair<RuntimeArray<CircleAngle<S>>, RuntimeArray<S>> y{RuntimeArray<CircleAngle<S>>(sizes.angles),
+                                                               RuntimeArray<S>(sizes.coordinates)};
+    for (int i = 0; i < sizes.angles; ++i) y.first[i] = {S(cos(q[i])), S(sin(q[i]))};
+    for (int j = 0; j < sizes.coordinates; ++j) y.second[j] = q[sizes.angles + j];
+    return y;
+}
+
+}  // namespace equilibria

@@ -73,7 +73,6 @@ public:
 
     /// The coefficient of a term at t = 1.
     double target(int term) const { return target_[static_cast<std::size_t>(term)]; }
-    const double* targets() const { return target_.data(); }
     /// The Taylor coefficient in t, at the time t, of a term's coefficient where it moves.
     template <int Order, class R, class Time>
     auto law(int term, const Time& t) const {

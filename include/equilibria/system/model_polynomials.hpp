@@ -31,6 +31,33 @@ inline SparseSystem sparse_system(const RuntimePolynomials<>& equations, const R
     return {sizes, std::move(terms)};
 }
 
+namespace detail {
+
+/// Makes a model's parameters, as symbolic scalars, those that are coordinates: number active[k] is scales[k] times the
+/// coordinate first + k.
+template <class Scalar>
+void set_active(auto& parameters, typename Scalar::Pool* pool, std::span<const int> active,
+                std::span<const double> scales, int first) {
+    using Coefficient = typename Scalar::Polynomial::Coefficient;
+    for (std::size_t k = 0; k < active.size(); ++k)
+        parameters[active[k]] = Scalar(pool, coordinate_polynomial<Coefficient>(first + static_cast<int>(k)) *
+                                                 RuntimePolynomial<Coefficient>(Coefficient(scales[k])));
+}
+/// Throws InvalidArgument where a model of so many unknowns has no coordinates left for its active parameters.
+inline void require_coordinates_left(int unknowns, std::span<const int> active, int first) {
+    require(first + static_cast<int>(active.size()) < most_coordinates, "unknowns of the model", unknowns,
+            "must be fewer: a critical system has at most 48 coordinates");
+}
+/// Throws InvalidArgument where the active parameters do not enter as polynomials.
+template <class C>
+void require_polynomial(const RuntimePolynomials<C>& equations, std::span<const int> active) {
+    for (const auto& equation : equations)
+        require(equation.fault() == NotPolynomial::no, "active parameters", active.size(),
+                "must enter the model's equations as polynomials");
+}
+
+}  // namespace detail
+
 /// The equations of a model at p, but for the parameters number `active`, of which number k is `scales[k]` times the
 /// coordinate first + k. Throws InvalidArgument where there are more unknowns than a RuntimePolynomial has, or the
 /// active parameters do not enter as polynomials.
@@ -40,8 +67,7 @@ RuntimePolynomials<C> model_polynomials(const RuntimeArray<double>& p, std::span
     using Scalar = SymbolicScalar<most_angles, most_coordinates, C>;
     using Angle = SymbolicAngle<most_angles, most_coordinates, C>;
     require(n_angles<M> <= most_angles, "angles of the model", n_angles<M>, "must be at most 16");
-    require(first + static_cast<int>(active.size()) < most_coordinates, "unknowns of the model", n_unknowns<M>,
-            "must be fewer: a critical system has at most 48 coordinates");
+    detail::require_coordinates_left(n_unknowns<M>, active, first);
     typename Scalar::Pool pool;
     Array<Angle, n_angles<M>> theta;
     Array<Scalar, n_coordinates<M>> x;
@@ -49,9 +75,7 @@ RuntimePolynomials<C> model_polynomials(const RuntimeArray<double>& p, std::span
     for (int i = 0; i < theta.size(); ++i) theta[i] = Angle(&pool, i);
     for (int j = 0; j < x.size(); ++j) x[j] = Scalar(&pool, coordinate_polynomial<C>(j));
     for (int k = 0; k < q.size(); ++k) q[k] = Scalar(C(p[k]));
-    for (std::size_t k = 0; k < active.size(); ++k)
-        q[active[k]] =
-            Scalar(&pool, coordinate_polynomial<C>(first + static_cast<int>(k)) * RuntimePolynomial<C>(C(scales[k])));
+    detail::set_active<Scalar>(q, &pool, active, scales, first);
     RuntimePolynomials<C> f;
     if constexpr (PotentialModel<M>) {
         const RuntimePolynomial<C> v = Scalar(detail::call_potential(M{}, theta, x, q)).polynomial();
@@ -61,9 +85,7 @@ RuntimePolynomials<C> model_polynomials(const RuntimeArray<double>& p, std::span
         const auto values = detail::call_equations(M{}, theta, x, q);
         for (const auto& value : values) f.push_back(Scalar(value).polynomial());
     }
-    for (const auto& equation : f)
-        require(equation.fault() == NotPolynomial::no, "active parameters", active.size(),
-                "must enter the model's equations as polynomials");
+    detail::require_polynomial(f, active);
     return f;
 }
 

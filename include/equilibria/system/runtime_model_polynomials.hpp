@@ -2,7 +2,6 @@
 /// The polynomials of a model at run time as ModelPolynomials.
 #pragma once
 
-#include <cstddef>
 #include <span>
 
 #include <equilibria/algebra/runtime_equations.hpp>
@@ -18,20 +17,15 @@ public:
 
     RuntimePolynomials<> equations(const RuntimeArray<double>& p, std::span<const int> active,
                                    std::span<const double> scales, int first) const override {
-        require(first + static_cast<int>(active.size()) < most_coordinates, "unknowns of the model", sizes().unknowns,
-                "must be fewer: a critical system has at most 48 coordinates");
+        detail::require_coordinates_left(sizes().unknowns, active, first);
         using Scalar = SymbolicScalar<most_angles, most_coordinates, double>;
         const auto f = detail::symbolic_equations_of<double>(model_, [&](typename Scalar::Pool* pool) {
             RuntimeArray<Scalar> y(p.size());
             for (int k = 0; k < y.size(); ++k) y[k] = Scalar(p[k]);
-            for (std::size_t k = 0; k < active.size(); ++k)
-                y[active[k]] =
-                    Scalar(pool, coordinate_polynomial(first + static_cast<int>(k)) * RuntimePolynomial<>(scales[k]));
+            detail::set_active<Scalar>(y, pool, active, scales, first);
             return y;
         });
-        for (const auto& equation : f)
-            require(equation.fault() == NotPolynomial::no, "active parameters", active.size(),
-                    "must enter the model's equations as polynomials");
+        detail::require_polynomial(f, active);
         return f;
     }
 

@@ -19,8 +19,7 @@ EQUILIBRIA_INLINE const char* sentence(NotPolynomial fault) {
     switch (fault) {
         case NotPolynomial::function_of_angle:
             return "must be a trigonometric polynomial: it takes sqrt, exp, log, sin or cos of something that depends "
-                   "on "
-                   "the angles or coordinates";
+                   "on the angles or coordinates";
         case NotPolynomial::divisor_not_constant:
             return "must be a trigonometric polynomial: it divides by something that depends on the angles or "
                    "coordinates";

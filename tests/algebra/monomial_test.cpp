@@ -1,4 +1,6 @@
 // Codes of factors, packed: what is put in comes out, and products, degrees and the order agree with them.
+#include <vector>
+
 #include <equilibria/algebra/monomial.hpp>
 
 #include "support/catch.hpp"
@@ -35,12 +37,17 @@ TEST_CASE("Monomials that do not overlap join") {
         for (int v = 0; v < 10; ++v) {
             const M a = M::single(u, u < 8 ? -1 : 1), b = M::single(v, 2);
             CHECK(overlap(a, b) == (u == v));
+            CHECK(next_overlap(a, b, 0) == (u == v ? u : 10));
             if (u == v) continue;
             CHECK(join(a, b).code(u) == a.code(u));
             CHECK(join(a, b).code(v) == 2);
             CHECK(join(a, b) == join(b, a));
         }
     CHECK_FALSE(overlap(M(), M()));
+    const M a = join(M::single(1, 2), join(M::single(7, -3), M::single(9, 1)));
+    std::vector<int> both;
+    for (int u = next_overlap(a, a, 0); u < 10; u = next_overlap(a, a, u + 1)) both.push_back(u);
+    CHECK(both == std::vector{1, 7, 9});
 }
 
 TEST_CASE("The order of monomials is strict and total") {

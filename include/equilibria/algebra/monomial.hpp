@@ -4,6 +4,7 @@
 /// expressions of the same function have the same coefficients, and derivatives map factors to single factors.
 #pragma once
 
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 
@@ -53,6 +54,15 @@ public:
         for (std::size_t w = 0; w < words; ++w)
             if (occupied(a.words_[w]) & occupied(b.words_[w])) return true;
         return false;
+    }
+    /// The first unknown, from u on, that has a factor in both; `unknowns` if there is none.
+    friend constexpr int next_overlap(const Monomial& a, const Monomial& b, int u) {
+        for (; u < unknowns; u = u / 8 * 8 + 8) {
+            const std::uint64_t both =
+                occupied(a.words_[word(u)]) & occupied(b.words_[word(u)]) & (~std::uint64_t{0} << shift(u));
+            if (both) return u / 8 * 8 + std::countr_zero(both) / 8;
+        }
+        return unknowns;
     }
     /// Product of monomials that do not overlap.
     friend constexpr Monomial join(const Monomial& a, const Monomial& b) {

@@ -2,6 +2,7 @@
 /// Trigonometric polynomials of one type for all numbers of unknowns: what is made at run time.
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include <equilibria/algebra/trigonometric_polynomial.hpp>
@@ -25,6 +26,7 @@ RuntimePolynomial<C> coordinate_polynomial(int j) {
 /// The code of each unknown of a system of these sizes.
 inline std::vector<int> codes_of(const Monomial<most_angles, most_coordinates>& monomial, const RuntimeSizes& sizes) {
     std::vector<int> codes;
+    codes.reserve(static_cast<std::size_t>(sizes.unknowns));
     for (int i = 0; i < sizes.angles; ++i) codes.push_back(monomial.code(i));
     for (int j = 0; j < sizes.coordinates; ++j) codes.push_back(monomial.code(most_angles + j));
     return codes;

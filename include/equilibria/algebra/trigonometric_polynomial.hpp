@@ -253,11 +253,11 @@ private:
     /// Appends the product of overlapping monomials: powers add, and cos, sin by the product-to-sum formulas.
     constexpr void append_product(const Basis& a, const Basis& b, const C& coefficient) {
         const std::size_t first = terms_.size();  // of the products
-        terms_.push_back({Basis{}, coefficient});
-        for (int u = 0; u < Basis::unknowns; ++u) {
+        terms_.push_back({join(a, b), coefficient});
+        for (int u = next_overlap(a, b, 0); u < Basis::unknowns; u = next_overlap(a, b, u + 1)) {
             const int p = a.code(u), q = b.code(u);
             if (a.degree(u) + b.degree(u) > Basis::highest) fault_ = std::max(fault_, NotPolynomial::degree_too_high);
-            if (p == 0 || q == 0 || !Basis::is_angle(u)) {
+            if (!Basis::is_angle(u)) {
                 for (std::size_t i = first; i < terms_.size(); ++i) terms_[i].monomial.set_code(u, p + q);
                 continue;
             }

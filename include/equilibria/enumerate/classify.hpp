@@ -98,9 +98,9 @@ double largest_imaginary(const Root<M>& root) {
 }
 /// The equilibrium at q, the real root that a root is.
 template <class M>
-Equilibrium<M> equilibrium_of(const Root<M>& root, const UnknownArray<M, double>& q, const Classification& found) {
+Equilibrium<M> equilibrium_of(const Root<M>& root, UnknownArray<M, double> q, const Classification& found) {
     Equilibrium<M> e;
-    e.q = q;
+    e.q = std::move(q);
     e.energy = found.energy;
     e.index = found.index;
     e.nullity = found.nullity;
@@ -127,11 +127,11 @@ RealRoots<M> classify(const std::vector<Root<M>>& roots, const RealEquations& eq
     std::vector<UnknownArray<M, double>> at(roots.size());
     executor.for_blocks(roots.size(), 4096, [&](std::size_t first, std::size_t last) {
         RootClassifier classifier(equations);
+        UnknownArray<M, double> q{};
+        if constexpr (std::is_same_v<M, RuntimeUnknowns>) q.resize(equations.sizes.unknowns);
         for (std::size_t k = first; k < last; ++k) {
-            UnknownArray<M, double> q{};
-            if constexpr (std::is_same_v<M, RuntimeUnknowns>) q.resize(equations.sizes.unknowns);
             real[k] = classifier.is_real(view(roots[k]), {q.begin(), q.end()});
-            if (real[k]) at[k] = std::move(q);
+            if (real[k]) at[k] = q;
         }
     });
     RootClassifier classifier(equations);
@@ -140,7 +140,8 @@ RealRoots<M> classify(const std::vector<Root<M>>& roots, const RealEquations& eq
     for (std::size_t k = 0; k < roots.size(); ++k) {
         const double imaginary = largest_imaginary(roots[k]);
         if (real[k]) {
-            y.equilibria.push_back(equilibrium_of(roots[k], at[k], classifier.classify({at[k].begin(), at[k].end()})));
+            const Classification found = classifier.classify({at[k].begin(), at[k].end()});
+            y.equilibria.push_back(equilibrium_of(roots[k], std::move(at[k]), found));
             y.largest_real_imaginary = std::max(y.largest_real_imaginary, imaginary);
         } else {
             y.smallest_nonreal_imaginary = std::min(y.smallest_nonreal_imaginary, imaginary);

@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <limits>
 #include <utility>
-#include <vector>
 
 #include <equilibria/algebra/multihomogeneous.hpp>
 #include <equilibria/enumerate/enumerate.hpp>
@@ -23,27 +22,19 @@ public:
         : RealEquations(sizes_of(model), RuntimePotentialModel<T>), model_(model), p_(p) {}
 
     void linearize(const double* q, double* f, double* jacobian) const override {
-        const auto [theta, x] = split(q);
-        const auto [values, slopes] = equations_and_jacobian(model_, theta, x, p_);
-        for (int r = 0; r < sizes.unknowns; ++r) {
-            f[r] = values[r];
-            for (int c = 0; c < sizes.unknowns; ++c) jacobian[r * sizes.unknowns + c] = slopes[r][c];
-        }
+        const RuntimeModelPoint<double> at(q, sizes);
+        equations_and_jacobian(model_, at.theta, at.x, p_, f, jacobian);
     }
     double energy(const double* q) const override {
         if constexpr (RuntimePotentialModel<T>) {
-            const auto [theta, x] = split(q);
-            return call_runtime_potential(model_, theta, x, p_);
+            const RuntimeModelPoint<double> at(q, sizes);
+            return call_runtime_potential(model_, at.theta, at.x, p_);
         } else {
             return std::numeric_limits<double>::quiet_NaN();
         }
     }
 
 private:
-    std::pair<RuntimeArray<CircleAngle<double>>, RuntimeArray<double>> split(const double* q) const {
-        return split_unknowns(RuntimeArray<double>(std::vector<double>(q, q + sizes.unknowns)), sizes);
-    }
-
     T model_;
     RuntimeArray<double> p_;
 };

@@ -49,14 +49,14 @@ public:
 
     /// H(q, t).
     void value(const RuntimePoint<R>& q, const Time& t, auto& f) {
-        begin(q, t, f, [this]<bool moving>(std::bool_constant<moving>, int g, const Sums<moving>& sums) {
+        begin(q, t, f, [&]<bool moving>(std::bool_constant<moving>, int g, const Sums<moving>& sums) {
             return blended<moving>(0, g, sums);
         });
     }
 
     /// H(q, t) and its Jacobian; with a potential only the entries on and above the diagonal are set.
     void jacobian(const RuntimePoint<R>& q, const Time& t, auto& f, auto& j) {
-        begin(q, t, f, [this]<bool moving>(std::bool_constant<moving>, int g, const Sums<moving>& sums) {
+        begin(q, t, f, [&]<bool moving>(std::bool_constant<moving>, int g, const Sums<moving>& sums) {
             return keep<moving>(0, g, sums);
         });
         factors_.begin_slopes();

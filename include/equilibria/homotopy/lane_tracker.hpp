@@ -24,8 +24,7 @@ public:
         : options_(&options), paths_(paths), start_(&start), ends_(ends), stepper_(homotopy, options),
           q_(point_of_zeros<RuntimeUnknowns, R>(homotopy.sizes())) {
         for (int k = 0; k < width; ++k) load(k);
-        for (int k = 1; k < width; ++k)  // idle lanes repeat the first path's start: any finite numbers will do
-            if (path_[k] < 0 && path_[0] >= 0) copy_lane(q_, 0, q_, k);
+        fill_idle();
     }
 
     void run() {
@@ -54,6 +53,21 @@ private:
         if (fresh_[k]) {
             ++running_;
             copy_lane((*start_)(paths_[static_cast<std::size_t>(path_[k])]), 0, q_, k);
+        }
+    }
+    /// Idle lanes go with a lane that runs. On their own they would rest at a solution, where what Newton's method
+    /// corrects dies away into numbers below the normal range, each of which costs a processor a hundred cycles.
+    void fill_idle() {
+        const auto running = std::find_if(path_, path_ + width, [](std::int64_t path) { return path >= 0; }) - path_;
+        if (running == width) return;
+        const int from = static_cast<int>(running);
+        for (int k = 0; k < width; ++k) {
+            if (path_[k] >= 0) continue;
+            copy_lane(q_, from, q_, k);
+            set_lane(t_, k, lane(t_, from));
+            set_lane(h_, k, lane(h_, from));
+            fresh_[k] = fresh_[from];
+            steps_[k] = 0;
         }
     }
     void finish(int k, Arrival arrival, FailureReason reason) {
@@ -102,6 +116,7 @@ private:
                 finish(k, Arrival::stuck, FailureReason::too_many_steps);
             }
         }
+        if (next_ == paths_.size()) fill_idle();
     }
 
     const TrackerOptions* options_;

@@ -35,7 +35,7 @@ struct PointNumbers {
     }
 };
 
-/// Of a model `Of`: angles<Z>() and coordinates<Z>(), arrays of the model's, and values(theta, x).
+/// Of a model `Of`: point<Z>() makes a point (theta, x) of it, values(point) are its equations there.
 template <class Of>
 class OwnEquationsOf final : public OwnEquations {
 public:
@@ -44,12 +44,12 @@ public:
     void at(int width, const double* c, const double* s, const double* x, double* f) const override {
         const auto some = [&]<class R>(R, int first) {
             const PointNumbers numbers{width, first};
-            auto theta = of_.template angles<Complex<R>>();
-            auto coordinates = of_.template coordinates<Complex<R>>();
-            for (int i = 0; i < theta.size(); ++i) numbers.read(c, i, theta[i].c), numbers.read(s, i, theta[i].s);
-            for (int j = 0; j < coordinates.size(); ++j) numbers.read(x, j, coordinates[j]);
-            const auto values = of_.values(theta, coordinates);
-            for (int i = 0; i < theta.size() + coordinates.size(); ++i) numbers.write(values[i], f, i);
+            auto point = of_.template point<Complex<R>>();
+            const int angles = point.theta.size(), coordinates = point.x.size();
+            for (int i = 0; i < angles; ++i) numbers.read(c, i, point.theta[i].c), numbers.read(s, i, point.theta[i].s);
+            for (int j = 0; j < coordinates; ++j) numbers.read(x, j, point.x[j]);
+            const auto values = of_.values(point);
+            for (int i = 0; i < angles + coordinates; ++i) numbers.write(values[i], f, i);
         };
         int k = 0;
         for (; k + native_lanes <= width; k += native_lanes) some(Lanes<native_lanes>{}, k);
@@ -65,16 +65,17 @@ struct ModelValues {
     Parameters<M> p;
 
     template <class Z>
-    AnglesOf<M, Z> angles() const {
+    struct Point {
+        AnglesOf<M, Z> theta;
+        CoordinatesOf<M, Z> x;
+    };
+    template <class Z>
+    Point<Z> point() const {
         return {};
     }
     template <class Z>
-    CoordinatesOf<M, Z> coordinates() const {
-        return {};
-    }
-    template <class Z>
-    Unknowns<M, Z> values(const AnglesOf<M, Z>& theta, const CoordinatesOf<M, Z>& x) const {
-        return equations_at<M, Z>(theta, x, p);
+    Unknowns<M, Z> values(const Point<Z>& at) const {
+        return equations_at<M, Z>(at.theta, at.x, p);
     }
 };
 template <RuntimeModel T>
@@ -84,16 +85,14 @@ struct RuntimeModelValues {
     RuntimeArray<double> p;
 
     template <class Z>
-    RuntimeArray<CircleAngle<Z>> angles() const {
-        return RuntimeArray<CircleAngle<Z>>(sizes.angles);
+    RuntimeModelPoint<Z> point() const {
+        return RuntimeModelPoint<Z>(sizes);
     }
     template <class Z>
-    RuntimeArray<Z> coordinates() const {
-        return RuntimeArray<Z>(sizes.coordinates);
-    }
-    template <class Z>
-    RuntimeArray<Z> values(const RuntimeArray<CircleAngle<Z>>& theta, const RuntimeArray<Z>& x) const {
-        return equations_at(model, theta, x, p);
+    LocalArray<Z> values(const RuntimeModelPoint<Z>& at) const {
+        LocalArray<Z> f(sizes.unknowns);
+        equations_at(model, at.theta, at.x, p, f.begin());
+        return f;
     }
 };
 

@@ -29,10 +29,10 @@
 #include <concepts>
 #include <iterator>
 #include <type_traits>
-#include <utility>
 
 #include <equilibria/core/dual.hpp>
 #include <equilibria/core/error.hpp>
+#include <equilibria/core/local_array.hpp>
 #include <equilibria/core/sized_array.hpp>
 #include <equilibria/model/angle.hpp>
 #include <equilibria/model/model.hpp>
@@ -124,10 +124,10 @@ template <class S>
 struct DirectedUnknowns {
     static constexpr int directions = 4;
     using D = Dual<S, directions>;
-    RuntimeArray<CircleAngle<D>> theta;
-    RuntimeArray<D> x;
+    LocalArray<CircleAngle<D>> theta;
+    LocalArray<D> x;
 
-    DirectedUnknowns(const RuntimeArray<CircleAngle<S>>& angles, const RuntimeArray<S>& coordinates, int first)
+    DirectedUnknowns(const LocalArray<CircleAngle<S>>& angles, const LocalArray<S>& coordinates, int first)
         : theta(angles.size()), x(coordinates.size()) {
         for (int i = 0; i < theta.size(); ++i) {
             theta[i] = {D(angles[i].c), D(angles[i].s)};
@@ -143,13 +143,14 @@ struct DirectedUnknowns {
     }
 };
 
-/// Parameters as a scalar of the function has to be: plain numbers as they are.
+/// Parameters as a scalar of the function has to be: plain numbers, and what is such a scalar, as they are.
 template <class S, class P>
-auto lifted(const RuntimeArray<P>& p) {
-    if constexpr (std::is_arithmetic_v<P> || std::is_same_v<P, S>) {
-        return p;
+decltype(auto) lifted(const P& p) {
+    using Number = std::remove_cvref_t<decltype(p[0])>;
+    if constexpr (std::is_arithmetic_v<Number> || std::is_same_v<Number, S>) {
+        return (p);
     } else {
-        RuntimeArray<S> y(p.size());
+        LocalArray<S> y(p.size());
         for (int k = 0; k < p.size(); ++k) y[k] = S(p[k]);
         return y;
     }
@@ -157,59 +158,56 @@ auto lifted(const RuntimeArray<P>& p) {
 
 }  // namespace detail
 
+/// Unknowns, angles in radians and then coordinates, as points of the circles and coordinates.
+template <class S>
+struct RuntimeModelPoint {
+    LocalArray<CircleAngle<S>> theta;
+    LocalArray<S> x;
+
+    explicit RuntimeModelPoint(const RuntimeSizes& sizes) : theta(sizes.angles), x(sizes.coordinates) {}
+    RuntimeModelPoint(const S* q, const RuntimeSizes& sizes) : RuntimeModelPoint(sizes) {
+        using std::cos, std::sin;
+        for (int i = 0; i < sizes.angles; ++i) theta[i] = {S(cos(q[i])), S(sin(q[i]))};
+        for (int j = 0; j < sizes.coordinates; ++j) x[j] = q[sizes.angles + j];
+    }
+};
+
 /// The equations at points (c, s) of the circles and coordinates: the gradient of the potential, by automatic
-/// differentiation, where there is one. An entry an unknown. p: numbers, or of the scalar S.
+/// differentiation, where there is one. p: an array of numbers, or of scalars S. f: an entry an unknown, written.
 template <RuntimeModel T, class S, class P>
-RuntimeArray<S> equations_at(const T& model, const RuntimeArray<CircleAngle<S>>& theta, const RuntimeArray<S>& x,
-                             const RuntimeArray<P>& p) {
-    RuntimeArray<S> f(theta.size() + x.size());
+void equations_at(const T& model, const LocalArray<CircleAngle<S>>& theta, const LocalArray<S>& x, const P& p, S* f) {
+    const int n = theta.size() + x.size();
     if constexpr (RuntimePotentialModel<T>) {
         using Directed = detail::DirectedUnknowns<S>;
-        const auto parameters = detail::lifted<typename Directed::D>(p);
-        for (int first = 0; first < f.size(); first += Directed::directions) {
+        const auto& parameters = detail::lifted<typename Directed::D>(p);
+        for (int first = 0; first < n; first += Directed::directions) {
             const Directed at(theta, x, first);
             const typename Directed::D v = detail::call_runtime_potential(model, at.theta, at.x, parameters);
-            for (int d = 0; d < Directed::directions && first + d < f.size(); ++d) f[first + d] = v.derivative[d];
+            for (int d = 0; d < Directed::directions && first + d < n; ++d) f[first + d] = v.derivative[d];
         }
     } else {
         const auto values = detail::call_runtime_equations(model, theta, x, p);
-        for (int i = 0; i < f.size(); ++i) f[i] = S(std::begin(values)[i]);
+        for (int i = 0; i < n; ++i) f[i] = S(std::begin(values)[i]);
     }
-    return f;
 }
 
-/// F and its Jacobian: J[r][c] = dF_r / dq_c.
+/// F and its Jacobian, row after row, written: jacobian[r n + c] = dF_r / dq_c.
 template <RuntimeModel T, class S, class P>
-std::pair<RuntimeArray<S>, RuntimeMatrix<S>> equations_and_jacobian(const T& model,
-                                                                    const RuntimeArray<CircleAngle<S>>& theta,
-                                                                    const RuntimeArray<S>& x,
-                                                                    const RuntimeArray<P>& p) {
+void equations_and_jacobian(const T& model, const LocalArray<CircleAngle<S>>& theta, const LocalArray<S>& x, const P& p,
+                            S* f, S* jacobian) {
     using Directed = detail::DirectedUnknowns<S>;
-    const auto parameters = detail::lifted<typename Directed::D>(p);
+    const auto& parameters = detail::lifted<typename Directed::D>(p);
     const int n = theta.size() + x.size();
-    RuntimeArray<S> f(n);
-    RuntimeMatrix<S> j(n);
+    LocalArray<typename Directed::D> values(n);
     for (int first = 0; first < n; first += Directed::directions) {
         const Directed at(theta, x, first);
-        const auto values = equations_at(model, at.theta, at.x, parameters);
+        equations_at(model, at.theta, at.x, parameters, values.begin());
         for (int r = 0; r < n; ++r) {
             f[r] = values[r].value;
-            for (int d = 0; d < Directed::directions && first + d < n; ++d) j[r][first + d] = values[r].derivative[d];
+            for (int d = 0; d < Directed::directions && first + d < n; ++d)
+                jacobian[r * n + first + d] = values[r].derivative[d];
         }
     }
-    return {std::move(f), std::move(j)};
-}
-
-/// Unknowns (angles in radians, then coordinates) as points of the circles and coordinates.
-template <class S>
-std::pair<RuntimeArray<CircleAngle<S>>, RuntimeArray<S>> split_unknowns(const RuntimeArray<S>& q,
-                                                                        const RuntimeSizes& sizes) {
-    using std::cos, std::sin;
-    std::pair<RuntimeArray<CircleAngle<S>>, RuntimeArray<S>> y{RuntimeArray<CircleAngle<S>>(sizes.angles),
-                                                               RuntimeArray<S>(sizes.coordinates)};
-    for (int i = 0; i < sizes.angles; ++i) y.first[i] = {S(cos(q[i])), S(sin(q[i]))};
-    for (int j = 0; j < sizes.coordinates; ++j) y.second[j] = q[sizes.angles + j];
-    return y;
 }
 
 }  // namespace equilibria

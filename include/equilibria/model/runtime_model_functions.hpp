@@ -3,9 +3,6 @@
 /// loci.
 #pragma once
 
-#include <tuple>
-#include <utility>
-
 #include <equilibria/model/model_functions.hpp>
 #include <equilibria/model/runtime_model.hpp>
 
@@ -19,30 +16,35 @@ public:
 
     void linearize(const RuntimeArray<S>& q, const RuntimeArray<S>& p, RuntimeArray<S>& f,
                    RuntimeMatrix<S>& j) const override {
-        const auto [theta, x] = split_unknowns(q, this->sizes());
-        std::tie(f, j) = equations_and_jacobian(model_, theta, x, p);
+        const RuntimeModelPoint<S> at(q.begin(), this->sizes());
+        f.resize(this->unknowns());
+        j = RuntimeMatrix<S>(this->unknowns());
+        equations_and_jacobian(model_, at.theta, at.x, p, f.begin(), j[0]);
     }
     void derivatives_along(const RuntimeArray<S>& q, const RuntimeArray<S>& v, const RuntimeArray<S>& p,
                            const RuntimeArray<S>& w, RuntimeArray<S>& f, RuntimeMatrix<S>& j) const override {
         using D = Dual<S, 1>;
         const auto along = [](const RuntimeArray<S>& from, const RuntimeArray<S>& by) {
-            RuntimeArray<D> y(from.size());
+            LocalArray<D> y(from.size());
             for (int k = 0; k < y.size(); ++k) y[k] = D(from[k]), y[k].derivative[0] = by[k];
             return y;
         };
-        const auto [theta, x] = split_unknowns(along(q, v), this->sizes());
-        const auto [values, slopes] = equations_and_jacobian(model_, theta, x, along(p, w));
+        const RuntimeModelPoint<D> at(along(q, v).begin(), this->sizes());
         const int n = this->unknowns();
+        LocalArray<D> values(n), slopes(n * n);
+        equations_and_jacobian(model_, at.theta, at.x, along(p, w), values.begin(), slopes.begin());
         f.resize(n);
         j = RuntimeMatrix<S>(n);
         for (int r = 0; r < n; ++r) {
             f[r] = values[r].derivative[0];
-            for (int c = 0; c < n; ++c) j[r][c] = slopes[r][c].derivative[0];
+            for (int c = 0; c < n; ++c) j[r][c] = slopes[r * n + c].derivative[0];
         }
     }
     RuntimeArray<Jet<S>> equations(const RuntimeArray<Jet<S>>& q, const RuntimeArray<Jet<S>>& p) const override {
-        const auto [theta, x] = split_unknowns(q, this->sizes());
-        return equations_at(model_, theta, x, p);
+        const RuntimeModelPoint<Jet<S>> at(q.begin(), this->sizes());
+        RuntimeArray<Jet<S>> f(this->unknowns());
+        equations_at(model_, at.theta, at.x, p, f.begin());
+        return f;
     }
 
 private:

@@ -34,7 +34,7 @@ template <class M>
 std::vector<Root<M>> merge(PathSet& paths) {
     std::vector<Root<M>> roots;
     roots.reserve(static_cast<std::size_t>(most_roots(paths)));
-    merge<M>(paths, [&](const Root<M>& root) { roots.push_back(root); });
+    merge<M>(paths, [&](Root<M> root) { roots.push_back(std::move(root)); });
     std::sort(roots.begin(), roots.end(), [](const auto& a, const auto& b) { return a.path < b.path; });
     return roots;
 }

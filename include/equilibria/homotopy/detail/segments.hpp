@@ -108,6 +108,9 @@ public:
                 if (!done_[k] && corrections_[k] == 0) move(k, *here, outcome);
                 if (done_[k]) load(k);
             }
+            const auto running = std::find_if(path.begin(), path.end(), [](Path* p) { return p != nullptr; });
+            for (int k = 0; running != path.end() && k < width; ++k)
+                if (!path[at(k)]) repeat(k, static_cast<int>(running - path.begin()));
         }
     }
 
@@ -166,6 +169,12 @@ private:
         corrections_[k] = 0;
         done_[k] = false;
         was_far_[k] = static_cast<double>(farthest2(path.q)) > far_away2;
+    }
+    /// Lane k, which is idle, goes with another, as in LaneTracker.
+    void repeat(int k, int other) {
+        copy_lane(q_, other, q_, k);
+        for (Pack* const pack : {&from_.re, &from_.im, &way_.re, &way_.im, &tau_, &h_, &noise_})
+            set_lane(*pack, k, lane(*pack, other));
     }
     void leave(int k, Segment<R>& path, Progress progress) {
         copy_lane(q_, k, path.q, 0);

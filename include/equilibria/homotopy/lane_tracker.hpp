@@ -56,7 +56,7 @@ private:
         }
     }
     /// Idle lanes go with a lane that runs. On their own they would rest at a solution, where what Newton's method
-    /// corrects dies away into numbers below the normal range, each of which costs a processor a hundred cycles.
+    /// corrects dies away into denormal numbers, each of which costs a processor a hundred cycles.
     void fill_idle() {
         const auto running = std::find_if(path_, path_ + width, [](std::int64_t path) { return path >= 0; }) - path_;
         if (running == width) return;

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdio>
+#include <equilibria/continuation/check_derivatives.hpp>
 #include <equilibria/fem/loose_motion.hpp>
 #include <equilibria/io/structure/structure_json.hpp>
 #include <equilibria/io/structure/structure_output.hpp>
@@ -21,7 +22,6 @@
 #include <utility>
 #include <vector>
 
-#include "instances/fem/structure_branches.hpp"
 #include "plots/buckling.hpp"
 #include "support/buckling_cases.hpp"
 #include "support/options.hpp"

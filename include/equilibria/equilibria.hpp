@@ -7,8 +7,8 @@
 #include <equilibria/algebra/laurent.hpp>
 #include <equilibria/algebra/polynomial_system.hpp>
 #include <equilibria/certify/refine_root.hpp>
-#include <equilibria/continuation/branch_graph.hpp>
 #include <equilibria/continuation/curves/imperfection.hpp>
+#include <equilibria/continuation/diagrams/branch_graph.hpp>
 #include <equilibria/continuation/generic_problem.hpp>
 #include <equilibria/enumerate/enumerate.hpp>
 #include <equilibria/enumerate/prove.hpp>

@@ -1,5 +1,6 @@
 // Lagrange multipliers: dead points of mechanisms, redundant constraints.
 #include <equilibria/continuation/branch.hpp>
+#include <equilibria/continuation/factorization/redundant_constraints.hpp>
 #include <equilibria/continuation/factorization/sparse_ldlt.hpp>
 
 #include "support/catch.hpp"

@@ -1,3 +1,4 @@
+#include <equilibria/continuation/check_derivatives.hpp>
 #include <equilibria/continuation/critical_point.hpp>
 #include <equilibria/continuation/generic_problem.hpp>
 

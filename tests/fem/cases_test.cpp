@@ -4,7 +4,6 @@
 
 #include "../programs/support/buckling_cases.hpp"
 #include "fem/reference_paths.hpp"
-#include "instances/fem/structure_branches.hpp"
 #include "support/catch.hpp"
 #include "support/rod_shooting.hpp"
 

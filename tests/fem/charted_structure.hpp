@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <equilibria/fem/structure.hpp>
+#include <equilibria/rotation/tangent_map.hpp>
 #include <utility>
 #include <vector>
 

@@ -1,7 +1,9 @@
 // Structures loaded, or driven, from their unloaded state on.
 #pragma once
 
-#include "instances/fem/structure_branches.hpp"
+#include <equilibria/continuation/branch.hpp>
+#include <equilibria/fem/structure.hpp>
+
 #include "support/catch.hpp"
 
 namespace states {

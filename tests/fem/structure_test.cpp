@@ -1,4 +1,7 @@
 // Structures as continuation problems: derivatives, rigid turns, charts, multipliers, threads, and what is refused.
+#include <equilibria/continuation/check_derivatives.hpp>
+#include <equilibria/continuation/critical_point.hpp>
+#include <equilibria/continuation/factorization/generic_vector.hpp>
 #include <equilibria/fem/joints.hpp>
 #include <equilibria/fem/loads.hpp>
 #include <equilibria/fem/loose_motion.hpp>

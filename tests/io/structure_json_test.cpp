@@ -10,9 +10,9 @@
 #include <type_traits>
 #include <vector>
 
+#include <equilibria/continuation/branch.hpp>
 #include <equilibria/io/structure/structure_json.hpp>
 
-#include "instances/fem/structure_branches.hpp"
 #include "support/catch.hpp"
 #include "support/scratch_file.hpp"
 

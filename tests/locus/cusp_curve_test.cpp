@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include <equilibria/continuation/check_derivatives.hpp>
 #include <equilibria/locus/space/cusp_curve.hpp>
 #include <equilibria/mechanisms/rotating_chain.hpp>
 #include <equilibria/singularity/refine_singularity.hpp>

@@ -1,4 +1,5 @@
 // The rotating chain as a continuation problem, without the locus module's search.
+#include <equilibria/continuation/check_derivatives.hpp>
 #include <equilibria/continuation/curves/critical_curve_trace.hpp>
 #include <equilibria/locus/line/model_problem.hpp>
 #include <equilibria/mechanisms/rotating_chain.hpp>

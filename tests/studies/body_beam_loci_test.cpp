@@ -7,8 +7,8 @@
 
 #include <Eigen/Core>
 
-#include <equilibria/continuation/branch_graph.hpp>
 #include <equilibria/continuation/curves/critical_curve_trace.hpp>
+#include <equilibria/continuation/diagrams/branch_graph.hpp>
 #include <equilibria/locus/line/model_problem.hpp>
 #include <equilibria/stability/inertia.hpp>
 #include <equilibria/studies/rotating_body_beam/body_beam_either_strain.hpp>

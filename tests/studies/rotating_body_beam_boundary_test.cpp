@@ -9,6 +9,7 @@
 #include <Eigen/LU>
 
 #include <equilibria/continuation/branch.hpp>
+#include <equilibria/continuation/check_derivatives.hpp>
 #include <equilibria/studies/rotating_body_beam/rotating_body_beam.hpp>
 #include <equilibria/studies/rotating_body_beam/rotating_body_beam_boundary.hpp>
 

@@ -7,15 +7,14 @@
 
 #include <Eigen/Core>
 
+#include <equilibria/continuation/any_problem.hpp>
 #include <equilibria/continuation/factorization/bordered.hpp>
 #include <equilibria/continuation/problem.hpp>
 
 namespace equilibria {
 
-/// A converged point of a branch.
-template <class P>
-struct BranchPoint {
-    Configuration<P> q{};
+/// What is known of a converged point of a branch, whatever its configuration is.
+struct BranchPointEvidence {
     double p = 0;
     Direction tangent;               ///< of length 1, along the direction of travel
     Eigen::VectorXd weak_direction;  ///< of length 1: nearly the eigenvector of the smallest eigenvalue
@@ -41,5 +40,26 @@ struct BranchPoint {
         return *negative == 0;
     }
 };
+
+/// A converged point of a branch.
+template <class P>
+struct BranchPoint : BranchPointEvidence {
+    Configuration<P> q{};
+};
+
+/// The same point, its configuration of any type, and back.
+template <ContinuationProblem P>
+BranchPoint<Erased> erased(const BranchPoint<P>& at) {
+    return {at, AnyConfiguration::of(at.q)};
+}
+template <ContinuationProblem P>
+BranchPoint<P> typed(const BranchPoint<Erased>& at) {
+    return {at, at.q.as<Configuration<P>>()};
+}
+template <ContinuationProblem P>
+std::optional<BranchPoint<P>> typed(const std::optional<BranchPoint<Erased>>& at) {
+    if (!at) return std::nullopt;
+    return typed<P>(*at);
+}
 
 }  // namespace equilibria

@@ -8,196 +8,50 @@
 /// Seydel, Practical Bifurcation and Stability Analysis.
 #pragma once
 
-#include <algorithm>
 #include <cmath>
-#include <functional>
-#include <numbers>
 #include <optional>
-#include <string>
 #include <utility>
 
+#include <Eigen/Core>
+
+#include <equilibria/continuation/any_problem.hpp>
 #include <equilibria/continuation/branch_options.hpp>
 #include <equilibria/continuation/branch_point.hpp>
-#include <equilibria/continuation/corrector.hpp>
 #include <equilibria/continuation/factorization/bordered.hpp>
-#include <equilibria/continuation/problem.hpp>
+#include <equilibria/core/compiled.hpp>
+#include <equilibria/core/error.hpp>
 
 namespace equilibria {
 
-template <ContinuationProblem P>
-class BranchStepper {
+/// Along branches of a problem of any type; its functions are those of BranchStepper, below.
+template <class Matrix>
+class AnyBranchStepper {
 public:
-    using Matrix = TangentMatrix<P>;
-    using Point = BranchPoint<P>;
+    using Point = BranchPoint<Erased>;
 
-    /// The problem must outlive the stepper. Throws InvalidArgument for options out of range.
-    BranchStepper(const P& problem, const BranchOptions& options)
-        : problem_(&problem), options_(options), solver_(symmetric_tangent<P>, equilibria::multipliers(problem)),
-          theta_(options.parameter_weight) {
-        options.validate();
-        require(options.constraint != StepConstraint::scalar || Controlled<P>, "constraint", "scalar",
-                "must not be asked of a problem without control(q, p)");
-    }
-    BranchStepper(P&&, const BranchOptions&) = delete;
+    AnyBranchStepper(AnyProblem<Matrix> problem, const BranchOptions& options);
 
-    const P& problem() const { return *problem_; }
+    const AnyProblem<Matrix>& problem() const { return problem_; }
     const BranchOptions& options() const { return options_; }
     double parameter_weight() const { return theta_; }
+    const Eigen::VectorXd& metric() const { return weights_; }
 
-    /// The equilibrium near q at the parameter p, with the tangent along which the parameter grows (direction 1) or
-    /// falls (-1). Nothing where Newton's method at fixed p does not converge.
-    std::optional<Point> start(Configuration<P> q, double p, int direction) {
-        weights_ = weights(*problem_, q, problem_->residual(q, p).size());
-        const std::optional<int> corrections = correct_at(q, p);
-        if (!corrections) return std::nullopt;
-        q = rebase(*problem_, std::move(q), p);
-        auto point = assess(q, p, std::nullopt);
-        if (!point) return std::nullopt;
-        if (direction * point->tangent.p < 0) flip(point->tangent);
-        point->corrections = *corrections;
-        point->proposed_step = options_.first_step;
-        return point;
-    }
+    std::optional<Point> start(AnyConfiguration q, double p, int direction);
+    std::optional<Point> advance(const Point& from, const Point* before = nullptr);
+    std::optional<Point> step(const Point& from, double h, const Point* before = nullptr);
+    Direction predict(const Point& from, double h, const Point* before) const;
+    std::optional<Point> onto(const AnyConfiguration& q, double p, const Direction& increment, const Direction& normal,
+                              const Direction& along);
+    std::optional<Point> assess(const AnyConfiguration& q, double p, const std::optional<Direction>& along);
+    Eigen::MatrixXd weak_directions(const AnyConfiguration& q, double p, int count);
 
-    /// The next point of the branch; nothing where the step would be smaller than the smallest. `before`: the point
-    /// before `from`, for predictors that need it.
-    std::optional<Point> advance(const Point& from, const Point* before = nullptr) {
-        double h = std::min(from.proposed_step, options_.largest_step);
-        for (; h >= options_.smallest_step; h /= 2) {
-            std::optional<Point> next = step(from, h, before);
-            if (!next) continue;
-            if (!(next->turning <= options_.largest_angle)) continue;
-            if (from.negative && next->negative && h > options_.resolution &&
-                std::abs(*from.negative - *next->negative) > options_.most_sign_changes)
-                continue;
-            const double by_angle = 0.5 * options_.largest_angle / (next->turning + 1e-9);
-            const double by_corrections = std::exp2((4 - next->corrections) / 2.0);
-            next->proposed_step = h * std::clamp(std::min(by_angle, by_corrections), 0.5, 2.0);
-            return next;
-        }
-        return std::nullopt;
-    }
-
-    /// The point of the branch a step of length h from `from`, which may be negative: back; nothing where the corrector
-    /// does not converge.
-    std::optional<Point> step(const Point& from, double h, const Point* before = nullptr) {
-        Direction predicted = predict(from, h, before);
-        auto next = correct_from(from, predicted, normal_of(from, predicted, h), h);
-        if (!next) return std::nullopt;
-        next->step = h;
-        next->arc_length = from.arc_length + h;
-        return next;
-    }
-
-    /// Where the predictor puts the next point, from `from`.
-    Direction predict(const Point& from, double h, const Point* before) const {
-        Direction d = from.tangent;
-        scale(d, h);
-        if (!before || options_.predictor == Predictor::tangent || !(std::abs(from.step) > 0)) return d;
-        Direction secant = difference(from, before->q, before->p);
-        flip(secant);
-        if (options_.predictor == Predictor::secant) {
-            scale(secant, h / length(secant));
-            return secant;
-        }
-        // the parabola through both points with the tangent at the last: h t + (h / H)^2 (secant - H t), seen backwards
-        const double ratio = h / from.step;
-        d.q += ratio * ratio * (from.step * from.tangent.q - secant.q);
-        d.p += ratio * ratio * (from.step * from.tangent.p - secant.p);
-        return d;
-    }
-
-    /// The point of the branch in the plane through (q (+) increment) normal to `normal`, whose tangent points to the
-    /// side of `along`.
-    std::optional<Point> onto(const Configuration<P>& q, double p, const Direction& increment, const Direction& normal,
-                              const Direction& along) {
-        if (weights_.size() == 0) weights_ = weights(*problem_, q, increment.q.size());
-        Point from;
-        from.q = q;
-        from.p = p;
-        from.tangent = along;
-        border_.column = border_.row = largest(increment.q);
-        Constraint constraint;
-        constraint.kind = StepConstraint::normal_plane;
-        constraint.normal = normal;
-        auto next = correct_from(from, increment, constraint, length(increment));
-        if (next) next->proposed_step = std::clamp(length(increment), options_.smallest_step, options_.largest_step);
-        return next;
-    }
-
-    /// The increment from a point to a configuration near it.
-    Direction difference(const Point& from, const Configuration<P>& q, double p) const {
-        return {equilibria::difference(*problem_, from.q, q), p - from.p};
+    Direction difference(const Point& from, const AnyConfiguration& q, double p) const {
+        return {problem_.difference(from.q, q), p - from.p};
     }
     double dot(const Direction& a, const Direction& b) const {
         return a.q.dot(weights_.cwiseProduct(b.q)) + theta_ * theta_ * a.p * b.p;
     }
     double length(const Direction& a) const { return std::sqrt(dot(a, a)); }
-    const Eigen::VectorXd& metric() const { return weights_; }
-
-    /// What is known of a point of the branch; `along`: the tangent's side. Nothing where the tangent is not
-    /// determined: nullity 2 or more.
-    std::optional<Point> assess(const Configuration<P>& q, double p, const std::optional<Direction>& along) {
-        const Matrix k = problem_->tangent(q, p);
-        const Eigen::VectorXd g = problem_->residual(q, p), g_p = problem_->parameter_derivative(q, p);
-        if (weights_.size() == 0) weights_ = weights(*problem_, q, g.size());
-        Point point;
-        point.q = q;
-        point.p = p;
-        point.residual = g.size() > 0 ? g.template lpNorm<Eigen::Infinity>() : 0;
-        const auto weak = factor_at_weakest(solver_, k, weights_, multipliers(*problem_), border_);
-        if (!weak) return std::nullopt;
-        const BorderedSolution& r = weak->r;
-        const BorderedSolution s = solver_.solve(-g_p, 0);
-        point.sigma = r.tau;
-        point.mu = -s.tau;
-        point.weak_direction = weak->direction;
-        point.weak_left = weak->left;
-        point.weak_eigenvalue = weak->eigenvalue;
-        point.border = border_;
-        if (const auto inertia = solver_.inertia(r.tau)) {
-            // each independent constraint brings a negative eigenvalue of its own
-            point.negative = inertia->negative - multipliers(*problem_);
-            point.eigenvalue_below = inertia->below;
-            point.eigenvalue_above = inertia->above;
-        }
-        point.determinant_sign = solver_.sign_of_determinant(r.tau);
-        if (theta_ == 0) {
-            // the parameter's share of the first tangent is a half
-            const double slope = std::sqrt(s.x.dot(weights_.cwiseProduct(s.x)));
-            Eigen::VectorXd q_slope = -s.tau * r.x + r.tau * s.x;
-            const double whole = std::sqrt(q_slope.dot(weights_.cwiseProduct(q_slope))) / std::abs(r.tau);
-            theta_ = std::isfinite(whole) && whole > 0 ? whole : (slope > 0 ? slope : 1.0);
-        }
-        point.tangent = {-s.tau * r.x + r.tau * s.x, r.tau};
-        const double size = length(point.tangent);
-        if (!(size > 0) || !std::isfinite(size)) return std::nullopt;
-        scale(point.tangent, 1 / size);
-        if (along && dot(point.tangent, *along) < 0) flip(point.tangent);
-        return point;
-    }
-
-    /// `count` orthonormal directions (by the weights) in which K is weakest at a regular point, the columns of the
-    /// result, by subspace iteration. Empty where K is singular to rounding.
-    Eigen::MatrixXd weak_directions(const Configuration<P>& q, double p, int count) {
-        const Matrix k = problem_->tangent(q, p);
-        if (!factor(k)) return {};
-        const Eigen::Index n = k.rows();
-        const BorderedSolution r = solver_.solve(Eigen::VectorXd::Zero(n), 1);
-        Eigen::MatrixXd v(n, count);
-        for (Eigen::Index c = 0; c < count; ++c) v.col(c) = detail::generic_vector(n, c);
-        for (int round = 0; round < 8; ++round)
-            for (Eigen::Index c = 0; c < count; ++c) {
-                const BorderedSolution f = solver_.solve(weights_.cwiseProduct(v.col(c)), 0);
-                v.col(c) = f.x - f.tau / r.tau * r.x;
-                for (int twice = 0; twice < 2; ++twice)
-                    for (Eigen::Index b = 0; b < c; ++b)
-                        v.col(c) -= v.col(b).dot(weights_.cwiseProduct(v.col(c))) * v.col(b);
-                v.col(c) /= std::sqrt(v.col(c).dot(weights_.cwiseProduct(v.col(c))));
-            }
-        if (!v.allFinite()) return {};
-        return v;
-    }
 
     static void flip(Direction& d) { scale(d, -1); }
     static void scale(Direction& d, double by) {
@@ -213,124 +67,20 @@ private:
         double target = 0;    ///< of a scalar
     };
 
-    double scaled(const Eigen::VectorXd& v, Eigen::Index i) const { return std::sqrt(weights_(i)) * std::abs(v(i)); }
     /// The largest entry by the weights, multipliers apart.
-    Eigen::Index largest(const Eigen::VectorXd& v) const {
-        Eigen::Index best = 0;
-        for (Eigen::Index i = 1; i < v.size() - multipliers(*problem_); ++i)
-            if (scaled(v, i) > scaled(v, best)) best = i;
-        return best;
-    }
-
+    Eigen::Index largest(const Eigen::VectorXd& v) const;
     /// Factors K with the last border, or with another one where that is singular.
-    bool factor(const Matrix& k) {
-        return detail::factor_with_border(solver_, k, weights_, multipliers(*problem_), border_);
-    }
-
-    Constraint normal_of(const Point& from, const Direction& predicted, double h) const {
-        Constraint y{options_.constraint, predicted, std::abs(h)};
-        if (y.kind == StepConstraint::normal_plane) y.normal = from.tangent;
-        if (y.kind == StepConstraint::unknown) {
-            y.normal.q = Eigen::VectorXd::Zero(predicted.q.size());
-            y.normal.q(std::min(options_.controlled, predicted.q.size() - 1)) = 1;
-            y.normal.p = 0;
-        }
-        if constexpr (Controlled<P>)
-            if (y.kind == StepConstraint::scalar) {
-                const Direction gradient = control_gradient(*problem_, from.q, from.p, predicted.q.size());
-                y.target = problem_->control(from.q, from.p) + gradient.q.dot(predicted.q) + gradient.p * predicted.p;
-            }
-        if (y.kind == StepConstraint::parameter) y.normal = {Eigen::VectorXd::Zero(predicted.q.size()), 1};
-        return y;
-    }
-
+    bool factor(const Matrix& k);
+    Constraint normal_of(const Point& from, const Direction& predicted, double h) const;
     /// The gradient of the constraint, in weighted coordinates, and its value at (q, p), the increment `moved` away
     /// from the last point; planes have the value 0 at every iterate.
-    std::pair<Direction, double> constraint_at(const Constraint& c, const Direction& moved, const Configuration<P>& q,
-                                               double p) const {
-        const auto weighted = [&](const Direction& d) {
-            return Direction{weights_.cwiseProduct(d.q), theta_ * theta_ * d.p};
-        };
-        switch (c.kind) {
-            case StepConstraint::normal_plane: return {weighted(c.normal), 0.0};
-            case StepConstraint::updated_plane: return {weighted(moved), 0.0};
-            case StepConstraint::sphere: return {weighted(moved), (dot(moved, moved) - c.distance * c.distance) / 2};
-            case StepConstraint::cylinder: {
-                Direction d = weighted(moved);
-                // the unknowns move as far as predicted, which is kept in `normal`
-                const double radius2 = c.normal.q.dot(weights_.cwiseProduct(c.normal.q)), reached2 = moved.q.dot(d.q);
-                d.p = 0;
-                return {d, (reached2 - radius2) / 2};
-            }
-            case StepConstraint::scalar:
-                if constexpr (Controlled<P>)
-                    return {control_gradient(*problem_, q, p, moved.q.size()), problem_->control(q, p) - c.target};
-                break;
-            case StepConstraint::unknown:
-            case StepConstraint::parameter: break;
-        }
-        return {c.normal, 0.0};
-    }
-
+    std::pair<Direction, double> constraint_at(const Constraint& c, const Direction& moved, const AnyConfiguration& q,
+                                               double p) const;
     /// Newton's method from q (+) moved; `from.tangent` decides the side of the tangent.
-    std::optional<Point> correct_from(const Point& from, Direction moved, const Constraint& constraint, double h) {
-        Configuration<P> q = retract(*problem_, from.q, moved.q);
-        double p = from.p + moved.p;
-        const double start = length(moved);
-        double before = 0, contraction = 0;
-        for (int k = 0; k < options_.most_corrections; ++k) {
-            const Eigen::VectorXd g = problem_->residual(q, p);
-            if (!g.allFinite()) return std::nullopt;
-            const Eigen::VectorXd g_p = problem_->parameter_derivative(q, p);
-            const Matrix k_now = problem_->tangent(q, p);
-            if (!factor(k_now)) return std::nullopt;
-            const BorderedSolution q0 = solver_.solve(-g, 0), s = solver_.solve(-g_p, 0),
-                                   r = solver_.solve(Eigen::VectorXd::Zero(g.size()), 1);
-            const auto [normal, value] = constraint_at(constraint, moved, q, p);
-            // [sigma, t_s; n.r, n.s + n_p] [z; dp] = [-t0; -value - n.q0]
-            const double a = r.tau, b = s.tau, c = normal.q.dot(r.x), d = normal.q.dot(s.x) + normal.p;
-            const double e = -q0.tau, f = -value - normal.q.dot(q0.x), determinant = a * d - b * c;
-            const double z = (e * d - b * f) / determinant, dp = (a * f - e * c) / determinant;
-            Direction correction{q0.x + z * r.x + dp * s.x, dp};
-            const double size = length(correction);
-            if (!std::isfinite(size)) return std::nullopt;
-            contraction = k > 0 && before > 0 ? size / before : 0;
-            if (k == 0 && size > 0.5 * start + 1e3 * options_.tolerance) return std::nullopt;
-            // with several weak directions rounding moves the iterates about in them
-            const bool rounding = g.template lpNorm<Eigen::Infinity>() <=
-                                  64 * std::numeric_limits<double>::epsilon() *
-                                      detail::largest_force(k_now, weights_, k_now.cols() - multipliers(*problem_));
-            if (k > 0 && contraction > 0.7 && size > 1e3 * tolerance(moved) && !rounding) return std::nullopt;
-            q = retract(*problem_, q, correction.q);
-            p += dp;
-            moved.q += correction.q;
-            moved.p += dp;
-            before = size;
-            if (size <= tolerance(moved) ||
-                (k > 0 && contraction > 0.5 && (rounding || size <= 1e3 * tolerance(moved)))) {
-                Direction along = from.tangent;
-                along.q = transport(*problem_, from.q, moved.q, along.q);
-                q = rebase(*problem_, std::move(q), p);
-                auto point = assess(q, p, along);
-                if (!point) return std::nullopt;
-                point->corrections = k + 1;
-                point->step = h;
-                point->turning = std::acos(std::clamp(dot(point->tangent, along) / length(along), -1.0, 1.0));
-                return point;
-            }
-        }
-        return std::nullopt;
-    }
+    std::optional<Point> correct_from(const Point& from, Direction moved, const Constraint& constraint, double h);
     double tolerance(const Direction& moved) const { return options_.tolerance * (1 + length(moved)); }
 
-    /// Newton's method at a fixed parameter; how many corrections it took.
-    std::optional<int> correct_at(Configuration<P>& q, double p) {
-        const Correction y = Corrector<P>(*problem_, solver_, border_, weights_)(
-            q, p, {.most_steps = 4 * options_.most_corrections, .tolerance = options_.tolerance});
-        return y.converged() ? std::optional<int>(y.steps) : std::nullopt;
-    }
-
-    const P* problem_;
+    AnyProblem<Matrix> problem_;
     BranchOptions options_;
     BorderedSolver<Matrix> solver_;
     double theta_;
@@ -338,4 +88,92 @@ private:
     Border border_;
 };
 
+template <ContinuationProblem P>
+class BranchStepper {
+public:
+    using Matrix = TangentMatrix<P>;
+    using Point = BranchPoint<P>;
+
+    /// The problem must outlive the stepper. Throws InvalidArgument for options out of range.
+    BranchStepper(const P& problem, const BranchOptions& options)
+        : problem_(&problem), any_(AnyProblem<Matrix>(problem), options) {}
+    BranchStepper(P&&, const BranchOptions&) = delete;
+
+    const P& problem() const { return *problem_; }
+    const BranchOptions& options() const { return any_.options(); }
+    double parameter_weight() const { return any_.parameter_weight(); }
+
+    /// The equilibrium near q at the parameter p, with the tangent along which the parameter grows (direction 1) or
+    /// falls (-1). Nothing where Newton's method at fixed p does not converge.
+    std::optional<Point> start(Configuration<P> q, double p, int direction) {
+        return typed<P>(any_.start(AnyConfiguration::of(std::move(q)), p, direction));
+    }
+
+    /// The next point of the branch; nothing where the step would be smaller than the smallest. `before`: the point
+    /// before `from`, for predictors that need it.
+    std::optional<Point> advance(const Point& from, const Point* before = nullptr) {
+        const auto last = erased_or_none(before);
+        return typed<P>(any_.advance(erased(from), last ? &*last : nullptr));
+    }
+
+    /// The point of the branch a step of length h from `from`, which may be negative: back; nothing where the corrector
+    /// does not converge.
+    std::optional<Point> step(const Point& from, double h, const Point* before = nullptr) {
+        const auto last = erased_or_none(before);
+        return typed<P>(any_.step(erased(from), h, last ? &*last : nullptr));
+    }
+
+    /// Where the predictor puts the next point, from `from`.
+    Direction predict(const Point& from, double h, const Point* before) const {
+        const auto last = erased_or_none(before);
+        return any_.predict(erased(from), h, last ? &*last : nullptr);
+    }
+
+    /// The point of the branch in the plane through (q (+) increment) normal to `normal`, whose tangent points to the
+    /// side of `along`.
+    std::optional<Point> onto(const Configuration<P>& q, double p, const Direction& increment, const Direction& normal,
+                              const Direction& along) {
+        return typed<P>(any_.onto(AnyConfiguration::of(q), p, increment, normal, along));
+    }
+
+    /// What is known of a point of the branch; `along`: the tangent's side. Nothing where the tangent is not
+    /// determined: nullity 2 or more.
+    std::optional<Point> assess(const Configuration<P>& q, double p, const std::optional<Direction>& along) {
+        return typed<P>(any_.assess(AnyConfiguration::of(q), p, along));
+    }
+
+    /// `count` orthonormal directions (by the weights) in which K is weakest at a regular point, the columns of the
+    /// result, by subspace iteration. Empty where K is singular to rounding.
+    Eigen::MatrixXd weak_directions(const Configuration<P>& q, double p, int count) {
+        return any_.weak_directions(AnyConfiguration::of(q), p, count);
+    }
+
+    /// The increment from a point to a configuration near it.
+    Direction difference(const Point& from, const Configuration<P>& q, double p) const {
+        return {equilibria::difference(*problem_, from.q, q), p - from.p};
+    }
+    double dot(const Direction& a, const Direction& b) const { return any_.dot(a, b); }
+    double length(const Direction& a) const { return any_.length(a); }
+    const Eigen::VectorXd& metric() const { return any_.metric(); }
+
+    static void flip(Direction& d) { AnyBranchStepper<Matrix>::flip(d); }
+    static void scale(Direction& d, double by) { AnyBranchStepper<Matrix>::scale(d, by); }
+
+    /// What it does all of it with.
+    AnyBranchStepper<Matrix>& any() { return any_; }
+
+private:
+    static std::optional<BranchPoint<Erased>> erased_or_none(const Point* point) {
+        if (!point) return std::nullopt;
+        return erased(*point);
+    }
+
+    const P* problem_;
+    AnyBranchStepper<Matrix> any_;
+};
+
 }  // namespace equilibria
+
+#ifndef EQUILIBRIA_COMPILED
+#include <equilibria/continuation/detail/branch_stepper_definitions.hpp>
+#endif

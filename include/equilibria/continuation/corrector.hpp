@@ -9,13 +9,11 @@
 /// Problems, section 2.1; Govaerts, Numerical Methods for Bifurcations of Dynamical Equilibria, chapter 3.
 #pragma once
 
-#include <cmath>
-#include <limits>
-
 #include <Eigen/Core>
 
+#include <equilibria/continuation/any_problem.hpp>
 #include <equilibria/continuation/factorization/bordered.hpp>
-#include <equilibria/continuation/problem.hpp>
+#include <equilibria/core/compiled.hpp>
 #include <equilibria/core/error.hpp>
 
 namespace equilibria {
@@ -53,60 +51,47 @@ struct Correction {
     bool converged() const { return status == CorrectionStatus::converged; }
 };
 
+namespace detail {
+
 /// Newton's method at fixed parameters, with the linear algebra of whoever follows the branch.
-template <ContinuationProblem P>
+template <class Matrix>
 class Corrector {
 public:
     /// weights: of the length of an increment of q. All must outlive the corrector; the border is where the search for
     /// one starts and ends.
-    Corrector(const P& problem, BorderedSolver<TangentMatrix<P>>& solver, Border& border,
+    Corrector(const AnyProblem<Matrix>& problem, BorderedSolver<Matrix>& solver, Border& border,
               const Eigen::VectorXd& weights)
         : problem_(problem), solver_(solver), border_(border), weights_(weights) {}
 
     /// From q to the solution near it at the parameter p; q is the last iterate, whatever the status.
-    Correction operator()(Configuration<P>& q, double p, const CorrectionOptions& options) {
-        Correction y;
-        double before = std::numeric_limits<double>::infinity();
-        while (y.steps < options.most_steps) {
-            const Eigen::VectorXd g = problem_.residual(q, p);
-            if (!g.allFinite() || !factor(problem_.tangent(q, p))) return ended(y, CorrectionStatus::not_finite);
-            const BorderedSolution q0 = solver_.solve(-g, 0), r = solver_.solve(Eigen::VectorXd::Zero(g.size()), 1);
-            const Eigen::VectorXd d = q0.x - q0.tau / r.tau * r.x;
-            const double size = std::sqrt(d.dot(weights_.cwiseProduct(d)));
-            if (!std::isfinite(size)) return ended(y, CorrectionStatus::not_finite);
-            q = retract(problem_, q, d);
-            ++y.steps;
-            if (size <= options.tolerance || (size >= before && size < options.rounding * options.tolerance))
-                return ended(y, CorrectionStatus::converged);
-            before = size;
-        }
-        return y;
-    }
+    Correction operator()(AnyConfiguration& q, double p, const CorrectionOptions& options);
 
 private:
-    bool factor(const TangentMatrix<P>& k) {
-        return detail::factor_with_border(solver_, k, weights_, multipliers(problem_), border_);
-    }
-    static Correction ended(Correction y, CorrectionStatus status) {
-        y.status = status;
-        return y;
-    }
-
-    const P& problem_;
-    BorderedSolver<TangentMatrix<P>>& solver_;
+    const AnyProblem<Matrix>& problem_;
+    BorderedSolver<Matrix>& solver_;
     Border& border_;
     const Eigen::VectorXd& weights_;
 };
+
+}  // namespace detail
+
+/// Of a problem of any type, see below.
+template <class Matrix>
+Correction correct_at(const AnyProblem<Matrix>& problem, AnyConfiguration& q, double p,
+                      const CorrectionOptions& options);
 
 /// Newton's method at the parameter p from q, which is the last iterate afterwards. Throws InvalidArgument where an
 /// option is out of range; all else is a status.
 template <ContinuationProblem P>
 Correction correct_at(const P& problem, Configuration<P>& q, double p, const CorrectionOptions& options = {}) {
-    options.validate();
-    const Eigen::VectorXd metric = weights(problem, q, problem.residual(q, p).size());
-    BorderedSolver<TangentMatrix<P>> solver(symmetric_tangent<P>, multipliers(problem));
-    Border border;
-    return Corrector<P>(problem, solver, border, metric)(q, p, options);
+    AnyConfiguration at = AnyConfiguration::of(q);
+    const Correction y = correct_at(AnyProblemOf<P>(problem), at, p, options);
+    q = at.as<Configuration<P>>();
+    return y;
 }
 
 }  // namespace equilibria
+
+#ifndef EQUILIBRIA_COMPILED
+#include <equilibria/continuation/detail/corrector_definitions.hpp>
+#endif

@@ -14,11 +14,15 @@
 /// (of p); phi is the left null vector where K is not symmetric.
 #pragma once
 
-#include <array>
+#include <optional>
 #include <vector>
 
-#include <equilibria/continuation/branch_stepper.hpp>
+#include <Eigen/Core>
+
+#include <equilibria/continuation/any_problem.hpp>
 #include <equilibria/continuation/critical_kind.hpp>
+#include <equilibria/continuation/factorization/bordered.hpp>
+#include <equilibria/core/compiled.hpp>
 
 namespace equilibria {
 
@@ -36,10 +40,9 @@ struct CriticalIteration {
     bool bifurcation_system;
 };
 
-template <class P>
-struct CriticalPoint {
+/// What is known of a critical point, whatever its configuration is.
+struct CriticalPointEvidence {
     CriticalKind kind = CriticalKind::fold;
-    Configuration<P> q{};
     double p = 0;
     Eigen::VectorXd null_vector;       ///< phi, its largest entry 1
     Eigen::VectorXd left_null_vector;  ///< the same where K is symmetric
@@ -59,6 +62,26 @@ struct CriticalPoint {
     int iterations() const { return static_cast<int>(history.size()); }
 };
 
+template <class P>
+struct CriticalPoint : CriticalPointEvidence {
+    Configuration<P> q{};
+};
+
+/// The same point, its configuration of any type, and back.
+template <ContinuationProblem P>
+CriticalPoint<Erased> erased(const CriticalPoint<P>& point) {
+    return {point, AnyConfiguration::of(point.q)};
+}
+template <ContinuationProblem P>
+CriticalPoint<P> typed(const CriticalPoint<Erased>& point) {
+    return {point, point.q.as<Configuration<P>>()};
+}
+
+/// Of a problem of any type, see CriticalPointSolver.
+template <class Matrix>
+std::optional<CriticalPoint<Erased>> critical_point_near(const AnyProblem<Matrix>& problem, const AnyConfiguration& q,
+                                                         double p, const CriticalPointOptions& options, Border border);
+
 /// Newton's method on both systems, and what the converged point is.
 template <ContinuationProblem P>
 class CriticalPointSolver {
@@ -67,259 +90,24 @@ public:
 
     /// The problem must outlive the solver.
     explicit CriticalPointSolver(const P& problem, const CriticalPointOptions& options = {})
-        : problem_(&problem), options_(options), solver_(symmetric_tangent<P>, equilibria::multipliers(problem)) {}
+        : problem_(problem), options_(options) {}
     explicit CriticalPointSolver(P&&, const CriticalPointOptions& = {}) = delete;
 
     /// The critical point next to (q, p); nothing where neither system converges. border: with which the search for the
     /// weakest direction begins.
-    std::optional<CriticalPoint<P>> solve(const Configuration<P>& q, double p, Border border = {}) {
-        auto point = solve(q, p, border, false);
-        // a fold whose load does little work looks like a bifurcation
-        return point ? point : solve(q, p, border, true);
+    std::optional<CriticalPoint<P>> solve(const Configuration<P>& q, double p, Border border = {}) const {
+        const auto found = critical_point_near(problem_, AnyConfiguration::of(q), p, options_, border);
+        if (!found) return std::nullopt;
+        return typed<P>(*found);
     }
 
 private:
-    /// limit_first: the limit point's system unless the bifurcation's leads to a point that is about as near.
-    std::optional<CriticalPoint<P>> solve(const Configuration<P>& q, double p, Border border, bool limit_first) {
-        weights_ = weights(*problem_, q, problem_->residual(q, p).size());
-        border_ = border;
-        scale_p_ = 0;
-        CriticalPoint<P> point;
-        point.q = q;
-        point.p = p;
-        bool bifurcation = false;
-        int switches = 0;
-        for (int k = 0; k < options_.most_iterations; ++k) {
-            if (!evaluate(point.q, point.p)) return std::nullopt;
-            Step step = bifurcation ? bifurcation_step() : limit_step();
-            // a limit point's system is singular at a bifurcation, a bifurcation's finds imperfect ones as well
-            const bool is_linear = linear(point.history);
-            if (!bifurcation && switches < 2 && (transversality() < options_.bifurcation_start || is_linear)) {
-                const Step other = bifurcation_step();
-                if (!limit_first || is_linear || !(length(other.d) > 10 * length(step.d)))
-                    step = other, bifurcation = true, ++switches;
-            }
-            const auto& [d, gamma] = step;
-            const double size = length(d);
-            if (!std::isfinite(size)) return std::nullopt;
-            const double before =
-                point.history.empty() ? std::numeric_limits<double>::infinity() : point.history.back().step;
-            point.history.push_back({size, r_.tau, residual_, bifurcation});
-            point.q = retract(*problem_, point.q, d.q);
-            point.p += d.p;
-            point.unfolding = bifurcation ? gamma : 0;
-            const bool done = size <= options_.tolerance || (size < 1e-9 && size > 0.2 * before);
-            if (!done) continue;
-            if (!evaluate(point.q, point.p)) return std::nullopt;
-            if (bifurcation && transversality() > options_.bifurcation && !load_vanishes()) return std::nullopt;
-            if (!bifurcation && switches < 2 && (bifurcation_step(), load_vanishes())) {
-                bifurcation = true;
-                switches = 2;
-                continue;
-            }
-            if (bifurcation && std::abs(gamma) > 1e3 * rounding()) {
-                // not on the branch: an imperfect bifurcation; its folds are limit points
-                bifurcation = false;
-                switches = 2;
-                continue;
-            }
-            finish(point, bifurcation);
-            return point;
-        }
-        return std::nullopt;
-    }
-
-    double length(const Direction& d) const {
-        return std::sqrt(d.q.dot(weights_.cwiseProduct(d.q))) + std::abs(d.p) / scale_p_;
-    }
-    /// Newton's method converges linearly, by 1/2, or wanders about near by: a limit point's system at a bifurcation.
-    static bool linear(const std::vector<CriticalIteration>& history) {
-        const std::size_t n = history.size();
-        if (n < 4) return false;
-        const auto ratio = [&](std::size_t k) { return history[k].step / history[k - 1].step; };
-        const double most = history[n - 1].step < 1e-5 ? std::numeric_limits<double>::infinity() : 0.7;
-        return ratio(n - 1) > 0.3 && ratio(n - 1) < most && ratio(n - 2) > 0.3 && ratio(n - 2) < most;
-    }
-    /// What rounding leaves of g, for unknowns of size 1.
-    double rounding() const {
-        return 1e3 * std::numeric_limits<double>::epsilon() * (detail::largest_entry(k_) + detail::largest_entry(dr_));
-    }
-    /// Whether K has another null vector, left in `second`: K without the border is singular to the digits of a Newton
-    /// iteration, and, as stiff structures have soft modes, that eigenvalue too is 0 at a distance along the branch
-    /// below 1e-5 of the load, at a fold of the unknowns' size.
-    bool two_null_vectors(Eigen::VectorXd& second, bool bifurcation) {
-        const Eigen::VectorXd f = detail::generic_vector(g_.size());
-        second = solver_.solve(f, 0).x;
-        const double size = second.norm();
-        if (!(size * detail::largest_entry(k_) > 1e9 * f.norm())) return false;
-        second /= size;
-        const double eigenvalue = std::abs(second.dot(k_ * second)) / second.dot(weights_.cwiseProduct(second)),
-                     phi2 = r_.x.dot(weights_.cwiseProduct(r_.x));
-        if (!bifurcation) return !(eigenvalue > 1e-5 * std::abs(this->second(r_.x)) / (phi2 * std::sqrt(phi2)));
-        bifurcation_step();  // b here
-        const double load = std::abs(p_) > 1e-9 * scale_p_ ? std::abs(p_) : scale_p_;
-        return !(eigenvalue > 1e-5 * std::abs(b_) / phi2 * load);
-    }
-
-    bool evaluate(const Configuration<P>& q, double p) {
-        q_ = &q;
-        p_ = p;
-        g_ = problem_->residual(q, p);
-        residual_ = g_.template lpNorm<Eigen::Infinity>();
-        if (!g_.allFinite()) return false;
-        g_p_ = problem_->parameter_derivative(q, p);
-        k_ = problem_->tangent(q, p);
-        const auto weak = factor_at_weakest(solver_, k_, weights_, multipliers(*problem_), border_);
-        if (!weak) return false;
-        r_ = weak->r;
-        left_ = symmetric_tangent<P> ? r_ : solver_.solve_transposed(Eigen::VectorXd::Zero(g_.size()), 1);
-        s_ = solver_.solve(-g_p_, 0);
-        q0_ = solver_.solve(-g_, 0);
-        // a change of p that moves the unknowns by 1; multipliers count as the others do, lest nothing depends on p
-        const Eigen::Index own = g_.size() - multipliers(*problem_);
-        const double slope = std::sqrt(s_.x.head(own).dot(weights_.head(own).cwiseProduct(s_.x.head(own))) +
-                                       weights_.head(own).maxCoeff() * s_.x.tail(g_.size() - own).squaredNorm());
-        if (scale_p_ == 0) scale_p_ = slope > 0 ? 1 / slope : 1.0;
-        dr_ = tangent_derivative(*problem_, q, p, r_.x);
-        gp_r_ = parameter_derivative_along(*problem_, q, p, r_.x);
-        return true;
-    }
-    double transversality() const {
-        const Eigen::ArrayXd root = weights_.array().sqrt();
-        const double phi = (left_.x.array() * root).matrix().norm(), load = (g_p_.array() / root).matrix().norm();
-        return load > 0 ? std::abs(left_.x.dot(g_p_)) / (phi * load) : 0;  // 0: a load that does no work here
-    }
-
-    /// Whether dg/dp itself vanishes, so that `transversality` means nothing; after bifurcation_step.
-    bool load_vanishes() const { return std::abs(left_.x.dot(g_p_)) <= 1e-9 * (std::abs(b_) + std::abs(c_)); }
-
-    struct Step {
-        Direction d;
-        double gamma;
-    };
-    Step combined(double z, double dp) const {
-        return {{q0_.x + z * r_.x + dp * s_.x, dp}, q0_.tau + z * r_.tau + dp * s_.tau};
-    }
-    /// psi^T g_qqq[v, v, v], by differences of dK along v where that is exact, else by second differences of K.
-    double third(const Eigen::VectorXd& v) const {
-        const auto at = [&](double by) { return retract(*problem_, *q_, Eigen::VectorXd(by * v)); };
-        if constexpr (requires { problem_->tangent_derivative(*q_, p_, v); }) {
-            const double h = detail::difference_step(*problem_, *q_, v);
-            const auto along = [&](double by) { return left_.x.dot(problem_->tangent_derivative(at(by), p_, v) * v); };
-            return (along(h) - along(-h)) / (2 * h);
-        } else {
-            // of fourth order in h = eps^(1/6)
-            const double h = detail::difference_step(*problem_, *q_, v) / std::sqrt(detail::third_root_of_rounding);
-            const auto along = [&](double by) { return left_.x.dot(problem_->tangent(at(by), p_) * v); };
-            return (16 * (along(h) + along(-h)) - along(2 * h) - along(-2 * h) - 30 * along(0)) / (12 * h * h);
-        }
-    }
-
-    /// psi^T g_qq[r, v].
-    double second(const Eigen::VectorXd& v) const { return left_.x.dot(dr_ * v); }
-    Step limit_step() const {
-        const double a = r_.tau, b = s_.tau, e = -q0_.tau;
-        const double c = second(r_.x), d = second(s_.x) + left_.x.dot(gp_r_), f = r_.tau - second(q0_.x);
-        const double determinant = a * d - b * c;
-        return combined((e * d - b * f) / determinant, (a * f - e * c) / determinant);
-    }
-    /// Of a symmetric K phi^T g_qq[s, v] = s^T (dK along phi) v: no further derivative is needed.
-    Step bifurcation_step() {
-        const Eigen::VectorXd gp_s = parameter_derivative_along(*problem_, *q_, p_, s_.x),
-                              gp_q0 = parameter_derivative_along(*problem_, *q_, p_, q0_.x),
-                              g_pp = second_parameter_derivative(*problem_, *q_, p_);
-        double ss, sq;
-        if constexpr (symmetric_tangent<P>) {
-            ss = s_.x.dot(dr_ * s_.x);
-            sq = s_.x.dot(dr_ * q0_.x);
-        } else {
-            const Matrix ds = tangent_derivative(*problem_, *q_, p_, s_.x);
-            ss = left_.x.dot(ds * s_.x);
-            sq = left_.x.dot(ds * q0_.x);
-        }
-        const Eigen::VectorXd& psi = left_.x;
-        a_ = second(r_.x);
-        b_ = second(s_.x) + psi.dot(gp_r_);
-        c_ = ss + 2 * psi.dot(gp_s) + psi.dot(g_pp);
-        const double mu = psi.dot(g_p_);
-        const double e = r_.tau - second(q0_.x), f = -mu - sq - psi.dot(gp_q0);
-        const double determinant = a_ * c_ - b_ * b_;
-        return combined((e * c_ - b_ * f) / determinant, (a_ * f - e * b_) / determinant);
-    }
-
-    /// Nullity, coefficients, tangents and kind at the converged point.
-    void finish(CriticalPoint<P>& point, bool bifurcation) {
-        point.residual = residual_;
-        point.sigma = r_.tau;
-        point.null_vector = r_.x;
-        point.left_null_vector = left_.x;
-        point.transversality = transversality();
-        const double phi = std::sqrt(r_.x.dot(weights_.cwiseProduct(r_.x)));
-        Eigen::VectorXd second_null;
-        if (two_null_vectors(second_null, bifurcation)) {
-            point.nullity = 2;
-            point.null_vectors.resize(g_.size(), 2);
-            point.null_vectors << r_.x / phi, second_null;
-            // a load that does work along a null vector makes a fold of it
-            const double work = (point.null_vectors.transpose() * g_p_).norm();
-            point.kind = work > 1e-6 * g_p_.norm() ? CriticalKind::hilltop : CriticalKind::multiple;
-            return;
-        }
-        if (!bifurcation) {
-            point.a = second(r_.x);
-            point.kind = CriticalKind::fold;
-            const double load = left_.x.dot(g_p_);
-            point.curvature = -point.a / load;
-            const double size_a = left_.x.norm() * (dr_ * r_.x).norm();
-            if (std::abs(point.a) <= 1e-6 * size_a) point.kind = CriticalKind::cusp;
-            Direction t{r_.x / phi, 0};
-            point.tangents = {t};
-            return;
-        }
-        point.slope = s_.x;
-        bifurcation_step();  // a, b, c here
-        point.a = a_, point.b = b_, point.c = c_;
-        // in units in which phi and (w, 1) have length 1; w may be 0
-        const double w = std::numbers::sqrt2 / scale_p_;
-        const double a = a_ / (phi * phi), b = b_ / (phi * w), c = c_ / (w * w);
-        const double size = std::max({std::abs(a), std::abs(b), std::abs(c)});
-        const double noise = 1e-5;
-        const double discriminant = b * b - a * c;
-        if (std::abs(discriminant) <= noise * size * size) {
-            point.kind = CriticalKind::hilltop;
-            return;
-        }
-        if (discriminant < 0) {
-            point.kind = CriticalKind::isola_center;
-            return;
-        }
-        // roots x : y of a x^2 + 2 b x y + c y^2, in the stable form: (x, y) = (m, a) and (c, m), m = -(b + sign(b)
-        // sqrt)
-        const double m = -(b + (b < 0 ? -1.0 : 1.0) * std::sqrt(discriminant));
-        const auto direction = [&](double x, double y) {
-            if (std::abs(y) < noise * std::abs(x)) y = 0;  // along phi to rounding
-            Direction d{x / phi * r_.x + y / w * s_.x, y / w};
-            return d;
-        };
-        point.tangents = {direction(m, a), direction(c, m)};
-        point.kind = std::abs(a) < noise * size ? CriticalKind::pitchfork : CriticalKind::transcritical;
-        if (point.kind == CriticalKind::pitchfork) {
-            // K z = -g_qq[phi, phi], z_i = 0; d = phi^T (g_qqq[phi, phi, phi] + 3 g_qq[phi, z])
-            const Eigen::VectorXd z = solver_.solve(-(dr_ * r_.x), 0).x;
-            const double cubic = third(r_.x) + 3 * second(z);
-            point.curvature = -cubic / (3 * point.b);
-        }
-    }
-
-    const P* problem_;
+    AnyProblem<Matrix> problem_;
     CriticalPointOptions options_;
-    BorderedSolver<Matrix> solver_;
-    Eigen::VectorXd weights_, g_, g_p_, gp_r_;
-    Matrix k_, dr_;
-    BorderedSolution r_, left_, s_, q0_;
-    const Configuration<P>* q_ = nullptr;
-    double p_ = 0, residual_ = 0, a_ = 0, b_ = 0, c_ = 0, scale_p_ = 0;
-    Border border_;
 };
 
 }  // namespace equilibria
+
+#ifndef EQUILIBRIA_COMPILED
+#include <equilibria/continuation/detail/critical_point_definitions.hpp>
+#endif

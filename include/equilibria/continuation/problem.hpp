@@ -29,16 +29,11 @@
 #include <cmath>
 #include <concepts>
 #include <limits>
-#include <string>
 #include <type_traits>
 #include <utility>
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
-
-#include <equilibria/continuation/factorization/generic_vector.hpp>
-#include <equilibria/continuation/factorization/redundant_constraints.hpp>
-#include <equilibria/core/error.hpp>
 
 namespace equilibria {
 
@@ -155,11 +150,14 @@ namespace detail {
 
 inline const double third_root_of_rounding = std::cbrt(std::numeric_limits<double>::epsilon());
 
-/// The step of a central difference along v: one that moves by eps^(1/3), by the problem's weights.
+/// The step of a central difference along v: one that moves by eps^(1/3), by the weights.
+inline double difference_step(const Eigen::VectorXd& weights, const Eigen::VectorXd& v) {
+    const double size = std::sqrt(v.dot(weights.cwiseProduct(v)));
+    return size > 0 ? third_root_of_rounding / size : 1.0;
+}
 template <ContinuationProblem P>
 double difference_step(const P& problem, const Configuration<P>& q, const Eigen::VectorXd& v) {
-    const double size = std::sqrt(v.dot(weights(problem, q, v.size()).cwiseProduct(v)));
-    return size > 0 ? third_root_of_rounding / size : 1.0;
+    return difference_step(weights(problem, q, v.size()), v);
 }
 
 }  // namespace detail
@@ -226,122 +224,6 @@ Eigen::VectorXd second_parameter_derivative(const P& problem, const Configuratio
         const Eigen::VectorXd ahead = problem.parameter_derivative(q, p + h);
         return (ahead - problem.parameter_derivative(q, p - h)) / (2 * h);
     }
-}
-
-/// How far a problem's functions are from what they promise, along one direction; see check_derivatives.
-struct DerivativeErrors {
-    double tangent = 0;               ///< |K v - difference of g| over their size
-    double symmetry = 0;              ///< |K v - K^T v| over |K v|; 0 where no symmetry is promised
-    double parameter_derivative = 0;  ///< of dg/dp
-    // 0 where the problem gives none
-    double tangent_derivative = 0;           ///< of dK along v
-    double parameter_derivative_along = 0;   ///< of d(dg/dp) along v
-    double second_parameter_derivative = 0;  ///< of d2g/dp2
-};
-
-namespace detail {
-
-/// The residual, the tangent and the parameter derivative: finite, and of sizes that fit.
-template <ContinuationProblem P>
-void require_shapes(const Eigen::VectorXd& g, const TangentMatrix<P>& k, const Eigen::VectorXd& g_p) {
-    require(g.allFinite(), "problem.residual", g.hasNaN() ? "NaN" : "infinite", "must be finite at the start");
-    require(k.rows() == g.size() && k.cols() == g.size(), "problem.tangent",
-            std::to_string(k.rows()) + " x " + std::to_string(k.cols()),
-            "must be square, of the residual's size " + std::to_string(g.size()));
-    require(g_p.size() == g.size(), "problem.parameter_derivative", std::to_string(g_p.size()),
-            "must have the residual's size " + std::to_string(g.size()));
-    require(g_p.allFinite(), "problem.parameter_derivative", "NaN or infinite", "must be finite at the start");
-}
-
-/// The gradients of the constraints, the rows of K of the multipliers.
-template <ContinuationProblem P>
-void require_independent_constraints(const P& problem, const TangentMatrix<P>& k, const Configuration<P>& q) {
-    const Eigen::Index m = problem.multipliers();
-    require(m >= 0 && m < k.rows(), "problem.multipliers", m,
-            "must be 0 to " + std::to_string(k.rows() - 1) + ", below the number of unknowns");
-    const ConstraintGradients constraints(k, static_cast<int>(m), weights(problem, q, k.rows()));
-    const std::size_t redundant =
-        constraints.count() <= 2000 ? constraints.redundant().size() : constraints.redundant_count();
-    require(redundant == 0, "problem.multipliers", m,
-            "must be the number of independent constraints: redundant ones, or a dead point, at the start, where "
-            "the rank is " +
-                std::to_string(static_cast<std::size_t>(m) - redundant));
-}
-
-}  // namespace detail
-
-/// Compares the derivatives of a problem with central differences along a fixed direction without zeros. Throws
-/// InvalidArgument that names the function where a value is not finite, a size does not fit, an error is above
-/// `tolerance` or constraints are redundant: their gradients, the rows of K of the multipliers, dependent at q.
-template <ContinuationProblem P>
-DerivativeErrors check_derivatives(const P& problem, const Configuration<P>& q, double p, double tolerance = 1e-4) {
-    require(std::isfinite(p), "p", p, "must be finite");
-    const Eigen::VectorXd g = problem.residual(q, p);
-    const TangentMatrix<P> k = problem.tangent(q, p);
-    const Eigen::VectorXd g_p = problem.parameter_derivative(q, p);
-    detail::require_shapes<P>(g, k, g_p);
-    const Eigen::VectorXd v = detail::generic_vector(g.size());
-    const auto error = [](const Eigen::VectorXd& a, const Eigen::VectorXd& b, double least) {
-        const double size = std::max({a.norm(), b.norm(), least});
-        const double difference = (a - b).norm();
-        return difference == 0 ? 0.0 : difference / size;  // NaN stays NaN
-    };
-    const double h = detail::difference_step(problem, q, v);
-    const Configuration<P> ahead = retract(problem, q, h * v), behind = retract(problem, q, -h * v);
-    DerivativeErrors y;
-    const Eigen::VectorXd kv = k * v;
-    const double rounding = 1e-10 * (1 + g.norm()) / tolerance;
-    if constexpr (requires { problem.transport(q, v, v); }) {
-        // g is by increments at the configuration that it is taken at: w . g belongs to transported w
-        Eigen::Vector3d exact, difference;
-        for (int n = 0; n < 3; ++n) {
-            const Eigen::VectorXd w = detail::generic_vector(g.size(), n + 1);
-            exact(n) = w.dot(kv);
-            difference(n) = (problem.residual(ahead, p).dot(problem.transport(q, Eigen::VectorXd(h * v), w)) -
-                             problem.residual(behind, p).dot(problem.transport(q, Eigen::VectorXd(-h * v), w))) /
-                            (2 * h);
-        }
-        y.tangent = error(exact, difference, std::max(rounding, 0.1 * kv.norm()));
-    } else {
-        y.tangent = error(kv, (problem.residual(ahead, p) - problem.residual(behind, p)) / (2 * h), rounding);
-    }
-    if (symmetric_tangent<P>) y.symmetry = error(kv, k.transpose() * v, rounding);
-    const double hp = detail::third_root_of_rounding * std::max(1e-3, std::abs(p));
-    y.parameter_derivative =
-        error(g_p, (problem.residual(q, p + hp) - problem.residual(q, p - hp)) / (2 * hp), rounding);
-    if constexpr (requires { problem.tangent_derivative(q, p, v); }) {
-        const Eigen::VectorXd w = v.reverse();
-        const Eigen::VectorXd exact = TangentMatrix<P>(problem.tangent_derivative(q, p, v)) * w;
-        const Eigen::VectorXd difference =
-            TangentMatrix<P>(problem.tangent(ahead, p)) * w - TangentMatrix<P>(problem.tangent(behind, p)) * w;
-        y.tangent_derivative = error(exact, difference / (2 * h), 1e-10 * (1 + kv.norm()) / tolerance);
-    }
-    if constexpr (requires { problem.parameter_derivative_along(q, p, v); }) {
-        const Eigen::VectorXd difference =
-            (problem.parameter_derivative(ahead, p) - problem.parameter_derivative(behind, p)) / (2 * h);
-        y.parameter_derivative_along =
-            error(problem.parameter_derivative_along(q, p, v), difference, 1e-10 * (1 + g_p.norm()) / tolerance);
-    }
-    if constexpr (requires { problem.second_parameter_derivative(q, p); }) {
-        const Eigen::VectorXd difference =
-            (problem.parameter_derivative(q, p + hp) - problem.parameter_derivative(q, p - hp)) / (2 * hp);
-        y.second_parameter_derivative =
-            error(problem.second_parameter_derivative(q, p), difference, 1e-12 * (1 + g_p.norm()) / hp / tolerance);
-    }
-    const auto check = [&](const char* function, double value, const char* what) {
-        require(value <= tolerance, function, to_text(value) + " relative error", what);
-    };
-    check("problem.tangent", y.tangent, "must be the derivative of the residual by q");
-    check("problem.tangent", y.symmetry,
-          "must be symmetric, or the problem must say static constexpr bool symmetric = false");
-    check("problem.parameter_derivative", y.parameter_derivative, "must be the derivative of the residual by p");
-    check("problem.tangent_derivative", y.tangent_derivative, "must be the derivative of the tangent along v");
-    check("problem.parameter_derivative_along", y.parameter_derivative_along,
-          "must be the derivative of parameter_derivative along v");
-    check("problem.second_parameter_derivative", y.second_parameter_derivative,
-          "must be the derivative of parameter_derivative by p");
-    if constexpr (requires { problem.multipliers(); }) detail::require_independent_constraints(problem, k, q);
-    return y;
 }
 
 }  // namespace equilibria

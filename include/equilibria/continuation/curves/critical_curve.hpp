@@ -22,6 +22,7 @@
 #include <vector>
 
 #include <equilibria/continuation/curves/bordered_tangent.hpp>
+#include <equilibria/core/error.hpp>
 
 namespace equilibria {
 

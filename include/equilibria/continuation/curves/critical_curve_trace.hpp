@@ -13,6 +13,7 @@
 
 #include <equilibria/continuation/branch.hpp>
 #include <equilibria/continuation/curves/critical_curve.hpp>
+#include <equilibria/continuation/factorization/generic_vector.hpp>
 
 namespace equilibria {
 

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include <equilibria/continuation/branch_graph.hpp>
+#include <equilibria/continuation/diagrams/branch_graph.hpp>
 #include <equilibria/io/results/csv.hpp>
 #include <equilibria/io/results/json.hpp>
 

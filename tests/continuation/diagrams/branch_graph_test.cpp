@@ -1,5 +1,5 @@
-#include <equilibria/continuation/branch_graph.hpp>
 #include <equilibria/continuation/curves/imperfection.hpp>
+#include <equilibria/continuation/diagrams/branch_graph.hpp>
 
 #include "../programs/support/structures.hpp"
 #include "support/catch.hpp"

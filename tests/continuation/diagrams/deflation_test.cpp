@@ -5,7 +5,7 @@
 
 #include <Eigen/Core>
 
-#include <equilibria/continuation/deflation.hpp>
+#include <equilibria/continuation/diagrams/deflation.hpp>
 
 #include "support/catch.hpp"
 

@@ -1,0 +1,155 @@
+/// \file
+/// See continuation/branch.hpp.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <initializer_list>
+#include <numbers>
+#include <utility>
+#include <vector>
+
+#include <equilibria/continuation/branch.hpp>
+#include <equilibria/core/error.hpp>
+
+namespace equilibria {
+
+template <class Matrix>
+Branch<Erased> follow(AnyBranchStepper<Matrix>& stepper, const BranchPoint<Erased>& start,
+                      const ContinuationOptions& options, const std::vector<EventFunction<Erased>>& functions) {
+    Branch<Erased> branch;
+    branch.points.push_back(start);
+    BranchPoint<Erased> before;
+    for (int k = 0; k < options.most_steps; ++k) {
+        const BranchPoint<Erased> from = branch.points.back();
+        auto next = stepper.advance(from, k > 0 ? &before : nullptr);
+        if (!next) {
+            branch.end = BranchEnd::stopped;
+            return branch;
+        }
+        const std::size_t step = branch.points.size() - 1;
+        auto events = events_between(stepper, options.critical, from, *next);
+        for (auto& point : events.points) branch.events.push_back({step, std::move(point)});
+        if (!events.explained) branch.unexplained.push_back({step, std::move(events.reason)});
+        for (std::size_t f = 0; f < functions.size(); ++f) {
+            const double at_from = functions[f].value(from), at_next = functions[f].value(*next);
+            if (!(at_from * at_next < 0 || (at_next == 0 && at_from != 0))) continue;
+            if (auto zero = zero_between(stepper, functions[f], from, *next))
+                branch.crossings.push_back({step, f, std::move(*zero)});
+            else
+                branch.unexplained.push_back({step, functions[f].name + " changes sign, and no zero was found"});
+        }
+        before = from;
+        branch.points.push_back(std::move(*next));
+        const BranchPoint<Erased>& last = branch.points.back();
+        if (last.p < options.range.low || last.p > options.range.high) {
+            branch.end = BranchEnd::window;
+            return branch;
+        }
+        if (k > 2) {
+            // the start lies within the last step, and the branch goes through it in the same direction
+            const Direction back = stepper.difference(last, start.q, start.p);
+            const double along = stepper.dot(back, last.tangent);
+            if (along <= 0 && -along <= last.step && stepper.length(back) <= 1.1 * last.step &&
+                stepper.dot(last.tangent, start.tangent) > 0.5) {
+                branch.end = BranchEnd::closed;
+                return branch;
+            }
+        }
+    }
+    return branch;
+}
+
+template <class Matrix>
+Branch<Erased> continue_branch(const AnyProblem<Matrix>& problem, const AnyConfiguration& q, double p, int direction,
+                               const ContinuationOptions& options,
+                               const std::vector<EventFunction<Erased>>& functions) {
+    options.validate();
+    require(direction == 1 || direction == -1, "direction", direction, "must be 1 or -1");
+    check_derivatives(problem, q, p, 1e-4);
+    AnyBranchStepper<Matrix> stepper(problem, options.branch);
+    const auto start = stepper.start(q, p, direction);
+    if (!start) {
+        Branch<Erased> none;
+        none.end = BranchEnd::stopped;
+        return none;
+    }
+    return follow(stepper, *start, options, functions);
+}
+
+template <class Matrix>
+bool lies_on(AnyBranchStepper<Matrix>& stepper, const Branch<Erased>& branch, const BranchPoint<Erased>& point) {
+    for (std::size_t k = 0; k + 1 < branch.points.size(); ++k) {
+        const BranchPoint<Erased>& from = branch.points[k];
+        const Direction chord = stepper.difference(from, branch.points[k + 1].q, branch.points[k + 1].p);
+        const Direction to = stepper.difference(from, point.q, point.p);
+        const double length = stepper.length(chord), share = stepper.dot(chord, to) / (length * length);
+        if (!(share > -0.1 && share < 1.1 && stepper.length(to) < 1.2 * length)) continue;
+        // on the branch itself, as far along the tangent as the point
+        const auto at = stepper.step(from, stepper.dot(from.tangent, to));
+        if (at && stepper.length(stepper.difference(*at, point.q, point.p)) < 1e-6 * (1 + length)) return true;
+    }
+    return false;
+}
+
+template <class Matrix>
+std::vector<BranchPoint<Erased>> switch_branch(AnyBranchStepper<Matrix>& stepper, const CriticalPoint<Erased>& point,
+                                               const Direction& incoming, double amplitude) {
+    require(amplitude > 0 && std::isfinite(amplitude), "amplitude", amplitude, "must be positive and finite");
+    std::vector<BranchPoint<Erased>> found;
+    std::vector<Direction> directions;  // from the critical point to what was found
+    const auto cosine = [&](const Direction& a, const Direction& b) {
+        return stepper.dot(a, b) / (stepper.length(a) * stepper.length(b));
+    };
+    // amplitudes in turn until the corrector converges
+    const auto attempt = [&](Direction t, double p_curvature, std::initializer_list<double> shares) {
+        AnyBranchStepper<Matrix>::scale(t, 1 / stepper.length(t));
+        // the plane's normal has no share of the branch that is left: the corrector cannot fall back onto it
+        Direction normal = incoming;
+        AnyBranchStepper<Matrix>::scale(normal, -stepper.dot(t, incoming) / stepper.dot(incoming, incoming));
+        normal.q += t.q;
+        normal.p += t.p;
+        for (const double sign : {1.0, -1.0})
+            for (const double share : shares) {
+                const double s = share * amplitude;
+                Direction increment = t, along = t;
+                AnyBranchStepper<Matrix>::scale(increment, sign * s);
+                AnyBranchStepper<Matrix>::scale(along, sign);
+                increment.p += p_curvature * s * s / 2;
+                auto start = stepper.onto(point.q, point.p, increment, normal, along);
+                if (!start) continue;
+                BranchPoint<Erased> center;
+                center.q = point.q;
+                center.p = point.p;
+                const Direction to = stepper.difference(center, start->q, start->p);
+                if (std::none_of(directions.begin(), directions.end(),
+                                 [&](const Direction& other) { return cosine(to, other) > 0.995; })) {
+                    directions.push_back(to);
+                    found.push_back(std::move(*start));
+                }
+                break;
+            }
+    };
+    if (point.tangents.size() == 2) {
+        // the other one than the branch that is left
+        const bool first =
+            std::abs(cosine(point.tangents[0], incoming)) < std::abs(cosine(point.tangents[1], incoming));
+        const Direction& t = point.tangents[first ? 0 : 1];
+        const double phi2 = point.null_vector.dot(stepper.metric().cwiseProduct(point.null_vector));
+        attempt(t, point.kind == CriticalKind::pitchfork && t.p == 0 ? point.curvature / phi2 : 0, {1, .5, .25, .125});
+    }
+    if (point.kind == CriticalKind::multiple && point.null_vectors.cols() == 2)
+        for (const double share : {1.0, 2.0, 4.0, 8.0}) {
+            // close to the point all directions between branches are nearly equilibria
+            for (int k = 0; k < 24; ++k) {
+                const double angle = std::numbers::pi * k / 24;
+                attempt({std::cos(angle) * point.null_vectors.col(0) + std::sin(angle) * point.null_vectors.col(1), 0},
+                        0, {share});
+            }
+            if (!found.empty()) break;
+        }
+    return found;
+}
+
+}  // namespace equilibria

@@ -1,0 +1,274 @@
+/// \file
+/// See continuation/branch_stepper.hpp.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <utility>
+
+#include <equilibria/continuation/branch_stepper.hpp>
+#include <equilibria/continuation/corrector.hpp>
+#include <equilibria/continuation/factorization/generic_vector.hpp>
+
+namespace equilibria {
+
+template <class Matrix>
+AnyBranchStepper<Matrix>::AnyBranchStepper(AnyProblem<Matrix> problem, const BranchOptions& options)
+    : problem_(std::move(problem)), options_(options), solver_(problem_.properties().symmetric, problem_.multipliers()),
+      theta_(options.parameter_weight) {
+    options.validate();
+    require(options.constraint != StepConstraint::scalar || problem_.properties().control, "constraint", "scalar",
+            "must not be asked of a problem without control(q, p)");
+}
+
+template <class Matrix>
+std::optional<BranchPoint<Erased>> AnyBranchStepper<Matrix>::start(AnyConfiguration q, double p, int direction) {
+    weights_ = problem_.weights(q, problem_.residual(q, p).size());
+    const Correction correction = detail::Corrector<Matrix>(problem_, solver_, border_, weights_)(
+        q, p, {.most_steps = 4 * options_.most_corrections, .tolerance = options_.tolerance});
+    if (!correction.converged()) return std::nullopt;
+    q = problem_.rebase(q, p);
+    auto point = assess(q, p, std::nullopt);
+    if (!point) return std::nullopt;
+    if (direction * point->tangent.p < 0) flip(point->tangent);
+    point->corrections = correction.steps;
+    point->proposed_step = options_.first_step;
+    return point;
+}
+
+template <class Matrix>
+std::optional<BranchPoint<Erased>> AnyBranchStepper<Matrix>::advance(const Point& from, const Point* before) {
+    double h = std::min(from.proposed_step, options_.largest_step);
+    for (; h >= options_.smallest_step; h /= 2) {
+        std::optional<Point> next = step(from, h, before);
+        if (!next) continue;
+        if (!(next->turning <= options_.largest_angle)) continue;
+        if (from.negative && next->negative && h > options_.resolution &&
+            std::abs(*from.negative - *next->negative) > options_.most_sign_changes)
+            continue;
+        const double by_angle = 0.5 * options_.largest_angle / (next->turning + 1e-9);
+        const double by_corrections = std::exp2((4 - next->corrections) / 2.0);
+        next->proposed_step = h * std::clamp(std::min(by_angle, by_corrections), 0.5, 2.0);
+        return next;
+    }
+    return std::nullopt;
+}
+
+template <class Matrix>
+std::optional<BranchPoint<Erased>> AnyBranchStepper<Matrix>::step(const Point& from, double h, const Point* before) {
+    Direction predicted = predict(from, h, before);
+    auto next = correct_from(from, predicted, normal_of(from, predicted, h), h);
+    if (!next) return std::nullopt;
+    next->step = h;
+    next->arc_length = from.arc_length + h;
+    return next;
+}
+
+template <class Matrix>
+Direction AnyBranchStepper<Matrix>::predict(const Point& from, double h, const Point* before) const {
+    Direction d = from.tangent;
+    scale(d, h);
+    if (!before || options_.predictor == Predictor::tangent || !(std::abs(from.step) > 0)) return d;
+    Direction secant = difference(from, before->q, before->p);
+    flip(secant);
+    if (options_.predictor == Predictor::secant) {
+        scale(secant, h / length(secant));
+        return secant;
+    }
+    // the parabola through both points with the tangent at the last: h t + (h / H)^2 (secant - H t), seen backwards
+    const double ratio = h / from.step;
+    d.q += ratio * ratio * (from.step * from.tangent.q - secant.q);
+    d.p += ratio * ratio * (from.step * from.tangent.p - secant.p);
+    return d;
+}
+
+template <class Matrix>
+std::optional<BranchPoint<Erased>> AnyBranchStepper<Matrix>::onto(const AnyConfiguration& q, double p,
+                                                                  const Direction& increment, const Direction& normal,
+                                                                  const Direction& along) {
+    if (weights_.size() == 0) weights_ = problem_.weights(q, increment.q.size());
+    Point from;
+    from.q = q;
+    from.p = p;
+    from.tangent = along;
+    border_.column = border_.row = largest(increment.q);
+    Constraint constraint;
+    constraint.kind = StepConstraint::normal_plane;
+    constraint.normal = normal;
+    auto next = correct_from(from, increment, constraint, length(increment));
+    if (next) next->proposed_step = std::clamp(length(increment), options_.smallest_step, options_.largest_step);
+    return next;
+}
+
+template <class Matrix>
+std::optional<BranchPoint<Erased>> AnyBranchStepper<Matrix>::assess(const AnyConfiguration& q, double p,
+                                                                    const std::optional<Direction>& along) {
+    const Matrix k = problem_.tangent(q, p);
+    const Eigen::VectorXd g = problem_.residual(q, p), g_p = problem_.parameter_derivative(q, p);
+    if (weights_.size() == 0) weights_ = problem_.weights(q, g.size());
+    Point point;
+    point.q = q;
+    point.p = p;
+    point.residual = g.size() > 0 ? g.lpNorm<Eigen::Infinity>() : 0;
+    const auto weak = factor_at_weakest(solver_, k, weights_, problem_.multipliers(), border_);
+    if (!weak) return std::nullopt;
+    const BorderedSolution& r = weak->r;
+    const BorderedSolution s = solver_.solve(-g_p, 0);
+    point.sigma = r.tau;
+    point.mu = -s.tau;
+    point.weak_direction = weak->direction;
+    point.weak_left = weak->left;
+    point.weak_eigenvalue = weak->eigenvalue;
+    point.border = border_;
+    if (const auto inertia = solver_.inertia(r.tau)) {
+        // each independent constraint brings a negative eigenvalue of its own
+        point.negative = inertia->negative - problem_.multipliers();
+        point.eigenvalue_below = inertia->below;
+        point.eigenvalue_above = inertia->above;
+    }
+    point.determinant_sign = solver_.sign_of_determinant(r.tau);
+    if (theta_ == 0) {
+        // the parameter's share of the first tangent is a half
+        const double slope = std::sqrt(s.x.dot(weights_.cwiseProduct(s.x)));
+        Eigen::VectorXd q_slope = -s.tau * r.x + r.tau * s.x;
+        const double whole = std::sqrt(q_slope.dot(weights_.cwiseProduct(q_slope))) / std::abs(r.tau);
+        theta_ = std::isfinite(whole) && whole > 0 ? whole : (slope > 0 ? slope : 1.0);
+    }
+    point.tangent = {-s.tau * r.x + r.tau * s.x, r.tau};
+    const double size = length(point.tangent);
+    if (!(size > 0) || !std::isfinite(size)) return std::nullopt;
+    scale(point.tangent, 1 / size);
+    if (along && dot(point.tangent, *along) < 0) flip(point.tangent);
+    return point;
+}
+
+template <class Matrix>
+Eigen::MatrixXd AnyBranchStepper<Matrix>::weak_directions(const AnyConfiguration& q, double p, int count) {
+    const Matrix k = problem_.tangent(q, p);
+    if (!factor(k)) return {};
+    const Eigen::Index n = k.rows();
+    const BorderedSolution r = solver_.solve(Eigen::VectorXd::Zero(n), 1);
+    Eigen::MatrixXd v(n, count);
+    for (Eigen::Index c = 0; c < count; ++c) v.col(c) = detail::generic_vector(n, c);
+    for (int round = 0; round < 8; ++round)
+        for (Eigen::Index c = 0; c < count; ++c) {
+            const BorderedSolution f = solver_.solve(weights_.cwiseProduct(v.col(c)), 0);
+            v.col(c) = f.x - f.tau / r.tau * r.x;
+            for (int twice = 0; twice < 2; ++twice)
+                for (Eigen::Index b = 0; b < c; ++b)
+                    v.col(c) -= v.col(b).dot(weights_.cwiseProduct(v.col(c))) * v.col(b);
+            v.col(c) /= std::sqrt(v.col(c).dot(weights_.cwiseProduct(v.col(c))));
+        }
+    if (!v.allFinite()) return {};
+    return v;
+}
+
+template <class Matrix>
+Eigen::Index AnyBranchStepper<Matrix>::largest(const Eigen::VectorXd& v) const {
+    const auto scaled = [&](Eigen::Index i) { return std::sqrt(weights_(i)) * std::abs(v(i)); };
+    Eigen::Index best = 0;
+    for (Eigen::Index i = 1; i < v.size() - problem_.multipliers(); ++i)
+        if (scaled(i) > scaled(best)) best = i;
+    return best;
+}
+
+template <class Matrix>
+bool AnyBranchStepper<Matrix>::factor(const Matrix& k) {
+    return detail::factor_with_border(solver_, k, weights_, problem_.multipliers(), border_);
+}
+
+template <class Matrix>
+auto AnyBranchStepper<Matrix>::normal_of(const Point& from, const Direction& predicted, double h) const -> Constraint {
+    Constraint y{options_.constraint, predicted, std::abs(h)};
+    if (y.kind == StepConstraint::normal_plane) y.normal = from.tangent;
+    if (y.kind == StepConstraint::unknown) {
+        y.normal.q = Eigen::VectorXd::Zero(predicted.q.size());
+        y.normal.q(std::min(options_.controlled, predicted.q.size() - 1)) = 1;
+        y.normal.p = 0;
+    }
+    if (y.kind == StepConstraint::scalar) {
+        const Direction gradient = problem_.control_gradient(from.q, from.p, predicted.q.size());
+        y.target = problem_.control(from.q, from.p) + gradient.q.dot(predicted.q) + gradient.p * predicted.p;
+    }
+    if (y.kind == StepConstraint::parameter) y.normal = {Eigen::VectorXd::Zero(predicted.q.size()), 1};
+    return y;
+}
+
+template <class Matrix>
+std::pair<Direction, double> AnyBranchStepper<Matrix>::constraint_at(const Constraint& c, const Direction& moved,
+                                                                     const AnyConfiguration& q, double p) const {
+    const auto weighted = [&](const Direction& d) {
+        return Direction{weights_.cwiseProduct(d.q), theta_ * theta_ * d.p};
+    };
+    switch (c.kind) {
+        case StepConstraint::normal_plane: return {weighted(c.normal), 0.0};
+        case StepConstraint::updated_plane: return {weighted(moved), 0.0};
+        case StepConstraint::sphere: return {weighted(moved), (dot(moved, moved) - c.distance * c.distance) / 2};
+        case StepConstraint::cylinder: {
+            Direction d = weighted(moved);
+            // the unknowns move as far as predicted, which is kept in `normal`
+            const double radius2 = c.normal.q.dot(weights_.cwiseProduct(c.normal.q)), reached2 = moved.q.dot(d.q);
+            d.p = 0;
+            return {d, (reached2 - radius2) / 2};
+        }
+        case StepConstraint::scalar:
+            return {problem_.control_gradient(q, p, moved.q.size()), problem_.control(q, p) - c.target};
+        case StepConstraint::unknown:
+        case StepConstraint::parameter: break;
+    }
+    return {c.normal, 0.0};
+}
+
+template <class Matrix>
+std::optional<BranchPoint<Erased>> AnyBranchStepper<Matrix>::correct_from(const Point& from, Direction moved,
+                                                                          const Constraint& constraint, double h) {
+    AnyConfiguration q = problem_.retract(from.q, moved.q);
+    double p = from.p + moved.p;
+    const double start = length(moved);
+    double before = 0, contraction = 0;
+    for (int k = 0; k < options_.most_corrections; ++k) {
+        const Eigen::VectorXd g = problem_.residual(q, p);
+        if (!g.allFinite()) return std::nullopt;
+        const Eigen::VectorXd g_p = problem_.parameter_derivative(q, p);
+        const Matrix k_now = problem_.tangent(q, p);
+        if (!factor(k_now)) return std::nullopt;
+        const BorderedSolution q0 = solver_.solve(-g, 0), s = solver_.solve(-g_p, 0),
+                               r = solver_.solve(Eigen::VectorXd::Zero(g.size()), 1);
+        const auto [normal, value] = constraint_at(constraint, moved, q, p);
+        // [sigma, t_s; n.r, n.s + n_p] [z; dp] = [-t0; -value - n.q0]
+        const double a = r.tau, b = s.tau, c = normal.q.dot(r.x), d = normal.q.dot(s.x) + normal.p;
+        const double e = -q0.tau, f = -value - normal.q.dot(q0.x), determinant = a * d - b * c;
+        const double z = (e * d - b * f) / determinant, dp = (a * f - e * c) / determinant;
+        Direction correction{q0.x + z * r.x + dp * s.x, dp};
+        const double size = length(correction);
+        if (!std::isfinite(size)) return std::nullopt;
+        contraction = k > 0 && before > 0 ? size / before : 0;
+        if (k == 0 && size > 0.5 * start + 1e3 * options_.tolerance) return std::nullopt;
+        // with several weak directions rounding moves the iterates about in them
+        const bool rounding = g.lpNorm<Eigen::Infinity>() <=
+                              64 * std::numeric_limits<double>::epsilon() *
+                                  detail::largest_force(k_now, weights_, k_now.cols() - problem_.multipliers());
+        if (k > 0 && contraction > 0.7 && size > 1e3 * tolerance(moved) && !rounding) return std::nullopt;
+        q = problem_.retract(q, correction.q);
+        p += dp;
+        moved.q += correction.q;
+        moved.p += dp;
+        before = size;
+        if (size <= tolerance(moved) || (k > 0 && contraction > 0.5 && (rounding || size <= 1e3 * tolerance(moved)))) {
+            Direction along = from.tangent;
+            along.q = problem_.transport(from.q, moved.q, along.q);
+            q = problem_.rebase(q, p);
+            auto point = assess(q, p, along);
+            if (!point) return std::nullopt;
+            point->corrections = k + 1;
+            point->step = h;
+            point->turning = std::acos(std::clamp(dot(point->tangent, along) / length(along), -1.0, 1.0));
+            return point;
+        }
+    }
+    return std::nullopt;
+}
+
+}  // namespace equilibria

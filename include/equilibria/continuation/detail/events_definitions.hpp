@@ -1,0 +1,234 @@
+/// \file
+/// See continuation/events.hpp.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <equilibria/continuation/events.hpp>
+
+namespace equilibria {
+
+namespace detail {
+
+template <class Matrix>
+class StepEventFinder {
+public:
+    using Point = BranchPoint<Erased>;
+    using Critical = CriticalPoint<Erased>;
+    using Events = StepEvents<Erased>;
+
+    StepEventFinder(AnyBranchStepper<Matrix>& stepper, const CriticalPointOptions& options)
+        : stepper_(&stepper), options_(options) {}
+
+    Events between(const Point& a, const Point& b) {
+        Events out;
+        resolution_ = std::min(stepper_->options().resolution, 1e-4 * std::abs(b.arc_length));
+        locate(a, b, 0, out);
+        return out;
+    }
+
+private:
+    static bool folds(const Point& a, const Point& b) { return (a.tangent.p < 0) != (b.tangent.p < 0); }
+    static int changes(const Point& a, const Point& b) {
+        if (a.negative && b.negative) return std::abs(*b.negative - *a.negative);
+        return a.determinant_sign != b.determinant_sign ? 1 : 0;
+    }
+
+    /// An eigenvalue heads for 0 within the step, seen from one of its ends, though none changed.
+    bool suspicious(const Point& a, const Point& b) const {
+        const double h = b.arc_length - a.arc_length;
+        const auto predicted = [&](const Point& from, double ahead) {
+            return from.weak_eigenvalue * (from.weak_eigenvalue + ahead * slope(from)) < 0;
+        };
+        return predicted(a, h) || predicted(b, -h) || two_may_cross(a, b);
+    }
+    /// One eigenvalue may have risen through 0 and another one fallen: both are within reach at both ends. Eigenvalues
+    /// of a symmetric K move by no more than the norm of K's change (Weyl).
+    bool two_may_cross(const Point& a, const Point& b) const {
+        if (!std::isfinite(a.eigenvalue_below) || !std::isfinite(a.eigenvalue_above)) return false;
+        Matrix change = stepper_->problem().tangent(b.q, b.p);
+        change -= stepper_->problem().tangent(a.q, a.p);
+        const double reach = change.norm();
+        return std::max({a.eigenvalue_above, -a.eigenvalue_below, b.eigenvalue_above, -b.eigenvalue_below}) < reach;
+    }
+    /// Of the weakest eigenvalue along the branch.
+    double slope(const Point& from) const {
+        const AnyProblem<Matrix>& problem = stepper_->problem();
+        const Eigen::VectorXd& left = symmetric() ? from.weak_direction : from.weak_left;
+        return left.dot(problem.tangent_derivative(from.q, from.p, from.tangent.q) * from.weak_direction) +
+               from.tangent.p * left.dot(problem.parameter_derivative_along(from.q, from.p, from.weak_direction));
+    }
+
+    /// Where the weakest eigenvalue only touches 0 between a and b.
+    std::optional<Critical> touching(const Point& a, const Point& b) {
+        const EventFunction<Erased> approach{
+            "approach", [this](const Point& at) { return at.weak_eigenvalue < 0 ? -slope(at) : slope(at); }};
+        if (!(approach.value(a) < 0 && approach.value(b) > 0)) return std::nullopt;
+        const auto nearest = zero_between(*stepper_, approach, a, b);
+        const double far = std::max(std::abs(a.weak_eigenvalue), std::abs(b.weak_eigenvalue));
+        if (!nearest || !(std::abs(nearest->weak_eigenvalue) < 1e-6 * far)) return std::nullopt;
+        // it does not cross 0 there, to be crossed by another one next to it
+        const double at = nearest->arc_length - a.arc_length, margin = 0.02 * (b.arc_length - a.arc_length);
+        const auto left = stepper_->step(a, at - margin), right = stepper_->step(a, at + margin);
+        if (!left || !right || changes(a, *left) != 0 || changes(*left, *right) != 0) return std::nullopt;
+        Critical y;
+        y.q = nearest->q;
+        y.p = nearest->p;
+        y.null_vector = nearest->weak_direction;
+        y.left_null_vector = symmetric() ? nearest->weak_direction : nearest->weak_left;
+        y.residual = nearest->residual;
+        y.sigma = nearest->sigma;
+        y.negative_before = a.negative;
+        y.negative_after = b.negative;
+        const Eigen::Index own = y.null_vector.size() - stepper_->problem().multipliers();
+        const bool of_multipliers = y.null_vector.head(own).norm() < 1e-4 * y.null_vector.norm();
+        y.kind = of_multipliers ? CriticalKind::kinematic : CriticalKind::hilltop;
+        return y;
+    }
+
+    void locate(const Point& a, const Point& b, int depth, Events& out) {
+        const int count = changes(a, b);
+        const bool turned = folds(a, b);
+        const double h = b.arc_length - a.arc_length;
+        if (count == 0 && !turned) {
+            if (!suspicious(a, b)) return;
+            if (auto point = touching(a, b))
+                out.points.push_back(std::move(*point));
+            else if (depth < 6)
+                halve(a, b, depth, out);
+            return;
+        }
+        if (count <= 1) {
+            // from the end at which K is closer to singular
+            const bool first = std::abs(a.weak_eigenvalue) < std::abs(b.weak_eigenvalue);
+            for (const Point* from : {first ? &a : &b, first ? &b : &a}) {
+                auto point = critical_point_near(stepper_->problem(), from->q, from->p, options_, from->border);
+                if (!point) continue;
+                const std::optional<double> share = share_of(a, b, *point);
+                if (!share) continue;
+                // what happens close to it must be what its kind does; the rest of the step is searched on its own
+                const double margin = 0.02;
+                const auto left = *share > 2 * margin ? stepper_->step(a, (*share - margin) * h) : a;
+                const auto right = *share < 1 - 2 * margin ? stepper_->step(a, (*share + margin) * h) : b;
+                if (!left || !right || !share_of(*left, *right, *point) || !agrees(*left, *right, *point)) continue;
+                point->negative_before = left->negative;
+                point->negative_after = right->negative;
+                if (*share > 2 * margin) locate(a, *left, depth + 1, out);
+                out.points.push_back(std::move(*point));
+                if (*share < 1 - 2 * margin) locate(*right, b, depth + 1, out);
+                return;
+            }
+        }
+        if (h > resolution_ && depth < 40) {
+            halve(a, b, depth, out);
+            return;
+        }
+        if (count >= 2) {
+            out.points.push_back(multiple(a, b));
+            return;
+        }
+        out.explained = false;
+        out.reason = std::to_string(count) + " eigenvalues changed sign" + (turned ? ", dp/ds too" : "") +
+                     " between p = " + to_text(a.p) + " and " + to_text(b.p) +
+                     ", and no critical point was found there";
+    }
+
+    void halve(const Point& a, const Point& b, int depth, Events& out) {
+        const double h = b.arc_length - a.arc_length;
+        // the middle may be the very point at which the branch is ill determined
+        for (const double share : {0.5, 0.37, 0.71})
+            if (const auto middle = stepper_->step(a, share * h)) {
+                locate(a, *middle, depth + 1, out);
+                locate(*middle, b, depth + 1, out);
+                return;
+            }
+        if (changes(a, b) == 0 && !folds(a, b)) return;
+        out.explained = false;
+        out.reason = "the branch was lost between p = " + to_text(a.p) + " and " + to_text(b.p);
+    }
+
+    /// Where the point lies between a and b, from 0 to 1, as far as a chord tells; nothing if it does not.
+    std::optional<double> share_of(const Point& a, const Point& b, const Critical& point) const {
+        const Direction chord = stepper_->difference(a, b.q, b.p), to = stepper_->difference(a, point.q, point.p);
+        const double length2 = stepper_->dot(chord, chord), share = stepper_->dot(chord, to) / length2;
+        Direction off = to;
+        off.q -= share * chord.q;
+        off.p -= share * chord.p;
+        if (!(share >= 0 && share <= 1 && stepper_->dot(off, off) < 0.01 * length2)) return std::nullopt;
+        return share;
+    }
+
+    /// A fold turns the branch and changes one eigenvalue; a bifurcation changes one, but where the branch runs along
+    /// its null vector: there it turns it and changes none.
+    bool agrees(const Point& a, const Point& b, const Critical& point) const {
+        const int count = changes(a, b);
+        const bool turned = folds(a, b);
+        if (!is_bifurcation(point.kind)) return turned && count == 1;
+        if (turned == (count == 1)) return false;
+        if (!turned) return true;
+        const Direction chord = stepper_->difference(a, b.q, b.p), null{point.null_vector, 0};
+        return std::abs(stepper_->dot(chord, null)) > 0.5 * stepper_->length(chord) * stepper_->length(null);
+    }
+
+    /// Several eigenvalues change sign within the resolution. There the branch is ill determined; its points some way
+    /// off are not, and p and q as functions of the weakest eigenvalue are smooth: interpolated, at 0.
+    Critical multiple(const Point& a, const Point& b) {
+        const bool nearer = std::abs(a.weak_eigenvalue) < std::abs(b.weak_eigenvalue);
+        const Point& close = nearer ? a : b;
+        Critical y;
+        y.kind = folds(a, b) ? CriticalKind::hilltop : CriticalKind::multiple;
+        y.nullity = changes(a, b);
+        y.negative_before = a.negative;
+        y.negative_after = b.negative;
+        y.q = close.q;
+        y.p = close.p;
+        y.null_vector = close.weak_direction;
+        y.left_null_vector = symmetric() ? close.weak_direction : close.weak_left;
+        y.residual = close.residual;
+        y.sigma = close.sigma;
+        y.null_vectors = stepper_->weak_directions(close.q, close.p, y.nullity);
+        std::vector<double> eigenvalue;
+        std::vector<Direction> offset;  // from `close`
+        const double h = 10 * resolution_;
+        for (const int k : {-3, -2, -1, 1, 2, 3}) {
+            const auto point = stepper_->step(k < 0 ? a : b, k * h);
+            if (!point || changes(a, *point) != (k < 0 ? 0 : y.nullity)) return y;
+            eigenvalue.push_back(point->weak_eigenvalue);
+            offset.push_back(stepper_->difference(close, point->q, point->p));
+        }
+        // Neville's scheme at eigenvalue 0
+        for (std::size_t level = 1; level < offset.size(); ++level)
+            for (std::size_t k = 0; k + level < offset.size(); ++k) {
+                const double left = eigenvalue[k], right = eigenvalue[k + level];
+                const double share = left / (left - right);
+                offset[k].q += share * (offset[k + 1].q - offset[k].q);
+                offset[k].p += share * (offset[k + 1].p - offset[k].p);
+            }
+        y.q = stepper_->problem().retract(close.q, offset[0].q);
+        y.p = close.p + offset[0].p;
+        y.residual = stepper_->problem().residual(y.q, y.p).template lpNorm<Eigen::Infinity>();
+        return y;
+    }
+
+    bool symmetric() const { return stepper_->problem().properties().symmetric; }
+
+    AnyBranchStepper<Matrix>* stepper_;
+    CriticalPointOptions options_;
+    double resolution_ = 0;  ///< of the present step
+};
+
+}  // namespace detail
+
+template <class Matrix>
+StepEvents<Erased> events_between(AnyBranchStepper<Matrix>& stepper, const CriticalPointOptions& options,
+                                  const BranchPoint<Erased>& a, const BranchPoint<Erased>& b) {
+    return detail::StepEventFinder<Matrix>(stepper, options).between(a, b);
+}
+
+}  // namespace equilibria

@@ -1,0 +1,105 @@
+/// \file
+/// Bifurcation diagrams: every branch that is joined to a start, followed from bifurcation to bifurcation, and those
+/// that deflation finds beside them, as a graph of branches and critical points.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include <equilibria/continuation/branch.hpp>
+#include <equilibria/continuation/diagrams/deflation.hpp>
+#include <equilibria/core/compiled.hpp>
+
+namespace equilibria {
+
+struct DiagramOptions {
+    ContinuationOptions continuation{};  ///< its range is finite where slices are asked for
+    double amplitude = 0;                ///< of the first point on a new branch, as a step; 0: the first step's length
+    int most_branches = 200;
+    int slices = 0;  ///< values of p at which deflated Newton looks for branches that no bifurcation joins
+    DeflationOptions deflation{};
+
+    void validate() const {
+        continuation.validate();
+        deflation.validate();
+        require(amplitude >= 0 && std::isfinite(amplitude), "amplitude", amplitude, "must be 0 (chosen) or positive");
+        require(most_branches >= 1, "most_branches", most_branches, "must be at least 1");
+        require(slices >= 0, "slices", slices, "must be 0 or positive");
+        if (slices > 0) {
+            require(std::isfinite(continuation.range.low), "range.low", continuation.range.low,
+                    "must be finite where slices are asked for");
+            require(std::isfinite(continuation.range.high), "range.high", continuation.range.high,
+                    "must be finite where slices are asked for");
+        }
+    }
+};
+
+/// Branches and the critical points on them.
+template <class P>
+struct BranchGraph {
+    struct Node {
+        CriticalPoint<P> point;
+        std::vector<std::size_t> branches;  ///< that go through it or leave it
+    };
+    /// A branch from its start in one direction: two of them make a curve.
+    struct Edge {
+        Branch<P> branch;
+        std::optional<std::size_t> parent;  ///< the node that it leaves; nothing for the start's and those of deflation
+        bool deflated = false;              ///< found by deflation
+        std::vector<std::size_t> nodes;     ///< of branch.events, in their order
+    };
+
+    std::vector<Node> nodes;
+    std::vector<Edge> branches;
+    int seen = 0;          ///< starts that lay on a branch which was followed before
+    int images = 0;        ///< starts whose mirror image did
+    int not_followed = 0;  ///< starts beyond most_branches
+    int not_switched = 0;  ///< bifurcations from which no other branch was found
+
+    /// Every branch was followed to its end, with every change of sign explained.
+    bool complete() const {
+        if (not_followed > 0 || not_switched > 0 || branches.empty()) return false;
+        return std::all_of(branches.begin(), branches.end(), [](const Edge& e) {
+            return e.branch.unexplained.empty() &&
+                   (e.branch.end == BranchEnd::window || e.branch.end == BranchEnd::closed);
+        });
+    }
+};
+
+template <ContinuationProblem P>
+BranchGraph<P> typed(const BranchGraph<Erased>& graph) {
+    BranchGraph<P> y;
+    for (const auto& [point, branches] : graph.nodes) y.nodes.push_back({typed<P>(point), branches});
+    for (const auto& [branch, parent, deflated, nodes] : graph.branches)
+        y.branches.push_back({typed<P>(branch), parent, deflated, nodes});
+    y.seen = graph.seen;
+    y.images = graph.images;
+    y.not_followed = graph.not_followed;
+    y.not_switched = graph.not_switched;
+    return y;
+}
+
+/// Of a problem of any type, see below.
+template <class Matrix>
+BranchGraph<Erased> bifurcation_diagram(const AnyProblem<Matrix>& problem, const AnyConfiguration& q, double p,
+                                        const DiagramOptions& options);
+
+/// Follows every branch that is joined to the equilibrium near q at the parameter p, within the window of
+/// options.continuation. A problem with a symmetry may declare it by `std::vector<Configuration> images(q)`, the
+/// configurations that are equivalent to q: of branches that are images of each other one is followed. Without branches
+/// where there is no equilibrium near q. Throws InvalidArgument for options out of range and for a problem that fails
+/// check_derivatives.
+template <ContinuationProblem P>
+BranchGraph<P> bifurcation_diagram(const P& problem, const Configuration<P>& q, double p,
+                                   const DiagramOptions& options) {
+    return typed<P>(bifurcation_diagram(AnyProblemOf<P>(problem), AnyConfiguration::of(q), p, options));
+}
+
+}  // namespace equilibria
+
+#ifndef EQUILIBRIA_COMPILED
+#include <equilibria/continuation/diagrams/detail/branch_graph_definitions.hpp>
+#endif

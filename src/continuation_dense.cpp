@@ -1,0 +1,5 @@
+#include <Eigen/Core>
+
+using Tangent = Eigen::MatrixXd;
+
+#include "continuation_any.hpp"

@@ -1,0 +1,5 @@
+#include <Eigen/SparseCore>
+
+using Tangent = Eigen::SparseMatrix<double>;
+
+#include "continuation_any.hpp"

@@ -171,4 +171,19 @@ using MixedBeam = detail::MixedBeamElement<BeamGeometry<Nodes>, Section>;
 template <int Nodes>
 using PlanarMixedBeam = detail::MixedBeamElement<PlanarGeometry<Nodes>, PlanarSection>;
 
+#ifdef EQUILIBRIA_COMPILED
+extern template class ElementGroupOf<Beam<2>>;
+extern template class ElementGroupOf<Beam<3>>;
+extern template class ElementGroupOf<Beam<4>>;
+extern template class ElementGroupOf<PlanarBeam<2>>;
+extern template class ElementGroupOf<PlanarBeam<3>>;
+extern template class ElementGroupOf<PlanarBeam<4>>;
+extern template class ElementGroupOf<MixedBeam<2>>;
+extern template class ElementGroupOf<MixedBeam<3>>;
+extern template class ElementGroupOf<MixedBeam<4>>;
+extern template class ElementGroupOf<PlanarMixedBeam<2>>;
+extern template class ElementGroupOf<PlanarMixedBeam<3>>;
+extern template class ElementGroupOf<PlanarMixedBeam<4>>;
+#endif
+
 }  // namespace equilibria::fem

@@ -189,4 +189,15 @@ private:
     RotationDrive drive_;
 };
 
+#ifdef EQUILIBRIA_COMPILED
+extern template class ElementGroupOf<SphericalJoint>;
+extern template class ElementGroupOf<PlanarHinge>;
+extern template class ElementGroupOf<RevoluteJoint>;
+extern template class ElementGroupOf<PrismaticJoint>;
+extern template class ElementGroupOf<PrescribedDisplacement>;
+extern template class ElementGroupOf<PrescribedRotation>;
+extern template class ElementGroupOf<RotationDrive>;
+extern template class ElementGroupOf<PlanarRotationDrive>;
+#endif
+
 }  // namespace equilibria::fem

@@ -71,4 +71,13 @@ struct PlanarPressure {
     }
 };
 
+#ifdef EQUILIBRIA_COMPILED
+extern template class ElementGroupOf<FollowerLoad>;
+extern template class ElementGroupOf<CentralLoad<2>>;
+extern template class ElementGroupOf<CentralLoad<3>>;
+extern template class ElementGroupOf<PlanarPressure<2>>;
+extern template class ElementGroupOf<PlanarPressure<3>>;
+extern template class ElementGroupOf<PlanarPressure<4>>;
+#endif
+
 }  // namespace equilibria::fem

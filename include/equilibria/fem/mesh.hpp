@@ -97,4 +97,19 @@ std::vector<int> add_straight_planar_beam(Model& model, const PlanarSection& sec
     return add_planar_beam<Nodes>(model, section, frame, elements, first, last);
 }
 
+#ifdef EQUILIBRIA_COMPILED
+extern template std::vector<int> add_beam<2>(Model&, const Section&, const std::function<SectionFrame(double)>&, int,
+                                             int, int);
+extern template std::vector<int> add_beam<3>(Model&, const Section&, const std::function<SectionFrame(double)>&, int,
+                                             int, int);
+extern template std::vector<int> add_beam<4>(Model&, const Section&, const std::function<SectionFrame(double)>&, int,
+                                             int, int);
+extern template std::vector<int> add_planar_beam<2>(Model&, const PlanarSection&,
+                                                    const std::function<PlanarSectionFrame(double)>&, int, int, int);
+extern template std::vector<int> add_planar_beam<3>(Model&, const PlanarSection&,
+                                                    const std::function<PlanarSectionFrame(double)>&, int, int, int);
+extern template std::vector<int> add_planar_beam<4>(Model&, const PlanarSection&,
+                                                    const std::function<PlanarSectionFrame(double)>&, int, int, int);
+#endif
+
 }  // namespace equilibria::fem

@@ -39,4 +39,9 @@ void add_rigid_body(Model& model, const std::vector<int>& nodes) {
     }
 }
 
+#ifdef EQUILIBRIA_COMPILED
+extern template class ElementGroupOf<RigidLink<2>>;
+extern template class ElementGroupOf<RigidLink<3>>;
+#endif
+
 }  // namespace equilibria::fem

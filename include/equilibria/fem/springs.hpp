@@ -55,4 +55,11 @@ struct PointSpring {
     }
 };
 
+#ifdef EQUILIBRIA_COMPILED
+extern template class ElementGroupOf<RotationSpring>;
+extern template class ElementGroupOf<PlanarRotationSpring>;
+extern template class ElementGroupOf<PointSpring<2>>;
+extern template class ElementGroupOf<PointSpring<3>>;
+#endif
+
 }  // namespace equilibria::fem

@@ -61,4 +61,9 @@ private:
     Strain strain_;
 };
 
+#ifdef EQUILIBRIA_COMPILED
+extern template class ElementGroupOf<Truss<2>>;
+extern template class ElementGroupOf<Truss<3>>;
+#endif
+
 }  // namespace equilibria::fem

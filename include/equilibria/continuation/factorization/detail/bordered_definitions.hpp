@@ -67,11 +67,12 @@ EQUILIBRIA_INLINE double largest_force(const Eigen::SparseMatrix<double>& k, con
     return y;
 }
 
+// Templates, so that a program compiles what it uses of both.
+
 /// L U of a dense K without its border.
-template <>
-class BorderedFactors<Eigen::MatrixXd> {
+template <class Matrix>
+class BorderedFactors {
 public:
-    using Matrix = Eigen::MatrixXd;
     BorderedFactors(bool, int) {}
 
     /// The sign of the determinant, 0 where it is singular to working precision.
@@ -107,10 +108,10 @@ private:
 };
 
 /// L D L^T of a sparse K without its border, or L U.
-template <>
-class BorderedFactors<Eigen::SparseMatrix<double>> {
+template <class Number>
+class BorderedFactors<Eigen::SparseMatrix<Number>> {
 public:
-    using Matrix = Eigen::SparseMatrix<double>;
+    using Matrix = Eigen::SparseMatrix<Number>;
     BorderedFactors(bool symmetric, int multipliers) : symmetric_(symmetric), ldlt_(multipliers) {}
 
     /// The sign of the determinant, 0 where it is singular to working precision.
@@ -148,7 +149,7 @@ private:
         const Eigen::VectorXd f = Eigen::VectorXd::Ones(without.rows());
         const Eigen::VectorXd x = ldlt_.solve(f);
         const double size = largest_entry(without) * x.lpNorm<Eigen::Infinity>() + 1;
-        return (without * x - f).lpNorm<Eigen::Infinity>() < 1e-9 * size;
+        return (without * x - f).template lpNorm<Eigen::Infinity>() < 1e-9 * size;
     }
 
     bool symmetric_, use_lu_ = false;

@@ -10,6 +10,7 @@
 
 #include <equilibria/core/compiled.hpp>
 #include <equilibria/core/sized_array.hpp>
+#include <equilibria/core/window.hpp>
 #include <equilibria/model/model_functions.hpp>
 #include <equilibria/system/model_polynomials.hpp>
 
@@ -25,10 +26,10 @@ bool on_symmetric_branch(const ModelPolynomials& model, const RuntimeArray<doubl
 /// rounding of zero throughout.
 std::vector<double> polynomial_roots(const std::function<double(double)>& f, int degree, double low, double high);
 
-/// Where J is singular on a symmetric branch, with the parameter number `active` in [low, high], the others those of p.
+/// Where J is singular on a symmetric branch, with the parameter number `active` in a range, the others those of p.
 /// degree: of the equations in that parameter.
 std::vector<double> singular_points_of_branch(const ModelDerivatives<>& functions, const RuntimeArray<double>& branch,
-                                              RuntimeArray<double> p, int active, int degree, double low, double high);
+                                              RuntimeArray<double> p, int active, int degree, const Interval& range);
 
 }  // namespace equilibria
 

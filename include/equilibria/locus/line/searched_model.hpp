@@ -9,6 +9,7 @@
 #include <equilibria/core/sized_array.hpp>
 #include <equilibria/enumerate/enumerate.hpp>
 #include <equilibria/model/model_functions.hpp>
+#include <equilibria/paths/track.hpp>
 #include <equilibria/run/run_options.hpp>
 #include <equilibria/system/model_polynomials.hpp>
 
@@ -26,6 +27,7 @@ struct SearchedModel {
     const ModelFunctions<>* functions;
     const ModelPolynomials* polynomials;
     std::function<EquilibriaCount(const RuntimeArray<double>& p, const RunOptions& run)> count;
+    MoreDigits<> more_digits = nullptr;  ///< for paths to points of a plane that fail in double
 
     const RuntimeSizes& sizes() const { return functions->sizes(); }
     int unknowns() const { return functions->unknowns(); }

@@ -42,12 +42,11 @@ class LocusSeeds {
 public:
     /// The model and the plane's system have to outlive it. inner_lines: in each direction, beside the borders.
     LocusSeeds(const SearchedModel& model, const CriticalSystem& system, const RuntimeArray<double>& p,
-               const Window& window, int inner_lines, const RunOptions& run, MoreDigits<> resort)
+               const Window& window, int inner_lines, const RunOptions& run)
         : model_(&model), system_(&system), parameters_(p), window_(window), inner_lines_(inner_lines), seed_(run.seed),
           solver_(model, system, p, run,
                   {std::max(std::abs(window.x.low), std::abs(window.x.high)),
-                   std::max(std::abs(window.y.low), std::abs(window.y.high))},
-                  resort) {}
+                   std::max(std::abs(window.y.low), std::abs(window.y.high))}) {}
 
     void solve(LocusEvidence& evidence) {
         solve_lines(1, evidence);

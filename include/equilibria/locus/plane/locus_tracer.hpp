@@ -33,9 +33,9 @@ class LocusTracer {
 public:
     /// The model has to outlive it. active: the numbers of x and y.
     LocusTracer(const SearchedModel& model, std::span<const int> active, const RuntimeArray<double>& p,
-                const Window& window, const RunOptions& run, const LocusOptions& options, MoreDigits<> resort)
+                const Window& window, const RunOptions& run, const LocusOptions& options)
         : model_(model), functions_(*model.functions), n_(model.unknowns()), system_(*model.polynomials, active),
-          run_(run), options_(options), seeds_(model, system_, p, window, options.lines, run, resort) {
+          run_(run), options_(options), seeds_(model, system_, p, window, options.lines, run) {
         locus_.window = window;
         locus_.parameters = p;
     }

@@ -33,10 +33,10 @@ public:
     using Points = std::vector<RuntimeSingularity<>>;
 
     /// The model and the plane's system have to outlive it. scales: values of x and y that count as large, positive:
-    /// the size of the window. resort: for paths to cusps and extremal points that fail.
+    /// the size of the window.
     PlaneSolver(const SearchedModel& model, const CriticalSystem& system, const RuntimeArray<double>& p,
-                const RunOptions& run, const std::array<double, 2>& scales = {1, 1}, MoreDigits<> resort = nullptr)
-        : model_(&model), system_(&system), p_(p), run_(run), scales_(scales), more_digits_(resort) {}
+                const RunOptions& run, const std::array<double, 2>& scales = {1, 1})
+        : model_(&model), system_(&system), p_(p), run_(run), scales_(scales) {}
 
     /// The folds on lines on which x (`fixed` 0) or y (1) has the given value. One line is
     /// solved from its start system, at the value `generic`; the others follow by parameter homotopy, on as many paths
@@ -204,7 +204,7 @@ private:
             Numbers numbers = system_->numbers(p_, scales(), generator);
             weigh(numbers);
             auto set = solve_multihomogeneous(system_->system(numbers), system_->grouping(), run_.with_seed(seed), {},
-                                              more_digits_);
+                                              model_->more_digits);
             for (const auto& root : set.roots)
                 if (const auto near = real_point(root))
                     keep(points, *near, refine_singularity(*model_->functions, kind, active, near->q, near->p));
@@ -239,7 +239,6 @@ private:
     RuntimeArray<double> p_;
     RunOptions run_;
     std::array<double, 2> scales_;
-    MoreDigits<> more_digits_;
 };
 
 }  // namespace equilibria

@@ -28,7 +28,7 @@ namespace equilibria {
 /// Arguments, result and errors as of the function for a model below.
 Locus<RuntimeUnknowns> trace_locus(const SearchedModel& model, const RuntimeArray<double>& p,
                                    std::span<const int> active, const Window& window, const RunOptions& run = {},
-                                   const LocusOptions& options = {}, MoreDigits<> resort = nullptr);
+                                   const LocusOptions& options = {});
 
 /// The bifurcation locus of the model in the plane of its parameters number X and Y, the others being those of p.
 /// resort: more_digits (enumerate/more_digits.hpp) tracks paths that fail in double with
@@ -42,7 +42,9 @@ Locus<M> trace_locus(const Parameters<M>& p, const Window& window, const RunOpti
     static_assert(X != Y, "equilibria: a plane needs two different parameters");
     detail::check_active<M, X, Y>();
     constexpr int active[] = {X, Y};
-    return typed<M>(trace_locus(searched_model<M>(), runtime_array(p), active, window, run, options, resort));
+    SearchedModel model = searched_model<M>();
+    model.more_digits = resort;
+    return typed<M>(trace_locus(model, runtime_array(p), active, window, run, options));
 }
 
 }  // namespace equilibria

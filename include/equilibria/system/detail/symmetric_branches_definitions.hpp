@@ -71,7 +71,8 @@ EQUILIBRIA_INLINE std::vector<double> polynomial_roots(const std::function<doubl
 EQUILIBRIA_INLINE std::vector<double> singular_points_of_branch(const ModelDerivatives<>& functions,
                                                                 const RuntimeArray<double>& branch,
                                                                 RuntimeArray<double> p, int active, int degree,
-                                                                double low, double high) {
+                                                                const Interval& range) {
+    const auto [low, high] = range;
     const auto determinant = [&](double value) {
         p[active] = value;
         const auto j = jacobian(functions, branch, p);

@@ -128,8 +128,8 @@ private:
         for (const auto& branch : symmetric_branches(*model_.polynomials)) add_pitchforks(branch);
     }
     void add_pitchforks(const Unknowns& branch) {
-        const auto values = singular_points_of_branch(functions_, branch, p_, active_, system_.entry().degree[0],
-                                                      found_.range.low, found_.range.high);
+        const auto values =
+            singular_points_of_branch(functions_, branch, p_, active_, system_.entry().degree[0], found_.range);
         for (std::size_t k = 0; k < values.size(); ++k) {
             Event event;
             event.q = branch;

@@ -10,14 +10,13 @@ namespace equilibria {
 
 EQUILIBRIA_INLINE Locus<RuntimeUnknowns> trace_locus(const SearchedModel& model, const RuntimeArray<double>& p,
                                                      std::span<const int> active, const Window& window,
-                                                     const RunOptions& run, const LocusOptions& options,
-                                                     MoreDigits<> resort) {
+                                                     const RunOptions& run, const LocusOptions& options) {
     require_finite(p, "parameters");
     window.validate();
     options.validate();
     run.require_whole("a locus");
     require(active.size() == 2, "active parameters", active.size(), "must be two");
-    return detail::LocusTracer(model, active, p, window, run, options, resort).run();
+    return detail::LocusTracer(model, active, p, window, run, options).run();
 }
 
 }  // namespace equilibria

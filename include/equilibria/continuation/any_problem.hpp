@@ -35,6 +35,7 @@ private:
     std::shared_ptr<const void> value_;
 };
 
+/// Each of them as a configuration of any type.
 template <class Q>
 std::vector<AnyConfiguration> erased_configurations(const std::vector<Q>& all) {
     std::vector<AnyConfiguration> y;
@@ -212,6 +213,7 @@ private:
     int multipliers_;
 };
 
+/// What a problem of the type P becomes.
 template <ContinuationProblem P>
 using AnyProblemOf = AnyProblem<TangentMatrix<P>>;
 

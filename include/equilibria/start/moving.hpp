@@ -15,7 +15,6 @@
 
 namespace equilibria {
 
-/// H = F with the coefficients (1-t) gamma b + t a, b of the solved instance; or H = (1-t) G + t F.
 /// H = F with the coefficients (1-t) gamma b + t a, b of the solved instance.
 template <Model M>
 class Moving {

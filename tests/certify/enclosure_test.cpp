@@ -1,6 +1,7 @@
 #include <vector>
 
 #include <equilibria/certify/enclosure.hpp>
+#include <equilibria/core/multiprecision.hpp>
 #include <equilibria/core/random.hpp>
 #include <equilibria/mechanisms/rotating_chain.hpp>
 

@@ -2,6 +2,7 @@
 #include <string>
 
 #include <equilibria/certify/refine_root.hpp>
+#include <equilibria/core/multiprecision.hpp>
 #include <equilibria/mechanisms/rotating_chain.hpp>
 
 #include "support/catch.hpp"

@@ -1,12 +1,13 @@
 # Configures, builds and runs the project in tests/consumer/WAY against the tree SOURCE, or against a copy installed from
 # the build tree BUILT. TARGET: equilibria or compiled. BINARY is this script's own. A user who asks for no warning must
-# see none. REFUSED: what the linker has to say, where the project must not link.
+# see none. REFUSED: what the linker has to say, where the project must not link. FLAGS: those of the tree BUILT, so that
+# a LAUNCHER that remembers what it compiled does not compile the library once more for each project.
 cmake_minimum_required(VERSION 3.25)
 
 file(REMOVE_RECURSE ${BINARY})
 set(prefix ${BINARY}/installed)
 
-if(WAY STREQUAL "find_package")
+if(WAY MATCHES "find_package|mixed")
     execute_process(COMMAND ${CMAKE_COMMAND} --install ${BUILT} --prefix ${prefix} COMMAND_ERROR_IS_FATAL ANY)
     file(GLOB_RECURSE files ${prefix}/*.cmake)
     foreach(file IN LISTS files)
@@ -24,7 +25,7 @@ execute_process(
     COMMAND
         ${CMAKE_COMMAND} -G ${GENERATOR} -S ${SOURCE}/tests/consumer/${WAY} -B ${BINARY}/build
         -DCMAKE_CXX_COMPILER=${COMPILER} -DCMAKE_CXX_COMPILER_LAUNCHER=${LAUNCHER} -DCMAKE_PREFIX_PATH=${prefix}
-        -DCMAKE_COMPILE_WARNING_AS_ERROR=ON
+        -DCMAKE_COMPILE_WARNING_AS_ERROR=ON -DCMAKE_CXX_EXTENSIONS=OFF -DCMAKE_BUILD_TYPE=None "-DCMAKE_CXX_FLAGS=${FLAGS}"
         -DEQUILIBRIA_TREE=${SOURCE} -DEQUILIBRIA_TARGET=${TARGET} -DEQUILIBRIA_EXPECTED_VERSION=${VERSION}
     COMMAND_ERROR_IS_FATAL ANY
 )

@@ -16,6 +16,7 @@
 #include <string>
 #include <vector>
 
+#include <equilibria/algebra/runtime_equations.hpp>
 #include <equilibria/algebra/symbolic.hpp>
 #include <equilibria/algebra/trigonometric_polynomial.hpp>
 #include <equilibria/core/array.hpp>
@@ -220,6 +221,31 @@ struct Formulation {
         "does not depend on one of them)");
 };
 
+namespace detail {
+
+/// The equations for the parameters p at run time: polynomials of one type, or of the model's own where it has more
+/// unknowns than those may have.
+template <class M, class C>
+auto equations_at_run_time(const Parameters<M, C>& p) {
+    if constexpr (n_angles<M> <= most_angles && n_coordinates<M> <= most_coordinates)
+        return symbolic_equations_of<M, C>([&](const RuntimePool<C>&) {
+            Parameters<M, RuntimeScalar<C>> q;
+            for (int k = 0; k < q.size(); ++k) q[k] = p[k];
+            return q;
+        });
+    else
+        return symbolic_equations<M, C>(p);
+}
+/// Their monomials in the model's unknowns.
+template <class M, int Angles, int Coordinates>
+Monomial<n_angles<M>, n_coordinates<M>> own_monomial(const Monomial<Angles, Coordinates>& of) {
+    Monomial<n_angles<M>, n_coordinates<M>> y;
+    for (int u = 0; u < n_unknowns<M>; ++u) y.set_code(u, of.code(u < n_angles<M> ? u : Angles + u - n_angles<M>));
+    return y;
+}
+
+}  // namespace detail
+
 /// The coefficients of the support's terms for given parameters. C: double, std::complex<double>, or wider.
 /// Throws InvalidArgument if a coefficient is not finite at p, or if the model has a term at p that it lacks at generic
 /// parameters (it branches on values).
@@ -228,12 +254,12 @@ Array<C, detail::support_size<M>> coefficients(const Parameters<M, C>& p) {
     using F = Formulation<M>;
     Array<C, detail::support_size<M>> y;
     for (C& c : y) c = C(0);
-    const auto f = detail::symbolic_equations<M, C>(p);
+    const auto f = detail::equations_at_run_time<M, C>(p);
     int i = 0;
     for (const auto& equation : f) {
         const double negligible = 1e-12 * equation.scale();
         for (const auto& t : equation.terms()) {
-            const SupportTerm<M> key{i, t.monomial};
+            const SupportTerm<M> key{i, detail::own_monomial<M>(t.monomial)};
             const auto at = std::lower_bound(F::support.begin(), F::support.end(), key);
             using std::abs;
             require(static_cast<double>(abs(t.coefficient)) < std::numeric_limits<double>::infinity(), "model",

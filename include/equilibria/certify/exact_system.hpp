@@ -42,7 +42,8 @@ struct ExactSystem {
     explicit ExactSystem(const Polynomials& equations) {
         int equation = 0;
         for (const auto& f : equations) {
-            for (const auto& t : f.terms()) terms.push_back({equation, t.monomial, t.coefficient});
+            for (const auto& t : f.terms())
+                terms.push_back({equation, detail::own_monomial<M>(t.monomial), t.coefficient});
             ++equation;
         }
     }
@@ -50,7 +51,7 @@ struct ExactSystem {
     /// The system at the parameters p, each a number or an interval. Throws InvalidArgument where a coefficient is not
     /// finite or divides by 0 there.
     static ExactSystem at(const Parameters<M, ExactBall>& p) {
-        return ExactSystem(detail::symbolic_equations<M, ExactBall>(p));
+        return ExactSystem(detail::equations_at_run_time<M, ExactBall>(p));
     }
     static ExactSystem at(const Parameters<M>& p) {
         require_finite(p, "parameters");
@@ -165,12 +166,13 @@ struct ExactSystems {
         for (int k = 0; k < N; ++k) dual[varied[k]].derivative[k] = 1;
         center = ExactSystem<M>::at(middle);
         int equation = 0;
-        for (const auto& f : detail::symbolic_equations<M, Dual<ExactBall, N>>(dual)) {
+        for (const auto& f : detail::equations_at_run_time<M, Dual<ExactBall, N>>(dual)) {
             for (const auto& t : f.terms()) {
-                all.terms.push_back({equation, t.monomial, t.coefficient.value});
+                const auto monomial = detail::own_monomial<M>(t.monomial);
+                all.terms.push_back({equation, monomial, t.coefficient.value});
                 for (int k = 0; k < N; ++k)
                     if (!(t.coefficient.derivative[k] == 0))
-                        derivative[k].terms.push_back({equation, t.monomial, t.coefficient.derivative[k]});
+                        derivative[k].terms.push_back({equation, monomial, t.coefficient.derivative[k]});
             }
             ++equation;
         }
@@ -191,3 +193,14 @@ struct ExactTermFamily {
 };
 
 }  // namespace equilibria
+
+#ifdef EQUILIBRIA_COMPILED
+namespace equilibria {
+extern template class RuntimePool<ExactBall>;
+extern template class RuntimeScalar<ExactBall>;
+extern template class RuntimeAngle<ExactBall>;
+extern template class RuntimePool<Dual<ExactBall, 2>>;
+extern template class RuntimeScalar<Dual<ExactBall, 2>>;
+extern template class RuntimeAngle<Dual<ExactBall, 2>>;
+}  // namespace equilibria
+#endif

@@ -45,7 +45,7 @@ std::optional<ProvedBound> total_degree_bound(const ExactSystem<M>& system) {
 /// The smallest bound that the library knows: the total degree, a multihomogeneous Bezout number, or, of one or two
 /// angles, Bernstein's mixed volume.
 template <Model M>
-std::optional<ProvedBound> smallest_proved_bound(const ExactSystem<M>& system) {
+[[gnu::cold]] std::optional<ProvedBound> smallest_proved_bound(const ExactSystem<M>& system) {
     auto bound = total_degree_bound<M>(system);
     if (!bound) return bound;
     if (system.within_support()) {

@@ -5,7 +5,6 @@
 /// that stands for an interval. Used for a model's few coefficients, never in a loop over roots.
 #pragma once
 
-#include <boost/multiprecision/cpp_int.hpp>
 #include <cmath>
 #include <concepts>
 #include <cstdint>
@@ -14,39 +13,39 @@
 #include <type_traits>
 
 #include <equilibria/core/ball.hpp>
+#include <equilibria/core/big_integer.hpp>
+#include <equilibria/core/compiled.hpp>
 #include <equilibria/core/error.hpp>
-#include <equilibria/core/multiprecision.hpp>
 
 namespace equilibria {
 
 /// mantissa 2^exponent, with no limit to the digits of the mantissa.
 class Dyadic {
 public:
-    using Integer = boost::multiprecision::cpp_int;
-
     Dyadic() = default;
-    /// The value of a finite number of any binary floating-point type, or of an integer.
+    /// The value of a finite number of any binary floating-point type, or of an integer; of a type of more digits than
+    /// a double's where core/multiprecision.hpp is included.
     template <class A>
     explicit Dyadic(const A& value) {
         if constexpr (std::is_integral_v<A>) {
-            mantissa_ = value;
+            mantissa_ = BigInteger(static_cast<std::int64_t>(value));
         } else if constexpr (std::is_same_v<A, double>) {
             auto m = static_cast<std::int64_t>(std::ldexp(std::frexp(value, &exponent_), 53));
             exponent_ -= 53;
             for (; m != 0 && m % 2 == 0; m /= 2) ++exponent_;
-            mantissa_ = m;
+            mantissa_ = BigInteger(m);
         } else {
             using std::frexp, std::ldexp;
             int e = 0;
             A m = frexp(value, &e);
             constexpr int bits = std::numeric_limits<A>::digits;
             m = ldexp(m, bits);
-            mantissa_ = static_cast<Integer>(m);
+            mantissa_ = BigInteger(m);
             exponent_ = e - bits;
             if (is_zero()) return;
-            const auto zeros = lsb(abs(mantissa_));
-            mantissa_ >>= zeros;
-            exponent_ += static_cast<int>(zeros);
+            const int zeros = mantissa_.trailing_zeros();
+            mantissa_ = mantissa_ >> zeros;
+            exponent_ += zeros;
         }
     }
 
@@ -81,13 +80,12 @@ public:
         using std::ldexp;
         if (is_zero()) return S(0);
         // the leading digits, so that the conversion cannot overflow
-        const auto top = static_cast<int>(msb(abs(mantissa_))), keep = std::numeric_limits<S>::digits + 8;
-        const int drop = std::max(0, top - keep);
-        return ldexp(static_cast<S>(Integer(mantissa_ >> drop)), exponent_ + drop);
+        const int drop = std::max(0, mantissa_.top_bit() - (std::numeric_limits<S>::digits + 8));
+        return ldexp((mantissa_ >> drop).template to<S>(), exponent_ + drop);
     }
 
 private:
-    Integer mantissa_ = 0;
+    BigInteger mantissa_;
     int exponent_ = 0;
 };
 
@@ -120,7 +118,7 @@ public:
         return {a.mid_ * b.mid_, rounded_up(a.size() * b.rad_ + a.rad_ * (b.size() + b.rad_))};
     }
 
-    // Templates, so that a program pays only for the functions that its models call.
+    // Templates, so that a program without the compiled library pays only for the functions that its models call.
 
     /// Throws InvalidArgument where the divisor may be 0.
     template <class A, class B>
@@ -129,33 +127,15 @@ public:
         return ExactBall(a) * inverse(ExactBall(b));
     }
     template <std::same_as<ExactBall> B>
-    friend ExactBall sqrt(const B& a) {
-        if (a == 0) return 0;
-        require(a.low() > 0, "model", a.text(), "the square root needs a positive number");
-        return a.through([](const Float& x) { return Float(sqrt(x)); }, 0.5 / std::sqrt(a.low()));
-    }
+    friend ExactBall sqrt(const B& a);
     template <std::same_as<ExactBall> B>
-    friend ExactBall exp(const B& a) {
-        if (a == 0) return 1;
-        return a.through([](const Float& x) { return Float(exp(x)); },
-                         1.01 * std::exp(a.mid_.template to<double>() + a.rad_));
-    }
+    friend ExactBall exp(const B& a);
     template <std::same_as<ExactBall> B>
-    friend ExactBall log(const B& a) {
-        if (a == 1) return 0;
-        require(a.low() > 0, "model", a.text(), "the logarithm needs a positive number");
-        return a.through([](const Float& x) { return Float(log(x)); }, 1 / a.low());
-    }
+    friend ExactBall log(const B& a);
     template <std::same_as<ExactBall> B>
-    friend ExactBall sin(const B& a) {
-        if (a == 0) return 0;
-        return a.through([](const Float& x) { return Float(sin(x)); }, 1);
-    }
+    friend ExactBall sin(const B& a);
     template <std::same_as<ExactBall> B>
-    friend ExactBall cos(const B& a) {
-        if (a == 0) return 1;
-        return a.through([](const Float& x) { return Float(cos(x)); }, 1);
-    }
+    friend ExactBall cos(const B& a);
     /// a^y for a > 0.
     template <std::same_as<ExactBall> B>
     friend ExactBall pow(const B& a, double y) {
@@ -177,9 +157,6 @@ public:
     }
 
 private:
-    using Float = Multiprecision<110>;
-    static constexpr double trust = 1e-100;  ///< share by which a function or quotient over Float is wrong at the most
-
     static double rounded_up(double x) { return equilibria::rounded_up<double>(x); }
     double size() const { return rounded_up(std::abs(mid_.to<double>())); }
     /// Not above any member; at most 1e-14 below the least, as a share.
@@ -190,24 +167,16 @@ private:
     std::string text() const { return to_text(mid_.to<double>()) + (exact() ? "" : " +- " + to_text(rad_)); }
 
     template <std::same_as<ExactBall> B>
-    friend ExactBall inverse(const B& a) {
-        if (a == 1) return 1;
-        const double gap = std::abs(a.mid_.template to<double>()) * (1 - 1e-14) - a.rad_;
-        require(gap > 0, "model", a.text(), "divides by a number that may be 0 at these parameters");
-        return a.through([](const Float& x) { return Float(1 / x); }, 1.01 / gap / gap);
-    }
-    /// f over the ball: its value at the midpoint; `slope` bounds |f'| on the ball.
+    friend ExactBall inverse(const B& a);
     template <class F>
-    ExactBall through(F f, double slope) const {
-        const Float x = mid_.to<Float>(), y = f(x);
-        const double off =
-            rounded_up(1.01 * slope * (rad_ + trust * size()) + trust * std::abs(static_cast<double>(y)));
-        require(std::isfinite(off), "model", text(), "a function of the parameters is not finite there");
-        return {Dyadic(y), off};
-    }
+    ExactBall through(F f, double slope) const;
 
     Dyadic mid_;
     double rad_ = 0;
 };
 
 }  // namespace equilibria
+
+#ifndef EQUILIBRIA_COMPILED
+#include <equilibria/core/detail/exact_ball_definitions.hpp>
+#endif

@@ -5,11 +5,14 @@
 #pragma once
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
+#include <boost/multiprecision/cpp_int.hpp>
 #include <concepts>
 #include <limits>
 #include <ostream>
 #include <string>
 #include <type_traits>
+
+#include <equilibria/core/big_integer.hpp>
 
 namespace equilibria {
 
@@ -101,6 +104,15 @@ public:
 private:
     Value value_;
 };
+
+template <class A>
+BigInteger::BigInteger(const A& value) {
+    ::new (storage_) boost::multiprecision::cpp_int(static_cast<boost::multiprecision::cpp_int>(value));
+}
+template <class S>
+S BigInteger::to() const {
+    return static_cast<S>(as<boost::multiprecision::cpp_int>());
+}
 
 }  // namespace equilibria
 

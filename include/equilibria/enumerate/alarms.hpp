@@ -34,7 +34,7 @@ Alarms alarms_of(const RootPartners& partners, bool symmetric);
 /// The tests that cost no path, done on the set as it is. set.alarms is not read: `enumerate` stores there what this
 /// returns. The trace test comes out as not applied.
 template <class M>
-Alarms check_alarms(const RootSet<M>& set, const Executor& executor = {}) {
+[[gnu::cold]] Alarms check_alarms(const RootSet<M>& set, const Executor& executor = {}) {
     std::vector<detail::RootView> roots;
     roots.reserve(set.roots.size());
     for (const auto& root : set.roots) roots.push_back(detail::view(root));

@@ -122,7 +122,8 @@ struct RealRoots {
 };
 
 template <class M>
-RealRoots<M> classify(const std::vector<Root<M>>& roots, const RealEquations& equations, const Executor& executor) {
+[[gnu::cold]] RealRoots<M> classify(const std::vector<Root<M>>& roots, const RealEquations& equations,
+                                    const Executor& executor) {
     std::vector<std::uint8_t> real(roots.size());
     std::vector<UnknownArray<M, double>> at(roots.size());
     executor.for_blocks(roots.size(), 4096, [&](std::size_t first, std::size_t last) {

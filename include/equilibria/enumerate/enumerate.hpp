@@ -25,8 +25,9 @@ namespace detail {
 
 /// The way from tracked paths to a root set: their account, roots, families, equilibria, alarms.
 template <class M>
-RootSet<M> root_set_of(PathSet paths, const ParameterArray<M, double>& p, const ModelProperties<M>& model,
-                       const PolynomialHomotopy& homotopy, const RealEquations& equations, const RunOptions& run) {
+[[gnu::cold]] RootSet<M> root_set_of(PathSet paths, const ParameterArray<M, double>& p, const ModelProperties<M>& model,
+                                     const PolynomialHomotopy& homotopy, const RealEquations& equations,
+                                     const RunOptions& run) {
     auto [counts, failures] = account_for<M>(paths);
     const double tracking_seconds = paths.effort.tracking_seconds;
     std::vector<Root<M>> roots;
@@ -54,8 +55,8 @@ RootSet<M> root_set_of(PathSet paths, const ParameterArray<M, double>& p, const 
 }
 
 template <Model M, class StartSystem>
-RootSet<M> enumerate_from(const ModelSystem<M>& target, const StartSystem& start, const RunOptions& run,
-                          const TrackerOptions& options, MoreDigits<> resort = nullptr) {
+[[gnu::cold]] RootSet<M> enumerate_from(const ModelSystem<M>& target, const StartSystem& start, const RunOptions& run,
+                                        const TrackerOptions& options, MoreDigits<> resort = nullptr) {
     const detail::Stopwatch begin;
     const PolynomialHomotopy homotopy = model_homotopy(target, start);
     auto paths = track_paths(homotopy, model_problem<M>(start, target.parameters, run), run, options, resort);
@@ -66,8 +67,8 @@ RootSet<M> enumerate_from(const ModelSystem<M>& target, const StartSystem& start
 }
 
 template <Model M, class StartSystem>
-RootSet<M> enumerate_all(const Parameters<M>& p, const RunOptions& run, const TrackerOptions& options,
-                         MoreDigits<> resort = nullptr) {
+[[gnu::cold]] RootSet<M> enumerate_all(const Parameters<M>& p, const RunOptions& run, const TrackerOptions& options,
+                                       MoreDigits<> resort = nullptr) {
     require_finite(p, "parameters");
     options.validate();
     Generator generator(run.seed);
@@ -76,8 +77,9 @@ RootSet<M> enumerate_all(const Parameters<M>& p, const RunOptions& run, const Tr
 }
 
 template <Model M>
-RootSet<M> enumerate_by_parameters(const RootSet<M>& solved, const Parameters<M>& p, const RunOptions& run,
-                                   const TrackerOptions& options, MoreDigits<> resort = nullptr) {
+[[gnu::cold]] RootSet<M> enumerate_by_parameters(const RootSet<M>& solved, const Parameters<M>& p,
+                                                 const RunOptions& run, const TrackerOptions& options,
+                                                 MoreDigits<> resort = nullptr) {
     require_finite(p, "parameters");
     options.validate();
     require(solved.paths.failed == 0 && solved.paths.singular == 0, "solved.paths",
@@ -100,7 +102,8 @@ RootSet<M> enumerate_by_parameters(const RootSet<M>& solved, const Parameters<M>
 /// one. Throws InvalidArgument for parameters that are not finite and for options out of range, CheckpointError for a
 /// checkpoint that cannot be used.
 template <Model M, class StartSystem = NaturalStart<M>>
-RootSet<M> enumerate(const Parameters<M>& p, const RunOptions& run = {}, const TrackerOptions& options = {}) {
+[[gnu::cold]] RootSet<M> enumerate(const Parameters<M>& p, const RunOptions& run = {},
+                                   const TrackerOptions& options = {}) {
     return detail::enumerate_all<M, StartSystem>(p, run, options);
 }
 
@@ -111,8 +114,8 @@ RootSet<M> enumerate(const Parameters<M>& p, const RunOptions& run = {}, const T
 /// enter the coefficients nonlinearly leaves the model, and systems on it may have more roots. Throws InvalidArgument
 /// where `solved` has failed or singular paths.
 template <Model M>
-RootSet<M> enumerate(const RootSet<M>& solved, const Parameters<M>& p, const RunOptions& run = {},
-                     const TrackerOptions& options = {}) {
+[[gnu::cold]] RootSet<M> enumerate(const RootSet<M>& solved, const Parameters<M>& p, const RunOptions& run = {},
+                                   const TrackerOptions& options = {}) {
     return detail::enumerate_by_parameters<M>(solved, p, run, options);
 }
 

@@ -83,9 +83,9 @@ ProofOfRoots prove_roots(const RootsToProve& set, const RunOptions& run, const P
 
 /// equations: those of the model at the parameters of the set.
 template <class M>
-ProofOfRoots prove_set(const RootSet<M>& set, const ExactTerms& equations,
-                       std::function<std::optional<ProvedBound>()> smallest_bound, const RunOptions& run,
-                       const ProveOptions& options) {
+[[gnu::cold]] ProofOfRoots prove_set(const RootSet<M>& set, const ExactTerms& equations,
+                                     std::function<std::optional<ProvedBound>()> smallest_bound, const RunOptions& run,
+                                     const ProveOptions& options) {
     RootsToProve task{.equations = equations,
                       .roots = {},
                       .equilibria = {},

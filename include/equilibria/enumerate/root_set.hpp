@@ -96,7 +96,7 @@ struct RootSet {
     bool morse_applies() const { return verdict().morse_applies(); }
     bool morse() const { return verdict().morse(); }
 
-    friend std::ostream& operator<<(std::ostream& out, const RootSet& set) {
+    [[gnu::cold]] friend std::ostream& operator<<(std::ostream& out, const RootSet& set) {
         std::uint64_t on_families = 0;
         for (const auto& family : set.families) on_families += family.paths();
         // polynomials in plain coordinates come in any order and sign: their Jacobian's eigenvalues mean nothing

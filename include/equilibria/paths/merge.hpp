@@ -31,7 +31,7 @@ void merge(PathSet& paths, Take&& take) {
                      [&](Root<RuntimeUnknowns> root) { take(typed<M>(std::move(root))); }));
 }
 template <class M>
-std::vector<Root<M>> merge(PathSet& paths) {
+[[gnu::cold]] std::vector<Root<M>> merge(PathSet& paths) {
     std::vector<Root<M>> roots;
     roots.reserve(static_cast<std::size_t>(most_roots(paths)));
     merge<M>(paths, [&](Root<M> root) { roots.push_back(std::move(root)); });

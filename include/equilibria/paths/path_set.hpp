@@ -83,7 +83,7 @@ PathAccount<RuntimeUnknowns> account_for(PathSet& paths);
 
 /// The same in the unknowns of a model, which are as many.
 template <class M>
-PathAccount<M> account_for(PathSet& paths) {
+[[gnu::cold]] PathAccount<M> account_for(PathSet& paths) {
     auto [counts, failures] = account_for(paths);
     PathAccount<M> y{counts, {}};
     for (auto& failed : failures) y.failures.push_back(typed<M>(std::move(failed)));

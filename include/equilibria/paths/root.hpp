@@ -71,4 +71,18 @@ FailedPath<M> typed(FailedPath<RuntimeUnknowns> failed) {
     return {failed.path, failed.reason, typed<M>(std::move(failed.q))};
 }
 
+/// The other way round.
+template <class M>
+[[gnu::cold]] Root<RuntimeUnknowns> untyped(const Root<M>& root) {
+    Root<RuntimeUnknowns> y{RuntimeArray<std::complex<double>>(root.q.size()),
+                            root.residual,
+                            root.condition,
+                            root.path,
+                            root.paths,
+                            root.winding_number,
+                            root.status};
+    std::copy(root.q.begin(), root.q.end(), y.q.begin());
+    return y;
+}
+
 }  // namespace equilibria

@@ -34,7 +34,7 @@ struct RunOptions {
         return run;
     }
     /// For what solves many systems, and keeps no file. Throws InvalidArgument where one is named, or a cancel given.
-    void require_whole(const char* what) const {
+    [[gnu::cold]] void require_whole(const char* what) const {
         require(checkpoint.empty(), "checkpoint", checkpoint, "must be empty: it keeps a single enumeration");
         require(cancel == nullptr, "cancel", "given", std::string("must be empty: ") + what + " cannot be cancelled");
     }

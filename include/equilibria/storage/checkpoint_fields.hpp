@@ -61,7 +61,7 @@ CheckpointFields model_fields(const std::string& name, const RuntimeSizes& sizes
                               const std::string& build);
 
 template <Model M>
-CheckpointFields model_fields(const Parameters<M>& p) {
+[[gnu::cold]] CheckpointFields model_fields(const Parameters<M>& p) {
     std::vector<std::uint64_t> support;
     for (const auto& term : Formulation<M>::support) {
         support.push_back(static_cast<std::uint64_t>(term.equation));

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include <equilibria/algebra/formulation.hpp>
+#include <equilibria/algebra/runtime_equations.hpp>
 #include <equilibria/algebra/runtime_polynomial.hpp>
-#include <equilibria/algebra/symbolic.hpp>
 #include <equilibria/core/error.hpp>
 #include <equilibria/core/sized_array.hpp>
 #include <equilibria/model/model_functions.hpp>
@@ -35,13 +35,11 @@ namespace detail {
 
 /// Makes a model's parameters, as symbolic scalars, those that are coordinates: number active[k] is scales[k] times the
 /// coordinate first + k.
-template <class Scalar>
-void set_active(auto& parameters, typename Scalar::Pool* pool, std::span<const int> active,
+template <class C>
+void set_active(auto& parameters, const RuntimePool<C>& pool, std::span<const int> active,
                 std::span<const double> scales, int first) {
-    using Coefficient = typename Scalar::Polynomial::Coefficient;
     for (std::size_t k = 0; k < active.size(); ++k)
-        parameters[active[k]] = Scalar(pool, coordinate_polynomial<Coefficient>(first + static_cast<int>(k)) *
-                                                 RuntimePolynomial<Coefficient>(Coefficient(scales[k])));
+        parameters[active[k]] = RuntimeScalar<C>::coordinate(pool, first + static_cast<int>(k), C(scales[k]));
 }
 /// Throws InvalidArgument where a model of so many unknowns has no coordinates left for its active parameters.
 inline void require_coordinates_left(int unknowns, std::span<const int> active, int first) {
@@ -64,27 +62,14 @@ void require_polynomial(const RuntimePolynomials<C>& equations, std::span<const 
 template <Model M, class C>
 RuntimePolynomials<C> model_polynomials(const RuntimeArray<double>& p, std::span<const int> active,
                                         std::span<const double> scales, int first) {
-    using Scalar = SymbolicScalar<most_angles, most_coordinates, C>;
-    using Angle = SymbolicAngle<most_angles, most_coordinates, C>;
     require(n_angles<M> <= most_angles, "angles of the model", n_angles<M>, "must be at most 16");
     detail::require_coordinates_left(n_unknowns<M>, active, first);
-    typename Scalar::Pool pool;
-    Array<Angle, n_angles<M>> theta;
-    Array<Scalar, n_coordinates<M>> x;
-    Parameters<M, Scalar> q;
-    for (int i = 0; i < theta.size(); ++i) theta[i] = Angle(&pool, i);
-    for (int j = 0; j < x.size(); ++j) x[j] = Scalar(&pool, coordinate_polynomial<C>(j));
-    for (int k = 0; k < q.size(); ++k) q[k] = Scalar(C(p[k]));
-    detail::set_active<Scalar>(q, &pool, active, scales, first);
-    RuntimePolynomials<C> f;
-    if constexpr (PotentialModel<M>) {
-        const RuntimePolynomial<C> v = Scalar(detail::call_potential(M{}, theta, x, q)).polynomial();
-        for (int i = 0; i < n_angles<M>; ++i) f.push_back(derivative(v, i));
-        for (int j = 0; j < n_coordinates<M>; ++j) f.push_back(derivative(v, most_angles + j));
-    } else {
-        const auto values = detail::call_equations(M{}, theta, x, q);
-        for (const auto& value : values) f.push_back(Scalar(value).polynomial());
-    }
+    const auto f = detail::symbolic_equations_of<M, C>([&](const RuntimePool<C>& pool) {
+        Parameters<M, RuntimeScalar<C>> q;
+        for (int k = 0; k < q.size(); ++k) q[k] = C(p[k]);
+        detail::set_active<C>(q, pool, active, scales, first);
+        return q;
+    });
     detail::require_polynomial(f, active);
     return f;
 }

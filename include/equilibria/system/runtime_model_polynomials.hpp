@@ -18,11 +18,10 @@ public:
     RuntimePolynomials<> equations(const RuntimeArray<double>& p, std::span<const int> active,
                                    std::span<const double> scales, int first) const override {
         detail::require_coordinates_left(sizes().unknowns, active, first);
-        using Scalar = SymbolicScalar<most_angles, most_coordinates, double>;
-        const auto f = detail::symbolic_equations_of<double>(model_, [&](typename Scalar::Pool* pool) {
-            RuntimeArray<Scalar> y(p.size());
-            for (int k = 0; k < y.size(); ++k) y[k] = Scalar(p[k]);
-            detail::set_active<Scalar>(y, pool, active, scales, first);
+        const auto f = detail::symbolic_equations_of<double>(model_, [&](const RuntimePool<double>& pool) {
+            RuntimeArray<RuntimeScalar<>> y(p.size());
+            for (int k = 0; k < y.size(); ++k) y[k] = p[k];
+            detail::set_active<double>(y, pool, active, scales, first);
             return y;
         });
         detail::require_polynomial(f, active);

@@ -3,10 +3,14 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <complex>
 #include <numbers>
 #include <utility>
+#include <vector>
 
+#include <equilibria/core/sorted_order.hpp>
 #include <equilibria/enumerate/detail/family_finder.hpp>
 #include <equilibria/enumerate/families.hpp>
 #include <equilibria/evaluation/point_of.hpp>
@@ -36,25 +40,26 @@ EQUILIBRIA_INLINE FamilyProbe::System family_system(const PolynomialHomotopy& ho
     };
 }
 
-EQUILIBRIA_INLINE std::vector<FoundFamily> find_families(const PolynomialHomotopy& homotopy,
-                                                         const std::vector<FoundFamily::Vector>& solutions,
-                                                         const Executor& executor) {
+EQUILIBRIA_INLINE FoundFamilies find_families(const PolynomialHomotopy& homotopy,
+                                              const std::vector<Root<RuntimeUnknowns>>& roots,
+                                              const Executor& executor) {
     const RuntimeSizes sizes = homotopy.sizes();
     const auto n = static_cast<std::size_t>(sizes.unknowns), angles = static_cast<std::size_t>(sizes.angles);
     std::vector<double> unit(n, 1.0);
-    for (const auto& q : solutions)
-        for (std::size_t u = angles; u < n; ++u) unit[u] = std::max(unit[u], std::abs(q[u]));
+    for (const auto& root : roots)
+        for (std::size_t u = angles; u < n; ++u) unit[u] = std::max(unit[u], std::abs(root.q[static_cast<int>(u)]));
     const FamilyProbe probe(sizes.unknowns, family_system(homotopy, unit));
-    std::vector<FamilyProbe::Vector> points(solutions.size());
-    std::vector<FamilyProbe::Finding> found(solutions.size());
-    executor.for_blocks(solutions.size(), 16, [&](std::size_t first, std::size_t last) {
+    std::vector<FamilyProbe::Vector> points(roots.size());
+    std::vector<FamilyProbe::Finding> found(roots.size());
+    executor.for_blocks(roots.size(), 16, [&](std::size_t first, std::size_t last) {
         for (std::size_t k = first; k < last; ++k) {
-            for (std::size_t u = 0; u < n; ++u) points[k].push_back(solutions[k][u] / unit[u]);
+            for (std::size_t u = 0; u < n; ++u) points[k].push_back(roots[k].q[static_cast<int>(u)] / unit[u]);
             found[k] = probe.at(points[k]);
         }
     });
+    FoundFamilies y{{}, std::vector<std::uint8_t>(roots.size()), 0};
     std::vector<std::size_t> number;
-    for (std::size_t k = 0; k < solutions.size(); ++k)
+    for (std::size_t k = 0; k < roots.size(); ++k)
         if (found[k].dimension > 0) {
             if (number.size() != k)
                 std::swap(points[number.size()], points[k]), std::swap(found[number.size()], found[k]);
@@ -62,29 +67,42 @@ EQUILIBRIA_INLINE std::vector<FoundFamily> find_families(const PolynomialHomotop
         }
     points.resize(number.size());
     found.resize(number.size());
-    const auto scaled = [&](FamilyProbe::Vector q) {
-        for (std::size_t u = 0; u < n; ++u) q[u] *= unit[u];
-        return q;
+    const auto scaled = [&](const FamilyProbe::Vector& q) {
+        RuntimeArray<std::complex<double>> z(sizes.unknowns);
+        for (std::size_t u = 0; u < n; ++u) z[static_cast<int>(u)] = unit[u] * q[u];
+        return z;
     };
-    std::vector<FoundFamily> y;
+    std::vector<Family<RuntimeUnknowns>> families;
+    std::vector<std::array<std::int64_t, 3>> keys;
     for (const auto& group : FamilyFinder(probe, sizes.unknowns, sizes.angles).groups(points, found)) {
-        FoundFamily family{group.dimension, {}, std::nullopt};
+        Family<RuntimeUnknowns> family{group.dimension, std::nullopt, {}};
         for (const std::size_t m : group.members) {
             const FamilyProbe::Finding& finding = found[m];
-            FoundFamily::Member member{number[m],        finding.nullity, {}, scaled(finding.neighbour),
-                                       finding.distance, finding.residual};
-            for (const auto& t : finding.tangent) member.tangent.push_back(scaled(t));
-            family.members.push_back(std::move(member));
+            const auto& root = roots[number[m]];
+            y.on_one[number[m]] = 1;
+            if (root.status == PathStatus::finite) y.regular_paths += static_cast<std::uint64_t>(root.paths);
+            FamilyPoint<RuntimeUnknowns> point{root.q,
+                                               finding.nullity,
+                                               {},
+                                               scaled(finding.neighbour),
+                                               finding.distance,
+                                               finding.residual,
+                                               root.condition,
+                                               root.path,
+                                               root.paths};
+            for (const auto& t : finding.tangent) point.tangent.push_back(scaled(t));
+            family.points.push_back(std::move(point));
         }
         if (group.real_point) {
-            family.real_point = scaled(*group.real_point);
-            for (std::size_t u = 0; u < angles; ++u) {
-                auto& angle = (*family.real_point)[u];
-                angle = std::remainder(angle.real(), 2 * std::numbers::pi);
-            }
+            const auto at = scaled(*group.real_point);
+            auto& real = family.real_point.emplace(sizes.unknowns);
+            for (int u = 0; u < real.size(); ++u)
+                real[u] = u < sizes.angles ? std::remainder(at[u].real(), 2 * std::numbers::pi) : at[u].real();
         }
-        y.push_back(std::move(family));
+        keys.push_back({-family.dimension, static_cast<std::int64_t>(family.points.front().path), 0});
+        families.push_back(std::move(family));
     }
+    y.families = in_order(sorted_order(keys), std::move(families));
     return y;
 }
 

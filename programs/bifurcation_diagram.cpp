@@ -13,7 +13,6 @@
 #include <sstream>
 #include <string>
 
-#include "instances/locus/chain_events.hpp"
 #include "plots/bifurcation_diagram.hpp"
 #include "support/options.hpp"
 #include "support/output_file.hpp"

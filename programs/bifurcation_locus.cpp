@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
+#include <equilibria/enumerate/enumerate.hpp>
 #include <equilibria/io/results/locus_output.hpp>
 #include <equilibria/io/results/locus_proof_output.hpp>
 #include <equilibria/locus/plane/trace_locus.hpp>
@@ -20,8 +21,6 @@
 #include <string>
 #include <vector>
 
-#include "instances/locus/two_link_locus.hpp"
-#include "instances/locus/two_link_proofs.hpp"
 #include "plots/bifurcation_locus.hpp"
 #include "support/locus_figure.hpp"
 #include "support/options.hpp"

@@ -18,7 +18,6 @@
 #include <utility>
 #include <vector>
 
-#include "instances/locus/two_link_cusps.hpp"
 #include "plots/cusp_locus.hpp"
 #include "support/options.hpp"
 #include "support/output_file.hpp"

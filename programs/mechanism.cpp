@@ -8,10 +8,14 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
+#include <equilibria/enumerate/enumerate.hpp>
+#include <equilibria/enumerate/prove.hpp>
 #include <equilibria/io/results/line_events_output.hpp>
 #include <equilibria/io/results/proof_output.hpp>
 #include <equilibria/io/results/root_set_output.hpp>
 #include <equilibria/io/results/stability_output.hpp>
+#include <equilibria/locus/line/line_events.hpp>
+#include <equilibria/mechanisms/holonomic_mechanism.hpp>
 #include <equilibria/stability/lagrange_dirichlet.hpp>
 #include <equilibria/stability/linearise.hpp>
 #include <equilibria/stability/pole_count.hpp>
@@ -20,7 +24,6 @@
 #include <string>
 #include <vector>
 
-#include "instances/locus/holonomic_events.hpp"
 #include "support/mechanism_options.hpp"
 #include "support/options.hpp"
 #include "support/output_file.hpp"

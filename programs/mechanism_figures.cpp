@@ -7,6 +7,8 @@
 #include <equilibria/dynamics/basins.hpp>
 #include <equilibria/dynamics/lagrange_first_kind.hpp>
 #include <equilibria/dynamics/linear_motion.hpp>
+#include <equilibria/enumerate/enumerate.hpp>
+#include <equilibria/mechanisms/holonomic_mechanism.hpp>
 #include <exception>
 #include <filesystem>
 #include <numbers>
@@ -14,7 +16,6 @@
 #include <string>
 #include <vector>
 
-#include "instances/enumerate/holonomic_enumeration.hpp"
 #include "plots/mechanism_basins.hpp"
 #include "plots/mechanism_disturbed.hpp"
 #include "plots/mechanism_motion.hpp"

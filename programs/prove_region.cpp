@@ -18,8 +18,6 @@
 #include <utility>
 #include <vector>
 
-#include "instances/locus/two_link_locus.hpp"
-#include "instances/locus/two_link_proofs.hpp"
 #include "plots/prove_region.hpp"
 #include "support/locus_figure.hpp"
 #include "support/options.hpp"

@@ -13,6 +13,7 @@
 #include <cmath>
 #include <cstddef>
 #include <equilibria/locus/plane/trace_locus.hpp>
+#include <equilibria/mechanisms/rotating_chain.hpp>
 #include <limits>
 #include <map>
 #include <string>
@@ -20,7 +21,6 @@
 #include <vector>
 
 #include "fold_surface/pieces.hpp"
-#include "instances/locus/two_link_locus.hpp"
 #include "support/progress_bar.hpp"
 
 namespace fold_surface {

@@ -1,9 +1,8 @@
 // Plain coordinates, beside angles and alone.
 #include <numbers>
 
-#include "enumerate/model_enumerations.hpp"
-
-template INSTANCES_ENUMERATION(models::ElasticPendulum, TotalDegree);
+#include "support/enumeration.hpp"
+#include "support/models.hpp"
 
 using namespace equilibria;
 using std::numbers::pi;

@@ -4,9 +4,8 @@
 #include <complex>
 #include <sstream>
 
-#include "enumerate/model_enumerations.hpp"
-
-template INSTANCES_ENUMERATION(models::EqualAngles<4>, Reflected);
+#include "support/enumeration.hpp"
+#include "support/models.hpp"
 
 using namespace equilibria;
 

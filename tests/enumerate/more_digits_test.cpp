@@ -3,7 +3,8 @@
 #include <equilibria/enumerate/more_digits.hpp>
 #include <equilibria/mechanisms/rotating_chain.hpp>
 
-#include "enumerate/model_enumerations.hpp"
+#include "support/enumeration.hpp"
+#include "support/models.hpp"
 
 using namespace equilibria;
 

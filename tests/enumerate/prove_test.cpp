@@ -1,9 +1,10 @@
 #include <sstream>
 
 #include <equilibria/enumerate/prove.hpp>
+#include <equilibria/mechanisms/rotating_chain.hpp>
 
-#include "enumerate/model_enumerations.hpp"
-#include "instances/enumerate/chain_proofs.hpp"
+#include "support/enumeration.hpp"
+#include "support/models.hpp"
 
 using namespace tests;
 

@@ -5,7 +5,8 @@
 
 #include <equilibria/enumerate/torque_trace.hpp>
 
-#include "enumerate/model_enumerations.hpp"
+#include "support/enumeration.hpp"
+#include "support/models.hpp"
 
 using namespace equilibria;
 

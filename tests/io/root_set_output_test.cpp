@@ -9,9 +9,10 @@
 #include <string>
 #include <vector>
 
+#include <equilibria/enumerate/enumerate.hpp>
 #include <equilibria/io/results/root_set_output.hpp>
+#include <equilibria/mechanisms/rotating_chain.hpp>
 
-#include "instances/enumerate/chain_enumerations.hpp"
 #include "io/read_csv.hpp"
 #include "support/catch.hpp"
 

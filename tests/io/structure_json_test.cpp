@@ -82,7 +82,7 @@ const std::string all_kinds = R"({
 
 TEST_CASE("a structure is what its text says") {
     const auto input = parse_structure(all_kinds);
-    const Model& model = input.model;
+    const fem::Model& model = input.model;
     CHECK(input.name.empty());
     CHECK(input.nodes.at("Z") == 0);
     CHECK(input.nodes.at("A") == 1);

@@ -10,8 +10,6 @@
 #include <map>
 #include <vector>
 
-#include "instances/locus/two_link_locus.hpp"
-#include "instances/locus/two_link_proofs.hpp"
 #include "support/catch.hpp"
 
 using namespace equilibria;

@@ -6,7 +6,6 @@
 #include <equilibria/locus/space/cusp_locus.hpp>
 #include <equilibria/mechanisms/rotating_chain.hpp>
 
-#include "instances/locus/two_link_cusps.hpp"
 #include "support/catch.hpp"
 
 using namespace equilibria;

@@ -8,11 +8,11 @@
 #include <vector>
 
 #include <equilibria/core/random.hpp>
+#include <equilibria/enumerate/enumerate.hpp>
 #include <equilibria/locus/line/line_events.hpp>
 #include <equilibria/mechanisms/rotating_chain.hpp>
 #include <equilibria/stability/morse.hpp>
 
-#include "instances/locus/chain_events.hpp"
 #include "support/catch.hpp"
 #include "support/enumeration.hpp"
 #include "support/models.hpp"

@@ -6,7 +6,6 @@
 #include <equilibria/locus/proof/prove_region.hpp>
 #include <equilibria/mechanisms/rotating_chain.hpp>
 
-#include "instances/locus/two_link_proofs.hpp"
 #include "support/catch.hpp"
 
 using namespace equilibria;

@@ -5,8 +5,8 @@
 
 #include <equilibria/locus/line/line_events.hpp>
 #include <equilibria/locus/plane/trace_locus.hpp>
+#include <equilibria/mechanisms/holonomic_mechanism.hpp>
 
-#include "instances/locus/holonomic_events.hpp"
 #include "support/catch.hpp"
 
 using namespace equilibria;

@@ -8,11 +8,12 @@
 
 #include <equilibria/algebra/bounds.hpp>
 #include <equilibria/certify/refine_root.hpp>
+#include <equilibria/enumerate/enumerate.hpp>
 #include <equilibria/enumerate/prove.hpp>
 #include <equilibria/enumerate/torque_trace.hpp>
+#include <equilibria/mechanisms/holonomic_mechanism.hpp>
 #include <equilibria/model/torus.hpp>
 
-#include "instances/enumerate/holonomic_enumeration.hpp"
 #include "support/enumeration.hpp"
 
 using namespace equilibria;

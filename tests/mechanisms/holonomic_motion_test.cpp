@@ -9,12 +9,13 @@
 #include <equilibria/dynamics/basins.hpp>
 #include <equilibria/dynamics/hamilton.hpp>
 #include <equilibria/dynamics/lagrange_first_kind.hpp>
+#include <equilibria/enumerate/enumerate.hpp>
+#include <equilibria/mechanisms/holonomic_mechanism.hpp>
 #include <equilibria/model/torus.hpp>
 #include <equilibria/stability/lagrange_dirichlet.hpp>
 #include <equilibria/stability/linearise.hpp>
 #include <equilibria/stability/pole_count.hpp>
 
-#include "instances/enumerate/holonomic_enumeration.hpp"
 #include "support/catch.hpp"
 
 using namespace equilibria;

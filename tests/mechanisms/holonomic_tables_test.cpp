@@ -11,11 +11,12 @@
 
 #include <equilibria/core/random.hpp>
 #include <equilibria/dynamics/hamilton.hpp>
+#include <equilibria/enumerate/enumerate.hpp>
+#include <equilibria/mechanisms/holonomic_mechanism.hpp>
 #include <equilibria/stability/lagrange_dirichlet.hpp>
 #include <equilibria/stability/linearise.hpp>
 #include <equilibria/stability/pole_count.hpp>
 
-#include "instances/enumerate/holonomic_enumeration.hpp"
 #include "support/catch.hpp"
 
 using namespace equilibria;

@@ -5,7 +5,6 @@
 #include <equilibria/mechanisms/rotating_chain.hpp>
 #include <equilibria/singularity/refine_singularity.hpp>
 
-#include "instances/enumerate/chain_enumerations.hpp"
 #include "support/catch.hpp"
 #include "support/models.hpp"
 

@@ -8,7 +8,6 @@
 #include <equilibria/system/symmetric_branches.hpp>
 #include <vector>
 
-#include "instances/locus/chain_events.hpp"
 #include "support/catch.hpp"
 
 using namespace equilibria;

@@ -15,7 +15,6 @@
 #include <equilibria/model/derivatives.hpp>
 #include <equilibria/model/torus.hpp>
 
-#include "instances/enumerate/chain_enumerations.hpp"
 #include "support/catch.hpp"
 
 namespace tests {

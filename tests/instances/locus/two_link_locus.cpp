@@ -1,3 +1,0 @@
-#include "instances/locus/two_link_locus.hpp"
-
-template INSTANCES_TWO_LINK_LOCUS;

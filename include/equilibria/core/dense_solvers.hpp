@@ -13,6 +13,14 @@ Eigen::VectorXd least_squares(const Eigen::MatrixXd& a, const Eigen::VectorXd& b
 
 double determinant(const Eigen::MatrixXd& a);
 
+/// The eigenvalues of A x = lambda B x, rising; both symmetric, B positive definite.
+Eigen::VectorXd generalized_eigenvalues(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b);
+
+/// x of A x = b.
+Eigen::VectorXd solve(const Eigen::MatrixXd& a, const Eigen::VectorXd& b);
+/// The inverse of a symmetric positive definite matrix.
+Eigen::MatrixXd positive_inverse(const Eigen::MatrixXd& a);
+
 }  // namespace equilibria::detail
 
 #ifndef EQUILIBRIA_COMPILED

@@ -3,9 +3,12 @@
 /// for nondegenerate equilibria, with Sylvester's criterion.
 #pragma once
 
+#include <type_traits>
+
 #include <Eigen/Core>
 #include <Eigen/LU>
 
+#include <equilibria/core/dense_solvers.hpp>
 #include <equilibria/stability/inertia.hpp>
 
 namespace equilibria {
@@ -17,7 +20,10 @@ auto leading_principal_minors(const Matrix& a) {
     Eigen::Matrix<typename Matrix::Scalar, Matrix::RowsAtCompileTime, 1> minors(a.rows());
     for (Eigen::Index k = 1; k <= a.rows(); ++k) {
         const Eigen::MatrixX<typename Matrix::Scalar> leading = a.topLeftCorner(k, k);
-        minors[k - 1] = leading.determinant();
+        if constexpr (std::is_same_v<typename Matrix::Scalar, double>)
+            minors[k - 1] = detail::determinant(leading);
+        else
+            minors[k - 1] = leading.determinant();
     }
     return minors;
 }

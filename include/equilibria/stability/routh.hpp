@@ -54,51 +54,65 @@ inline constexpr double zero_routh_entry = 1e-11;
 /// InvalidArgument otherwise.
 template <class Polynomial>
 RouthTable<Polynomial> routh_table(const Polynomial& coefficients) {
-    using std::abs;
-    using Scalar = typename Polynomial::Scalar;
-    const auto size = coefficients.size(), columns = (size + 1) / 2;
-    detail::require_polynomial(coefficients);
-    RouthTable<Polynomial> y;
-    auto& r = y.rows;
-    r.setZero(size, columns);
-    for (Eigen::Index k = 0; k < size; ++k) r(k % 2, k / 2) = coefficients[k];
-    Eigen::Index first_zero_row = -1;
+    if constexpr (Polynomial::RowsAtCompileTime != Eigen::Dynamic) {
+        const auto y = routh_table<Eigen::VectorX<typename Polynomial::Scalar>>(coefficients);
+        RouthTable<Polynomial> typed{y.rows, {}, y.right_half_plane, y.imaginary_axis, y.margin};
+        for (const auto& special : y.special) typed.special.push_back({special.row, special.kind});
+        return typed;
+    } else {
+        using std::abs;
+        using Scalar = typename Polynomial::Scalar;
+        const auto size = coefficients.size(), columns = (size + 1) / 2;
+        detail::require_polynomial(coefficients);
+        RouthTable<Polynomial> y;
+        auto& r = y.rows;
+        r.setZero(size, columns);
+        for (Eigen::Index k = 0; k < size; ++k) r(k % 2, k / 2) = coefficients[k];
+        Eigen::Index first_zero_row = -1;
 
-    for (Eigen::Index i = 1; i < size; ++i) {
-        const Eigen::Index entries = (size - i + 1) / 2;
-        if (i > 1)
-            for (Eigen::Index j = 0; j < entries; ++j) {
-                const Scalar right = j + 1 < columns ? r(i - 1, j + 1) : Scalar(0);
-                const Scalar a = r(i - 2, j + 1), b = r(i - 2, 0) * right / r(i - 1, 0);
-                const Scalar difference = a - b, size_of_both = abs(a) + abs(b);
-                const bool zero = !(abs(difference) > zero_routh_entry * size_of_both);
-                r(i, j) = zero ? Scalar(0) : difference;
-                if (j == 0 && size_of_both > 0)
-                    y.margin = std::min(y.margin, zero ? 0.0 : static_cast<double>(abs(difference) / size_of_both));
+        for (Eigen::Index i = 1; i < size; ++i) {
+            const Eigen::Index entries = (size - i + 1) / 2;
+            if (i > 1)
+                for (Eigen::Index j = 0; j < entries; ++j) {
+                    const Scalar right = j + 1 < columns ? r(i - 1, j + 1) : Scalar(0);
+                    const Scalar a = r(i - 2, j + 1), b = r(i - 2, 0) * right / r(i - 1, 0);
+                    const Scalar difference = a - b, size_of_both = abs(a) + abs(b);
+                    const bool zero = !(abs(difference) > zero_routh_entry * size_of_both);
+                    r(i, j) = zero ? Scalar(0) : difference;
+                    if (j == 0 && size_of_both > 0)
+                        y.margin = std::min(y.margin, zero ? 0.0 : static_cast<double>(abs(difference) / size_of_both));
+                }
+            Eigen::Index zeros = 0;
+            while (zeros < entries && r(i, zeros) == 0) ++zeros;
+            if (zeros == entries) {
+                y.special.push_back({static_cast<int>(i), RouthSpecialCase::zero_row});
+                if (first_zero_row < 0) first_zero_row = i;
+                const Eigen::Index power = size - i;
+                for (Eigen::Index j = 0; j < entries; ++j) r(i, j) = r(i - 1, j) * static_cast<Scalar>(power - 2 * j);
+            } else if (zeros > 0) {
+                y.special.push_back({static_cast<int>(i), RouthSpecialCase::zero_in_first_column});
+                const Scalar sign = zeros % 2 == 0 ? 1 : -1;
+                for (Eigen::Index j = 0; j + zeros < entries; ++j) r(i, j) += sign * r(i, j + zeros);
             }
-        Eigen::Index zeros = 0;
-        while (zeros < entries && r(i, zeros) == 0) ++zeros;
-        if (zeros == entries) {
-            y.special.push_back({static_cast<int>(i), RouthSpecialCase::zero_row});
-            if (first_zero_row < 0) first_zero_row = i;
-            const Eigen::Index power = size - i;
-            for (Eigen::Index j = 0; j < entries; ++j) r(i, j) = r(i - 1, j) * static_cast<Scalar>(power - 2 * j);
-        } else if (zeros > 0) {
-            y.special.push_back({static_cast<int>(i), RouthSpecialCase::zero_in_first_column});
-            const Scalar sign = zeros % 2 == 0 ? 1 : -1;
-            for (Eigen::Index j = 0; j + zeros < entries; ++j) r(i, j) += sign * r(i, j + zeros);
         }
-    }
 
-    int below_zero_row = 0;
-    for (Eigen::Index i = 1; i < size; ++i) {
-        const bool change = (r(i, 0) < 0) != (r(i - 1, 0) < 0);
-        y.right_half_plane += change;
-        below_zero_row += change && first_zero_row >= 0 && i >= first_zero_row;
+        int below_zero_row = 0;
+        for (Eigen::Index i = 1; i < size; ++i) {
+            const bool change = (r(i, 0) < 0) != (r(i - 1, 0) < 0);
+            y.right_half_plane += change;
+            below_zero_row += change && first_zero_row >= 0 && i >= first_zero_row;
+        }
+        // The auxiliary polynomial holds all roots that come in pairs s, -s: those right of the axis have a mirror
+        // image.
+        if (first_zero_row >= 0) y.imaginary_axis = static_cast<int>(size - first_zero_row) - 2 * below_zero_row;
+        return y;
     }
-    // The auxiliary polynomial holds all roots that come in pairs s, -s: those right of the axis have a mirror image.
-    if (first_zero_row >= 0) y.imaginary_axis = static_cast<int>(size - first_zero_row) - 2 * below_zero_row;
-    return y;
 }
 
 }  // namespace equilibria
+
+#ifdef EQUILIBRIA_COMPILED
+namespace equilibria {
+extern template RouthTable<Eigen::VectorXd> routh_table(const Eigen::VectorXd&);
+}
+#endif

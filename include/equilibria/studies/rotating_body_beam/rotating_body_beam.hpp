@@ -10,9 +10,9 @@
 #include <vector>
 
 #include <Eigen/Core>
-#include <Eigen/Eigenvalues>
 
 #include <equilibria/core/array.hpp>
+#include <equilibria/core/dense_solvers.hpp>
 #include <equilibria/core/error.hpp>
 #include <equilibria/model/derivatives.hpp>
 #include <equilibria/model/model.hpp>
@@ -243,10 +243,10 @@ std::vector<double> whirl_speeds(const Array<double, RotatingBodyBeam<K>::n_para
             b(i, j) = (i == j) - l / mass * modes.bending_mean[i] * modes.bending_mean[j] +
                       product(i) * product(j) / difference;
         }
-    const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> solver(b, stiffness);
+    const Eigen::VectorXd squares = equilibria::detail::generalized_eigenvalues(b, stiffness);
     std::vector<double> y;
     for (int k = K; k-- > 0;)
-        if (solver.eigenvalues()(k) > 0) y.push_back(1 / std::sqrt(solver.eigenvalues()(k)));
+        if (squares(k) > 0) y.push_back(1 / std::sqrt(squares(k)));
     return y;
 }
 

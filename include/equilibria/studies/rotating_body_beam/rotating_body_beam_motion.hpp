@@ -23,6 +23,7 @@
 #include <Eigen/Geometry>
 
 #include <equilibria/core/array.hpp>
+#include <equilibria/core/dense_solvers.hpp>
 #include <equilibria/core/error.hpp>
 #include <equilibria/core/random.hpp>
 #include <equilibria/dynamics/motion_options.hpp>
@@ -99,7 +100,7 @@ public:
             }
             m.stiffness[at] = stiffness[d] * form;
             m.loss[at] = loss[d] * form;
-            m.compliance[at] = m.stiffness[at].llt().solve(Eigen::MatrixXd::Identity(K, K));
+            m.compliance[at] = equilibria::detail::positive_inverse(m.stiffness[at]);
         }
     }
 

@@ -7,8 +7,8 @@
 #include <utility>
 
 #include <Eigen/Core>
-#include <Eigen/LU>
 
+#include <equilibria/core/dense_solvers.hpp>
 #include <equilibria/core/eigen_copies.hpp>
 #include <equilibria/core/symmetric_eigen.hpp>
 #include <equilibria/locus/line/line_event.hpp>
@@ -27,7 +27,7 @@ inline Eigen::VectorXd motion(const Eigen::MatrixXd& j, const Eigen::VectorXd& l
     bordered << j, left, v.transpose(), 0.0;
     Eigen::VectorXd right(n + 1);
     right << -f_p, 0.0;
-    return bordered.partialPivLu().solve(right).head(n);
+    return equilibria::detail::solve(bordered, right).head(n);
 }
 
 /// The derivatives at an event.

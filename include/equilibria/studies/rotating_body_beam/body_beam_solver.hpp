@@ -107,7 +107,7 @@ BodyBeamSolver<K, Control>::BodyBeamSolver(const Values& body, RunOptions run)
     // without failures must agree on their number
     for (int draw = 1; draw <= 4; ++draw) {
         RunOptions options = run_;
-        if (draw > 1 && !options.checkpoint.empty()) options.checkpoint += "." + std::to_string(draw);
+        if (draw > 1 && !options.checkpoint.empty()) options.checkpoint.append(".").append(std::to_string(draw));
         auto member = enumerate_with_more_digits<Model, TotalDegree<Model>>(Model::generic(p, generator), options);
         generic_roots_.push_back(member.distinct());
         generic_seconds_ += member.seconds;

@@ -3,6 +3,7 @@
 #include <benchmark/benchmark.h>
 
 #include <equilibria/enumerate/enumerate.hpp>
+#include <equilibria/evaluation/table_evaluation.hpp>
 #include <equilibria/homotopy/polish.hpp>
 
 #include "../support.hpp"

@@ -1,3 +1,5 @@
+#include <cstdint>
+#include <limits>
 #include <vector>
 
 #include <equilibria/core/exact_ball.hpp>
@@ -16,6 +18,14 @@ using Big = Multiprecision<200>;
 bool holds(const ExactBall& a, const Big& value) { return abs(value - a.mid().to<Big>()) <= Big(a.rad()); }
 
 }  // namespace
+
+TEST_CASE("integers of 64 bits keep their value, signed or not") {
+    constexpr auto most = std::numeric_limits<std::uint64_t>::max();
+    constexpr auto least = std::numeric_limits<std::int64_t>::min();
+    CHECK(Dyadic(most) == Dyadic(0x1p64) - Dyadic(1));
+    CHECK(Dyadic(least) == Dyadic(-0x1p63));
+    CHECK((ExactBall(most) - ExactBall(0x1p64)).mid() == Dyadic(-1));
+}
 
 TEST_CASE("sums and products of doubles are exact, and what cancels is 0") {
     Generator generator(1);

@@ -5,6 +5,7 @@
 /// that stands for an interval. Used for a model's few coefficients, never in a loop over roots.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <concepts>
 #include <cstdint>
@@ -28,7 +29,8 @@ public:
     template <class A>
     explicit Dyadic(const A& value) {
         if constexpr (std::is_integral_v<A>) {
-            mantissa_ = BigInteger(static_cast<std::int64_t>(value));
+            using Wide = std::conditional_t<std::is_unsigned_v<A>, std::uint64_t, std::int64_t>;
+            mantissa_ = BigInteger(static_cast<Wide>(value));
         } else if constexpr (std::is_same_v<A, double>) {
             auto m = static_cast<std::int64_t>(std::ldexp(std::frexp(value, &exponent_), 53));
             exponent_ -= 53;

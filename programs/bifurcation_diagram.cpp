@@ -35,19 +35,19 @@ struct Command {
 
 Command read(int argc, char** argv) {
     Command c;
-    CLI::App app{
+    support::CommandLine app{
         "Equilibria of the rotating chain of two links against omega, coloured by their index, with all folds and "
         "pitchforks; theta and -theta are both shown."};
-    app.add_option("--ratio", c.ratio, "l2 / l1, positive (default 1.5)")->transform(support::positive());
+    app.add_option("--ratio", c.ratio, "l2 / l1, positive (default 1.5)").transform(support::positive());
     app.add_option("--alpha", c.alpha, "m2 / (m1 + m2), between 0 and 1 (default 0.33)")
-        ->transform(support::number("must be a number between 0 and 1, both excluded",
-                                    [](double a) { return a > 0 && a < 1; }));
+        .transform(support::number("must be a number between 0 and 1, both excluded",
+                                   [](double a) { return a > 0 && a < 1; }));
     app.add_option("--omega", c.omega, "the range of omega (default 0:4)")
-        ->transform(support::range("must be LOW:HIGH, finite, with 0 <= LOW < HIGH", 0, 1e6));
-    support::add_seed(app, c.seed, "of the random start systems, an integer (default 1)");
+        .transform(support::range("must be LOW:HIGH, finite, with 0 <= LOW < HIGH", 0, 1e6));
+    app.add_seed(c.seed, "of the random start systems, an integer (default 1)");
     support::add_output(app, "--json", c.json, "write JSON to this file, or to stdout for -");
     c.pictures.add_to(app, "the diagram");
-    support::parse(app, "bifurcation_diagram", argc, argv);
+    app.parse("bifurcation_diagram", argc, argv);
     return c;
 }
 

@@ -50,26 +50,26 @@ Command read(int argc, char** argv) {
     Command c;
     std::string table;
     c.options.lines = 12;
-    CLI::App app{
+    support::CommandLine app{
         "Folds, pitchforks and cusps of the rotating chain of two links in the plane of alpha = m2 / (m1 + m2) and "
         "omega, "
         "and the regions between them with their equilibria by index (Baillieul, Figures 3.2 and 3.3)."};
-    app.add_option("--ratio", c.ratio, "l2 / l1, positive (default 1.5)")->transform(support::positive());
+    app.add_option("--ratio", c.ratio, "l2 / l1, positive (default 1.5)").transform(support::positive());
     app.add_option("--alpha", c.alpha, "the window's range of alpha, within 0:1 (default 0:1)")
-        ->transform(support::range("must be LOW:HIGH with 0 <= LOW < HIGH <= 1", 0, 1));
+        .transform(support::range("must be LOW:HIGH with 0 <= LOW < HIGH <= 1", 0, 1));
     app.add_option("--omega", c.omega, "the window's range of omega (default 0:5)")
-        ->transform(support::range("must be LOW:HIGH, finite, with 0 <= LOW < HIGH", 0, 1e6));
+        .transform(support::range("must be LOW:HIGH, finite, with 0 <= LOW < HIGH", 0, 1e6));
     app.add_option("--lines", c.options.lines,
                    "lines in each direction that are solved for seeds, 2 to 1000 (default 12)")
-        ->transform(support::integer(2, 1000));
-    support::add_seed(app, c.run.seed, "of the random start systems, an integer (default 1)");
+        .transform(support::integer(2, 1000));
+    app.add_seed(c.run.seed, "of the random start systems, an integer (default 1)");
     support::add_output(app, "--json", c.json, "write JSON to this file, or to stdout for -");
     c.pictures.add_to(app, "the figure");
     app.add_flag("--prove", c.prove,
                  "prove the points of curves, the cusps and the regions' equilibria (interval Newton, Krawczyk)");
     app.add_option("--table", table, "write tables 3.3 to NAME.md and NAME.csv");
-    support::parse(app, "bifurcation_locus", argc, argv);
-    if (app.count("--table") > 0) {
+    app.parse("bifurcation_locus", argc, argv);
+    if (app.given("--table")) {
         c.markdown.emplace("--table", table + ".md");
         c.csv.emplace("--table", table + ".csv");
     }

@@ -95,7 +95,7 @@ struct Command {
 
 Command read(int argc, char** argv) {
     Command c;
-    CLI::App app{
+    support::CommandLine app{
         "All relative equilibria of a rigid body with an elastic beam, free in space, with their index at fixed "
         "angular "
         "momentum: 0 where they are stable. Lengths, masses and times in any consistent units in which the beam has "
@@ -103,19 +103,19 @@ Command read(int argc, char** argv) {
         "density 1."};
     support::add_body_beam_options(app, c.body);
     app.add_option("--speed", c.speed, "angular speed, radians a unit of time: this or --momentum")
-        ->transform(support::positive());
+        .transform(support::positive());
     app.add_option("--momentum", c.momentum, "size of the angular momentum: this or --speed")
-        ->transform(support::positive());
+        .transform(support::positive());
     app.add_option(
            "--checkpoint", c.run.checkpoint,
            "keep the paths to the generic member in this file, and go on from it if it is there already: beams that "
            "differ in speed, stiffness and moments alone share them")
-        ->transform(support::name_of("a file"));
-    support::add_seed(app, c.run.seed, "of the generic member and the start system, an integer (default 1)");
-    support::add_threads(app, c.run.threads, "1 to 1024, 0 for one each core (default 1); does not change the result");
+        .transform(support::name_of("a file"));
+    app.add_seed(c.run.seed, "of the generic member and the start system, an integer (default 1)");
+    app.add_threads(c.run.threads, "1 to 1024, 0 for one each core (default 1); does not change the result");
     app.add_flag("--prove", c.run.prove, "prove that each root exists and is distinct, and which are real (Krawczyk)");
     support::add_output(app, "--json", c.json, "write JSON to this file, or to stdout for -, instead of a table");
-    support::parse(app, "body_beam", argc, argv);
+    app.parse("body_beam", argc, argv);
 
     if (c.body.modes > most_solved_modes)
         support::fail("--modes", std::to_string(c.body.modes),

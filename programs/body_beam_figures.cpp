@@ -532,11 +532,11 @@ Figure settling_figure() {
 
 int main(int argc, char** argv) {
     std::string folder = ".";
-    CLI::App app{
+    support::CommandLine app{
         "The figures of the rotating body with a beam as PNG (needs gnuplot): relative equilibria against the angular "
         "momentum, pitchforks and folds over the ratio of the bending stiffnesses, shapes, and motions that settle."};
-    app.add_option("--out", folder, "the folder to write them to (default: this one)")->transform(support::a_folder());
-    support::parse(app, "body_beam_figures", argc, argv);
+    app.add_option("--out", folder, "the folder to write them to (default: this one)").transform(support::a_folder());
+    app.parse("body_beam_figures", argc, argv);
     try {
         const ContinuousBeam linear(body(), BeamStrain::linear), coupled(body(), BeamStrain::coupled);
         const Diagram of_linear = diagram_of(linear), of_coupled = diagram_of(coupled);

@@ -313,38 +313,38 @@ Command read(int argc, char** argv) {
     Command c;
     Options& o = c.options;
     std::string csv_name, json_name;
-    CLI::App app{
+    support::CommandLine app{
         "The motion of a rotating body with a damped elastic beam, free in space, from random starts: with --csv one "
         "motion, otherwise the relative equilibria in which many end."};
     support::add_body_beam_options(app, o.body);
     app.add_option("--momentum", o.momentum, "size of the angular momentum (default 10)")
-        ->transform(support::positive());
+        .transform(support::positive());
     app.add_option("--damping", o.damping_values, "k1,k2,k3 of bending and stretching (default 0.3,0.3,0.3)")
-        ->transform(
+        .transform(
             support::list("must be 3 numbers, 0 or more, with commas between", 3, 3, [](double k) { return k >= 0; }))
-        ->transform(support::three_numbers());
+        .transform(support::three_numbers());
     app.add_option("--t-end", o.t_end, "end of the motion (default 50), or the longest time to settle (default 10000)")
-        ->transform(support::positive());
+        .transform(support::positive());
     app.add_option("--samples", o.samples, "intervals of the CSV (default 1000)")
-        ->transform(support::integer(1, 1'000'000));
-    support::add_seed(app, o.seed, "of the random starts (default 1)");
+        .transform(support::integer(1, 1'000'000));
+    app.add_seed(o.seed, "of the random starts (default 1)");
     app.add_option("--deflection", o.deflection,
                    "size of the lowest modes at the start, over length^(3/2) (default 0.1)")
-        ->transform(support::number_from(0, 1, "must be a number from 0 to 1"));
-    app.add_option("--runs", o.runs, "starts (default 200)")->transform(support::integer(1, 1'000'000));
+        .transform(support::number_from(0, 1, "must be a number from 0 to 1"));
+    app.add_option("--runs", o.runs, "starts (default 200)").transform(support::integer(1, 1'000'000));
     app.add_option("--tolerance", o.tolerance, "of the residual below which a motion has settled (default 1e-9)")
-        ->transform(support::number_from(1e-12, 1e-3, "must be a number from 1e-12 to 1e-3"));
-    support::add_threads(app, o.threads, "0: all of the machine's (default 1); the answer is the same");
+        .transform(support::number_from(1e-12, 1e-3, "must be a number from 1e-12 to 1e-3"));
+    app.add_threads(o.threads, "0: all of the machine's (default 1); the answer is the same");
     app.add_option("--csv", csv_name, "write the motion of the first start to this file, or to stdout for -");
     app.add_option("--json", json_name, "write the ends of the runs to this file, or to stdout for - (then no table)");
-    support::parse(app, "body_beam_motion", argc, argv);
+    app.parse("body_beam_motion", argc, argv);
     support::check_body_beam(o.body);
 
-    c.one = app.count("--csv") > 0;
-    c.many = !c.one || app.count("--runs") > 0 || app.count("--json") > 0;
-    c.t_end_given = app.count("--t-end") > 0;
+    c.one = app.given("--csv");
+    c.many = !c.one || app.given("--runs") || app.given("--json");
+    c.t_end_given = app.given("--t-end");
     if (c.one) c.csv.emplace("--csv", csv_name);
-    if (app.count("--json") > 0) c.json.emplace("--json", json_name);
+    if (app.given("--json")) c.json.emplace("--json", json_name);
     if (c.csv && c.json && csv_name == json_name) support::fail("--json", json_name, "must not be the file of --csv");
     return c;
 }

@@ -47,7 +47,7 @@ Command read(int argc, char** argv) {
     Command c;
     const std::string cases = "must be von_mises_truss, star_dome, shallow_arch, rigid_link_chain or spring_elastica";
     support::Range window;
-    CLI::App app{
+    support::CommandLine app{
         "Follows the equilibria of a structure from its unloaded state, locates every fold and bifurcation, and "
         "follows "
         "the branches that leave the first one."};
@@ -59,32 +59,31 @@ Command read(int argc, char** argv) {
         });
     };
     app.add_option("--case", c.name, cases.substr(8))
-        ->transform(support::one_of(
+        .transform(support::one_of(
             {"von_mises_truss", "star_dome", "shallow_arch", "rigid_link_chain", "spring_elastica"}, cases));
     app.add_option("--rise", c.rise, "of the truss over its half span (default 2), or of the arch (default 2.5)")
-        ->transform(support::positive())
-        ->transform(only({"von_mises_truss", "shallow_arch"}));
+        .transform(support::positive())
+        .transform(only({"von_mises_truss", "shallow_arch"}));
     app.add_option("--strain", c.strain, "of the trusses' bars: green or engineering (default green)")
-        ->transform(support::one_of({"green", "engineering"}, "must be green or engineering"))
-        ->transform(only({"von_mises_truss", "star_dome"}));
+        .transform(support::one_of({"green", "engineering"}, "must be green or engineering"))
+        .transform(only({"von_mises_truss", "star_dome"}));
     app.add_option("--load", c.load, "of the dome: ring (1 a node, 0.5 at the apex) or apex (default ring)")
-        ->transform(support::one_of({"ring", "apex"}, "must be ring or apex"))
-        ->transform(only({"star_dome"}));
+        .transform(support::one_of({"ring", "apex"}, "must be ring or apex"))
+        .transform(only({"star_dome"}));
     app.add_option("--links", c.links, "of the chains, 1 to 100000 (default 3)")
-        ->transform(CLI::Validator(
-            [&c](std::string& text) { return support::integer(1, c.name == "rigid_link_chain" ? 200 : 100000)(text); },
-            ""))
-        ->transform(only({"rigid_link_chain", "spring_elastica"}));
+        .transform(
+            [&c](std::string& text) { return support::integer(1, c.name == "rigid_link_chain" ? 200 : 100000)(text); })
+        .transform(only({"rigid_link_chain", "spring_elastica"}));
     app.add_option("--parameter", window, "the range LOW:HIGH of the load (default: the case's own)")
-        ->transform(support::range("must be LOW:HIGH, finite, with LOW < HIGH", -1e12, 1e12));
+        .transform(support::range("must be LOW:HIGH, finite, with LOW < HIGH", -1e12, 1e12));
     app.add_option("--steps", c.options.most_steps, "of each branch at most, 1 to 100000 (default 1000)")
-        ->transform(support::integer(1, 100000));
+        .transform(support::integer(1, 100000));
     support::add_output(app, "--json", c.json, "write JSON to this file, or to stdout for -");
     c.pictures.add_to(app, "the branches");
-    support::parse(app, "branch_tracing", argc, argv);
+    app.parse("branch_tracing", argc, argv);
 
     if (c.name.empty()) support::fail("--case", "", cases);
-    if (app.count("--parameter") > 0) c.window = window;
+    if (app.given("--parameter")) c.window = window;
     c.options.branch.largest_step = 0.05;
     return c;
 }

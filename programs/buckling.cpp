@@ -56,37 +56,35 @@ const support::CaseEntry* entry_of(const std::string& name) {
 }
 
 /// A case by name or number.
-CLI::Validator a_case() {
+support::Rule a_case() {
     std::string names;
     for (const auto& c : support::buckling_cases()) names += (names.empty() ? "" : ", ") + std::string(c.name);
-    return {[names](std::string& text) {
-                return support::verdict(entry_of(text) != nullptr, text, "must be a case: " + names);
-            },
-            ""};
+    return [names](std::string& text) {
+        return support::verdict(entry_of(text) != nullptr, text, "must be a case: " + names);
+    };
 }
 
 /// One of some words, which may depend on the case.
-CLI::Validator one_of(std::function<std::vector<std::string>()> words) {
-    return {[words = std::move(words)](std::string& text) {
-                std::string all;
-                for (const std::string& word : words()) all += (all.empty() ? "" : ", ") + word;
-                return support::one_of(words(), "must be one of " + all)(text);
-            },
-            ""};
+support::Rule one_of(std::function<std::vector<std::string>()> words) {
+    return [words = std::move(words)](std::string& text) {
+        std::string all;
+        for (const std::string& word : words()) all += (all.empty() ? "" : ", ") + word;
+        return support::one_of(words(), "must be one of " + all)(text);
+    };
 }
 
 /// The data of a case, each refused where the case has no such thing.
-void add_case_data(CLI::App& app, Command& c) {
-    const auto only = [&c](CLI::Option* option) {
-        const std::string name = option->get_name();
-        option->transform(support::applies([&c, name]() -> std::string {
+void add_case_data(support::CommandLine& app, Command& c) {
+    const auto only = [&c](support::Option option) {
+        const std::string name = option.name();
+        option.transform(support::applies([&c, name]() -> std::string {
             if (!c.entry) return c.model.empty() ? "" : "a model from a file";
             const auto& own = c.entry->options;
             return std::find(own.begin(), own.end(), name) == own.end() ? c.entry->name : "";
         }));
     };
     const auto positive = [&](const char* name, std::optional<double>& value, const char* text) {
-        only(app.add_option(name, value, text)->transform(support::positive()));
+        only(app.add_option(name, value, text).transform(support::positive()));
     };
     positive("--ei2", c.data.ei2, "bending stiffness about axis 2, or in the plane");
     positive("--ei3", c.data.ei3, "bending stiffness about axis 3");
@@ -94,60 +92,59 @@ void add_case_data(CLI::App& app, Command& c) {
     positive("--ea", c.data.ea, "axial stiffness");
     positive("--ga", c.data.ga, "shear stiffness");
     only(app.add_option("--angle", c.data.angle, "opening angle of the arches, degrees")
-             ->transform(support::number("must be between 0 and 360, both excluded",
-                                         [](double x) { return x > 0 && x < 360; })));
+             .transform(support::number("must be between 0 and 360, both excluded",
+                                        [](double x) { return x > 0 && x < 360; })));
     only(app.add_option("--load-direction", c.data.load_direction,
                         "of the right-angle frame: +x, -x, +y or -y (default +x)")
-             ->transform(one_of([] { return std::vector<std::string>{"+x", "-x", "+y", "-y"}; })));
+             .transform(one_of([] { return std::vector<std::string>{"+x", "-x", "+y", "-y"}; })));
     only(app.add_option("--load", c.data.load, "of the ring: hydrostatic, fixed or central; of the dome: ring or apex")
-             ->transform(one_of([&c] {
+             .transform(one_of([&c] {
                  return c.entry && c.entry->number == 13 ? std::vector<std::string>{"ring", "apex"}
                                                          : std::vector<std::string>{"hydrostatic", "fixed", "central"};
              })));
     only(app.add_option("--ends", c.data.ends, "of the column: cantilever, hinged, clamped or clamped-hinged")
-             ->transform(
+             .transform(
                  one_of([] { return std::vector<std::string>{"cantilever", "hinged", "clamped", "clamped-hinged"}; })));
     only(app.add_option("--tension", c.data.tension, "of the twisted rod, T L^2 / EI2")
-             ->transform(support::finite("must be a number")));
+             .transform(support::finite("must be a number")));
     positive("--rise", c.data.rise, "of toggle, truss and shallow arch");
     only(app.add_option("--links", c.data.links, "of the chain, 1 to 1000 (default 3)")
-             ->transform(support::integer(1, 1000)));
+             .transform(support::integer(1, 1000)));
 }
 
 Command read(int argc, char** argv) {
     Command c;
     support::Range window;
-    CLI::App app{
+    support::CommandLine app{
         "Follows the equilibria of a structure with large rotations from its unloaded state, locates every critical "
         "point, and follows the branches that leave the first one. Cases are named by name or number."};
-    app.add_option_function<std::string>(
+    app.add_option_function(
            "--case", [&c](const std::string& text) { c.entry = entry_of(text); },
            "a case's name or number; see docs/finite-rotations.md")
-        ->transform(a_case());
+        .transform(a_case());
     app.add_option("--model", c.model, "a structure from this JSON file instead");
     app.add_option("--elements", c.data.elements, "of the case's structure, 1 to 100000 (default 32)")
-        ->transform(support::integer(1, 100000));
+        .transform(support::integer(1, 100000));
     app.add_option("--order", c.order, "of the elements: linear, quadratic or cubic (default cubic)")
-        ->transform(one_of([] { return std::vector<std::string>{"linear", "quadratic", "cubic"}; }));
+        .transform(one_of([] { return std::vector<std::string>{"linear", "quadratic", "cubic"}; }));
     add_case_data(app, c);
     app.add_option("--parameter", window, "the range LOW:HIGH of the parameter (default: the case's own)")
-        ->transform(support::range("must be LOW:HIGH, finite, with LOW < HIGH", -1e12, 1e12));
+        .transform(support::range("must be LOW:HIGH, finite, with LOW < HIGH", -1e12, 1e12));
     app.add_option("--steps", c.steps, "of each branch at most, 1 to 100000 (default: the case's own)")
-        ->transform(support::integer(1, 100000));
-    support::add_threads(app, c.data.threads,
-                         "of assembly, 1 to 1024, 0 for one each core (default 1); does not change the result");
+        .transform(support::integer(1, 100000));
+    app.add_threads(c.data.threads,
+                    "of assembly, 1 to 1024, 0 for one each core (default 1); does not change the result");
     support::add_output(app, "--json", c.json, "write JSON to this file, or to stdout for -");
     support::add_output(app, "--csv", c.csv, "write the branches as CSV to this file, or to stdout for -");
     app.add_option("--vtk", c.vtk, "write the deformed shapes to files NAME_branch_number.vtk");
     support::add_output(app, "--svg", c.pictures.svg, "draw branches and shapes to this SVG file (needs gnuplot)");
     support::add_output(app, "--png", c.pictures.png, "draw them to this PNG file (needs gnuplot)");
-    support::parse(app, "buckling", argc, argv);
+    app.parse("buckling", argc, argv);
 
-    if ((app.count("--case") > 0) == (app.count("--model") > 0))
-        support::fail("--case", app.count("--case") > 0 ? c.entry->name : "''",
-                      "must be given, or --model, and not both");
+    if ((app.given("--case")) == (app.given("--model")))
+        support::fail("--case", app.given("--case") ? c.entry->name : "''", "must be given, or --model, and not both");
     c.data.nodes = c.order == "linear" ? 2 : c.order == "quadratic" ? 3 : 4;
-    if (app.count("--parameter") > 0) c.window = window;
+    if (app.given("--parameter")) c.window = window;
     if (!c.vtk.empty()) support::OutputFile("--vtk", c.vtk + "_0_0.vtk");
     return c;
 }

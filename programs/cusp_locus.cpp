@@ -41,24 +41,24 @@ struct Command {
 Command read(int argc, char** argv) {
     Command c;
     c.options.planes = 9;
-    CLI::App app{
+    support::CommandLine app{
         "All cusps of the rotating chain of two links, as curves over alpha = m2 / (m1 + m2), ratio = l2 / l1 and "
         "omega, "
         "with their swallowtails, lips, beak-to-beak and umbilics, and what could be missed."};
     app.add_option("--ratio", c.ratio, "the range of l2 / l1 (default 1:3)")
-        ->transform(
+        .transform(
             support::range("must be LOW:HIGH, finite, with 0 < LOW < HIGH", std::numeric_limits<double>::min(), 1e6));
     app.add_option("--alpha", c.alpha, "the range of alpha, within 0:1 (default 0:1)")
-        ->transform(support::range("must be LOW:HIGH with 0 <= LOW < HIGH <= 1", 0, 1));
+        .transform(support::range("must be LOW:HIGH with 0 <= LOW < HIGH <= 1", 0, 1));
     app.add_option("--omega", c.omega, "the range of omega (default 0:20)")
-        ->transform(support::range("must be LOW:HIGH, finite, with 0 <= LOW < HIGH", 0, 1e6));
+        .transform(support::range("must be LOW:HIGH, finite, with 0 <= LOW < HIGH", 0, 1e6));
     app.add_option("--planes", c.options.planes,
                    "planes of constant ratio that are solved for all cusps, 2 to 1000 (default 9)")
-        ->transform(support::integer(2, 1000));
-    support::add_seed(app, c.run.seed, "of the random start systems, an integer (default 1)");
+        .transform(support::integer(2, 1000));
+    app.add_seed(c.run.seed, "of the random start systems, an integer (default 1)");
     support::add_output(app, "--json", c.json, "write JSON to this file, or to stdout for -");
     c.pictures.add_to(app, "the figure");
-    support::parse(app, "cusp_locus", argc, argv);
+    app.parse("cusp_locus", argc, argv);
     return c;
 }
 

@@ -59,38 +59,37 @@ Command read(int argc, char** argv) {
     Command c;
     support::List lengths, masses;
     support::Range omega{0, 10};
-    CLI::App app{
+    support::CommandLine app{
         "Every event of a chain of massless links with point masses, hanging in a plane that turns about the vertical "
         "through its first joint (Baillieul, equations 3.1): all angular speeds of a segment at which equilibria are "
         "born, "
         "merge or change their index, and the equilibria between them by index."};
     app.add_option("--links", c.links,
                    "number of links, 1 to 16 (default 2); n links have n (n + 1) 4^n paths, four take a minute")
-        ->transform(support::integer(1, most_links));
+        .transform(support::integer(1, most_links));
     app.add_option("--lengths", lengths,
                    "length of each link, positive, commas between (default: 1 + i/10, i = 1, 2, ..)")
-        ->transform(support::positive_list([&c] { return c.links; }));
+        .transform(support::positive_list([&c] { return c.links; }));
     app.add_option("--masses", masses,
                    "mass at the end of each link, positive, commas between (default: 1 + i^2/20, i = 1, 2, ..)")
-        ->transform(support::positive_list([&c] { return c.links; }));
+        .transform(support::positive_list([&c] { return c.links; }));
     app.add_option("--omega", omega, "the range of the angular speed, radians a unit of time (default 0:10)")
-        ->transform(support::range("must be LOW:HIGH, finite, with 0 <= LOW < HIGH", 0, 1e6));
+        .transform(support::range("must be LOW:HIGH, finite, with 0 <= LOW < HIGH", 0, 1e6));
     app.add_option("--gravity", c.chain.gravity, "acceleration due to gravity, positive (default 1)")
-        ->transform(support::positive());
-    support::add_seed(app, c.options.seed, "of the random start systems, an integer (default 1)");
-    support::add_threads(app, c.options.threads,
-                         "1 to 1024, 0 for one each core (default 1); does not change the result");
+        .transform(support::positive());
+    app.add_seed(c.options.seed, "of the random start systems, an integer (default 1)");
+    app.add_threads(c.options.threads, "1 to 1024, 0 for one each core (default 1); does not change the result");
     app.add_flag("--prove", c.options.prove,
                  "prove the equilibria in the middle of each interval, and that none is missing there");
     support::add_output(app, "--json", c.json, "write JSON to this file, or to stdout for -, instead of a table");
-    support::parse(app, "equilibrium_events", argc, argv);
+    app.parse("equilibrium_events", argc, argv);
 
     for (int i = 1; i <= c.links; ++i) {
         c.chain.lengths.push_back(1 + i / 10.0);
         c.chain.masses.push_back(1 + i * i / 20.0);
     }
-    if (app.count("--lengths") > 0) c.chain.lengths = lengths.values;
-    if (app.count("--masses") > 0) c.chain.masses = masses.values;
+    if (app.given("--lengths")) c.chain.lengths = lengths.values;
+    if (app.given("--masses")) c.chain.masses = masses.values;
     c.options.low = omega.low;
     c.options.high = omega.high;
     return c;

@@ -62,26 +62,26 @@ std::string library(const std::string& name) {
     return text;
 }
 
-void add_options(CLI::App& app, Command& c) {
+void add_options(support::CommandLine& app, Command& c) {
     app.add_option("--planes", c.ratios, "the ratios of the figure's planes (default 1.1,1.2,1.5,1.7,1.9,2.2)")
-        ->transform(support::list("must be 1 to 12 positive numbers, with commas between", 1, 12,
-                                  [](double x) { return x > 0; }));
+        .transform(support::list("must be 1 to 12 positive numbers, with commas between", 1, 12,
+                                 [](double x) { return x > 0; }));
     app.add_option("--ratio", c.ratio, "the surface's range of l2 / l1; slow below 1.15 (default 1.2:2.4)")
-        ->transform(
+        .transform(
             support::range("must be LOW:HIGH, finite, with 0 < LOW < HIGH", std::numeric_limits<double>::min(), 1e6));
     app.add_option("--slices", c.slices, "planes of constant ratio of the surface, 2 to 1000 (default 25)")
-        ->transform(support::integer(2, 1000));
+        .transform(support::integer(2, 1000));
     app.add_option("--bisections", c.bisections,
                    "how often the gap between planes whose curves do not match is halved, 0 to 20 (default 4)")
-        ->transform(support::integer(0, 20));
+        .transform(support::integer(0, 20));
     app.add_option("--alpha", c.alpha, "the window's range of alpha, within 0:1 (default 0:1)")
-        ->transform(support::range("must be LOW:HIGH with 0 <= LOW < HIGH <= 1", 0, 1));
+        .transform(support::range("must be LOW:HIGH with 0 <= LOW < HIGH <= 1", 0, 1));
     app.add_option("--omega", c.omega, "the window's range of omega (default 0:5)")
-        ->transform(support::range("must be LOW:HIGH, finite, with 0 <= LOW < HIGH", 0, 1e6));
+        .transform(support::range("must be LOW:HIGH, finite, with 0 <= LOW < HIGH", 0, 1e6));
     app.add_option("--lines", c.options.lines,
                    "lines in each direction that are solved for seeds, 2 to 1000 (default 4)")
-        ->transform(support::integer(2, 1000));
-    support::add_seed(app, c.run.seed, "of the random start systems, an integer (default 1)");
+        .transform(support::integer(2, 1000));
+    app.add_seed(c.run.seed, "of the random start systems, an integer (default 1)");
     c.pictures.add_to(app, "the planes");
 }
 
@@ -90,16 +90,16 @@ Command read(int argc, char** argv) {
     c.options.checks = 0;
     c.options.lines = 4;
     std::string html_name, plotly_name;
-    CLI::App app{
+    support::CommandLine app{
         "The surface of folds of the rotating chain of two links over alpha = m2 / (m1 + m2), omega and ratio = "
         "l2 / l1: planes of constant ratio in one figure, and an interactive page."};
     add_options(app, c);
     app.add_option("--html", html_name, "write the surface as a page to this file");
     app.add_option("--plotly", plotly_name, "the library for the page: the file whose path scripts/plotly prints");
     support::add_output(app, "--json", c.json, "write the planes and their cusps to this file, or to stdout for -");
-    support::parse(app, "fold_surface", argc, argv);
-    const bool page = app.count("--html") > 0;
-    if (page != (app.count("--plotly") > 0))
+    app.parse("fold_surface", argc, argv);
+    const bool page = app.given("--html");
+    if (page != (app.given("--plotly")))
         support::fail(page ? "--html" : "--plotly", "", page ? "needs --plotly" : "has no use without --html");
     if (page) {
         c.library = library(plotly_name);

@@ -164,20 +164,20 @@ int main(int argc, char** argv) {
     equilibria::RunOptions options;
     support::Range c2;
     std::optional<support::OutputFile> json;
-    CLI::App app{
+    support::CommandLine app{
         "Every equilibrium of the holonomic mechanism under a constant force, proved, with its stability by the "
         "theorem of "
         "Lagrange and Dirichlet, by Routh's and by Hurwitz's criterion, and by the poles of the linearised motion."};
     const support::MechanismOptions mechanism(app, 100, false);
-    support::add_seed(app, options.seed, "of the random start system, an integer (default 1)");
+    app.add_seed(options.seed, "of the random start system, an integer (default 1)");
     app.add_option("--sweep-c2", c2, "LOW:HIGH in N/m: also where the equilibria change as c2 grows")
-        ->transform(support::range("must be LOW:HIGH, finite, with 0 <= LOW < HIGH", 0, 1e9));
+        .transform(support::range("must be LOW:HIGH, finite, with 0 <= LOW < HIGH", 0, 1e9));
     support::add_output(app, "--json", json, "write JSON to this file, or to stdout for -, instead of tables");
-    support::parse(app, "mechanism", argc, argv);
+    app.parse("mechanism", argc, argv);
     try {
         const auto p = mechanism.parameters();
         Study result = study(mechanism.data(), p, options);
-        if (app.count("--sweep-c2") > 0)
+        if (app.given("--sweep-c2"))
             result.sweep = equilibria::find_events<M, M::stiffness_2>(p, {c2.low, c2.high}, options);
         if (json) json->write(equilibria::json_text(document(result)));
         if (!to_stdout(json)) print(result);

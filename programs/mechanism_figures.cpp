@@ -191,15 +191,15 @@ int main(int argc, char** argv) {
     std::string folder = ".";
     int cells = 121;
     unsigned threads = 0;
-    CLI::App app{
+    support::CommandLine app{
         "The figures of the holonomic mechanism's study as SVG and PNG (needs gnuplot): its motion, its potential with "
         "the "
         "equilibria, disturbed motions beside the linearised ones, and basins of attraction."};
-    app.add_option("--out", folder, "the folder to write them to (default: this one)")->transform(support::a_folder());
+    app.add_option("--out", folder, "the folder to write them to (default: this one)").transform(support::a_folder());
     app.add_option("--basin-cells", cells, "the basins' grid, cells a side, 2 to 1000 (default 121)")
-        ->transform(support::integer(2, 1000));
-    support::add_threads(app, threads, "for the basins, 1 to 1024, 0 for one each core (default 0)");
-    support::parse(app, "mechanism_figures", argc, argv);
+        .transform(support::integer(2, 1000));
+    app.add_threads(threads, "for the basins, 1 to 1024, 0 for one each core (default 0)");
+    app.parse("mechanism_figures", argc, argv);
     try {
         for (const auto& figure : figures(cells, threads)) {
             const std::string path = folder + "/" + figure.name;

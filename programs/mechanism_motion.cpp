@@ -50,27 +50,26 @@ Command read(int argc, char** argv) {
     const auto pair = [] { return support::list("must be two finite numbers with a comma between", 2); };
     const auto few = [&c](double every) { return c.end / every <= 1e7; };
     const char* const too_many = "must leave 10000000 lines or fewer";
-    CLI::App app{
+    support::CommandLine app{
         "The motion of the holonomic mechanism under a force F exp(-alpha t), by Lagrange's equations of the second or "
         "the "
         "first kind or by Hamilton's equations, with its energy balance."};
     const support::MechanismOptions mechanism(app, 100, true);
     app.add_option("--formulation", c.formulation,
                    "lagrange2 (default), lagrange1 (multipliers, Cartesian coordinates) or hamilton")
-        ->transform(
-            support::one_of({"lagrange2", "lagrange1", "hamilton"}, "must be lagrange2, lagrange1 or hamilton"));
+        .transform(support::one_of({"lagrange2", "lagrange1", "hamilton"}, "must be lagrange2, lagrange1 or hamilton"));
     app.add_option("--form", c.form, "of lagrange2: covariant (default) or contravariant")
-        ->transform(support::one_of({"covariant", "contravariant"}, "must be covariant or contravariant"));
-    app.add_option("--t-end", c.end, "s (default 10)")->transform(support::positive());
+        .transform(support::one_of({"covariant", "contravariant"}, "must be covariant or contravariant"));
+    app.add_option("--t-end", c.end, "s (default 10)").transform(support::positive());
     app.add_option("--every", c.every, "interval of the output, s (default 1)")
-        ->transform(support::both(support::positive(), support::number(too_many, few)));
-    app.add_option("--start", c.start, "q1,q2 at t = 0, radians (default 4 pi/13, pi/7)")->transform(pair());
-    app.add_option("--velocity", c.velocity, "their rates at t = 0, radians a second (default 0,0)")->transform(pair());
+        .transform(support::both(support::positive(), support::number(too_many, few)));
+    app.add_option("--start", c.start, "q1,q2 at t = 0, radians (default 4 pi/13, pi/7)").transform(pair());
+    app.add_option("--velocity", c.velocity, "their rates at t = 0, radians a second (default 0,0)").transform(pair());
     app.add_option("--tolerance", c.tolerance, "of a step, relative and absolute (default 1e-12)")
-        ->transform(support::number("must be a number from 1e-15 to 1, 1 excluded",
-                                    [](double x) { return x >= 1e-15 && x < 1; }));
+        .transform(support::number("must be a number from 1e-15 to 1, 1 excluded",
+                                   [](double x) { return x >= 1e-15 && x < 1; }));
     support::add_output(app, "--csv", c.csv, "write CSV to this file, or to stdout for -, instead of a table");
-    support::parse(app, "mechanism_motion", argc, argv);
+    app.parse("mechanism_motion", argc, argv);
     if (!few(c.every)) support::fail("--every", equilibria::to_text(c.every), too_many);
     c.parameters = mechanism.parameters();
     return c;

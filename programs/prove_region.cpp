@@ -48,23 +48,23 @@ struct Command {
 
 Command read(int argc, char** argv) {
     Command c;
-    CLI::App app{
+    support::CommandLine app{
         "Proves the number of equilibria of the rotating chain of two links, by index, for all points of as much as "
         "possible of a window of the plane of alpha = m2 / (m1 + m2) and omega, and paints it over the bifurcation "
         "locus."};
-    app.add_option("--ratio", c.ratio, "l2 / l1, positive (default 1.5)")->transform(support::positive());
+    app.add_option("--ratio", c.ratio, "l2 / l1, positive (default 1.5)").transform(support::positive());
     app.add_option("--alpha", c.alpha, "the window's range of alpha, within 0:1 (default 0:1)")
-        ->transform(support::range("must be LOW:HIGH with 0 <= LOW < HIGH <= 1", 0, 1));
+        .transform(support::range("must be LOW:HIGH with 0 <= LOW < HIGH <= 1", 0, 1));
     app.add_option("--omega", c.omega, "the window's range of omega (default 0:3)")
-        ->transform(support::range("must be LOW:HIGH, finite, with 0 <= LOW < HIGH", 0, 1e6));
+        .transform(support::range("must be LOW:HIGH, finite, with 0 <= LOW < HIGH", 0, 1e6));
     app.add_option("--min-cell", c.options.min_cell,
                    "cells with both edges below this are not cut again (default 1e-2)")
-        ->transform(support::number_from(1e-6, 1e6, "must be a number from 1e-6 to 1e6"));
-    support::add_seed(app, c.run.seed, "of the random start systems, an integer (default 1)");
-    support::add_threads(app, c.threads, "1 to 1024, 0 for one each core (default 1); does not change the result");
+        .transform(support::number_from(1e-6, 1e6, "must be a number from 1e-6 to 1e6"));
+    app.add_seed(c.run.seed, "of the random start systems, an integer (default 1)");
+    app.add_threads(c.threads, "1 to 1024, 0 for one each core (default 1); does not change the result");
     support::add_output(app, "--json", c.json, "write JSON to this file, or to stdout for -");
     c.pictures.add_to(app, "the figure");
-    support::parse(app, "prove_region", argc, argv);
+    app.parse("prove_region", argc, argv);
     return c;
 }
 

@@ -69,39 +69,37 @@ struct Command {
 Command read(int argc, char** argv) {
     Command c;
     support::List lengths, masses;
-    CLI::App app{
+    support::CommandLine app{
         "Every equilibrium of a chain of massless links with point masses, hanging in a plane that turns about the "
         "vertical through its first joint (Baillieul, equations 3.1), with its index: the number of directions in "
         "which it is unstable."};
     app.add_option(
            "--links", c.links,
            "number of links, 1 to 16 (default 2); the memory, 450 bytes for each of the 4^links roots, sets the limit")
-        ->transform(support::integer(1, most_links));
+        .transform(support::integer(1, most_links));
     app.add_option("--lengths", lengths, "length of each link, positive, commas between (default: all 1)")
-        ->transform(support::positive_list([&c] { return c.links; }));
+        .transform(support::positive_list([&c] { return c.links; }));
     app.add_option("--masses", masses, "mass at the end of each link, positive, commas between (default: all 1)")
-        ->transform(support::positive_list([&c] { return c.links; }));
+        .transform(support::positive_list([&c] { return c.links; }));
     app.add_option("--omega", c.chain.omega, "angular speed, radians a unit of time (default 2)")
-        ->transform(support::finite());
+        .transform(support::finite());
     app.add_option("--gravity", c.chain.gravity, "acceleration due to gravity, 0 or more (default 1)")
-        ->transform(support::not_negative("must be a finite number, 0 or more"));
+        .transform(support::not_negative("must be a finite number, 0 or more"));
     app.add_option("--checkpoint", c.options.checkpoint,
                    "keep what is finished in this file, and go on from it if it is there already; Ctrl-C ends the "
                    "program with status 130, and the same command resumes; does not change the result")
-        ->transform(support::name_of("a file"));
-    support::add_seed(app, c.options.seed,
-                      "of the random start system, an integer (default 1); the same seed, the same result");
-    support::add_threads(app, c.options.threads,
-                         "1 to 1024, 0 for one each core (default 1); does not change the result");
+        .transform(support::name_of("a file"));
+    app.add_seed(c.options.seed, "of the random start system, an integer (default 1); the same seed, the same result");
+    app.add_threads(c.options.threads, "1 to 1024, 0 for one each core (default 1); does not change the result");
     app.add_flag("--prove", c.options.prove, "prove each root, its reality and index, and that none is missing");
     app.add_option("--digits", c.options.digits, "give the angles to that many digits, 1 to 1000, with a proved error")
-        ->transform(support::integer(1, 1000));
+        .transform(support::integer(1, 1000));
     support::add_output(app, "--json", c.json, "write JSON to this file, or to stdout for -, instead of a table");
-    support::parse(app, "rotating_chain", argc, argv);
+    app.parse("rotating_chain", argc, argv);
 
     const std::vector<double> ones(static_cast<std::size_t>(c.links), 1.0);
-    c.chain.lengths = app.count("--lengths") > 0 ? lengths.values : ones;
-    c.chain.masses = app.count("--masses") > 0 ? masses.values : ones;
+    c.chain.lengths = app.given("--lengths") ? lengths.values : ones;
+    c.chain.masses = app.given("--masses") ? masses.values : ones;
     return c;
 }
 

@@ -1,7 +1,6 @@
 // The rotating body with a beam from the command line.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <cstddef>
 #include <equilibria/model/model.hpp>
 #include <sstream>
@@ -26,42 +25,41 @@ struct BodyBeamOptions {
     bool coupled() const { return strain == "coupled"; }
 };
 
-inline CLI::Validator three_numbers() { return list("must be 3 finite numbers, with commas between", 3); }
+inline Rule three_numbers() { return list("must be 3 finite numbers, with commas between", 3); }
 
 /// Three principal moments of some body.
-inline CLI::Validator moments() {
-    return {[](std::string& text) {
-                List l;
-                if (!lexical_cast(text, l) || l.values.size() != 3) return std::string();
-                const double sum = l.values[0] + l.values[1] + l.values[2];
-                bool good = true;
-                for (const double moment : l.values) good = good && moment <= sum - moment;
-                return verdict(good, text, "must be moments of which none is larger than the sum of the others");
-            },
-            ""};
+inline Rule moments() {
+    return [](std::string& text) {
+        List l;
+        if (!lexical_cast(text, l) || l.values.size() != 3) return std::string();
+        const double sum = l.values[0] + l.values[1] + l.values[2];
+        bool good = true;
+        for (const double moment : l.values) good = good && moment <= sum - moment;
+        return verdict(good, text, "must be moments of which none is larger than the sum of the others");
+    };
 }
 
 /// `options` must outlive the parsing.
-inline void add_body_beam_options(CLI::App& app, BodyBeamOptions& options) {
+inline void add_body_beam_options(CommandLine& app, BodyBeamOptions& options) {
     const auto three = [] { return 3; };
     app.add_option("--body-mass", options.body_mass, "mass of the rigid body; the beam's is its length (default 2)")
-        ->transform(positive());
+        .transform(positive());
     app.add_option(
            "--inertia", options.inertia,
            "principal moments of the rigid body about the point where the beam is clamped (default 1.2,1.3,0.8)")
-        ->transform(moments())
-        ->transform(positive_list(three));
+        .transform(moments())
+        .transform(positive_list(three));
     app.add_option("--centre", options.centre, "the rigid body's centre of mass (default 0,0,0)")
-        ->transform(three_numbers());
+        .transform(three_numbers());
     app.add_option("--length", options.length, "of the beam, which lies along the third axis (default 1)")
-        ->transform(positive());
+        .transform(positive());
     app.add_option("--mu", options.mu,
                    "stiffnesses mu_1, mu_2 (bending along the axes 1 and 2) and mu_3 (stretching) (default 1,1.2,100)")
-        ->transform(positive_list(three));
+        .transform(positive_list(three));
     app.add_option("--modes", options.modes, "of the beam in each direction, 1 to 4 (default 2)")
-        ->transform(integer(1, BodyBeamOptions::most_modes));
+        .transform(integer(1, BodyBeamOptions::most_modes));
     app.add_option("--strain", options.strain, "energy: linear (default), or coupled, with centrifugal stiffening")
-        ->transform(one_of({"linear", "coupled"}, "must be linear or coupled"));
+        .transform(one_of({"linear", "coupled"}, "must be linear or coupled"));
 }
 
 /// Ends the program with one line unless there is such a body: its inertia about its own centre of mass must be

@@ -1,7 +1,6 @@
 // The holonomic mechanism's parameters from the command line.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <equilibria/core/error.hpp>
 #include <equilibria/mechanisms/holonomic_mechanism.hpp>
 #include <optional>
@@ -18,27 +17,27 @@ public:
     using Parameters = equilibria::Parameters<Mechanism>;
 
     /// decay: whether the force may fall in time. `app` must not outlive this.
-    MechanismOptions(CLI::App& app, double force, bool decay) : force_(force), with_decay_(decay) {
+    MechanismOptions(CommandLine& app, double force, bool decay) : force_(force), with_decay_(decay) {
         app.add_option("--data", data_,
                        "paper (default: g = 9.80665, c2 = 1100/3, which give the paper's digits) or appendix (g = "
                        "9.81, c2 "
                        "= 366.67, to the letter)")
-            ->transform(one_of({"paper", "appendix"}, "must be paper or appendix"));
+            .transform(one_of({"paper", "appendix"}, "must be paper or appendix"));
         app.add_option("--force", force_, "on M2 along x, N (default " + equilibria::to_text(force) + ")")
-            ->transform(finite());
+            .transform(finite());
         if (decay)
             app.add_option("--decay", decay_, "alpha of the force F exp(-alpha t), 1/s (default 0.7)")
-                ->transform(not_negative());
+                .transform(not_negative());
         app.add_option("--masses", masses_, "of M1, M2, M3, kg, commas between (default 10,10,10)")
-            ->transform(positive_list([] { return 3; }));
+            .transform(positive_list([] { return 3; }));
         app.add_option("--length", length_, "of the rods to M1 and M2, half of that to M3, m (default 1.25)")
-            ->transform(positive());
-        app.add_option("--gravity", gravity_, "m/s^2 (default: of the data set)")->transform(finite());
+            .transform(positive());
+        app.add_option("--gravity", gravity_, "m/s^2 (default: of the data set)").transform(finite());
         app.add_option("--c1", stiffness_1_, "stiffness of the spring at M2, N/m (default 162.5)")
-            ->transform(not_negative());
+            .transform(not_negative());
         app.add_option("--c2", stiffness_2_, "stiffness of the spring at M1, N/m (default: of the data set)")
-            ->transform(not_negative());
-        app.add_option("--damping", damping_, "beta, N s/m (default 121)")->transform(not_negative());
+            .transform(not_negative());
+        app.add_option("--damping", damping_, "beta, N s/m (default 121)").transform(not_negative());
     }
     MechanismOptions(const MechanismOptions&) = delete;
 

@@ -1,7 +1,6 @@
 // Pictures as files: the options --svg and --png, drawn by gnuplot from the scripts of plots/.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <equilibria/io/gnuplot.hpp>
 #include <optional>
 #include <string>
@@ -28,7 +27,7 @@ struct Pictures {
     std::optional<OutputFile> svg, png;
 
     /// `what`: "the figure".
-    void add_to(CLI::App& app, const std::string& what) {
+    void add_to(CommandLine& app, const std::string& what) {
         add_output(app, "--svg", svg, "draw " + what + " to this SVG file (needs gnuplot)");
         add_output(app, "--png", png, "draw " + what + " to this PNG file (needs gnuplot)");
     }

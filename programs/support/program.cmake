@@ -1,13 +1,10 @@
 # Programs and examples are built and tested alike.
-find_package(CLI11 QUIET)
-find_package(nlohmann_json QUIET)
-
 # An executable `name` from the given sources. Where a package that the first one needs is missing, it is left out, and
 # the variable `built` says so.
 function(equilibria_program name source built)
     file(READ ${source} text)
-    if((text MATCHES "\"support/options.hpp\"" AND NOT CLI11_FOUND)
-       OR (text MATCHES "<nlohmann/" AND NOT nlohmann_json_FOUND))
+    if((text MATCHES "\"support/options.hpp\"" AND NOT TARGET command_line)
+       OR (text MATCHES "<equilibria/io/results/" AND NOT TARGET json_documents))
         message(STATUS "Leaving out ${name}: it needs CLI11 and nlohmann_json")
         set(${built} OFF PARENT_SCOPE)
         return()
@@ -15,8 +12,7 @@ function(equilibria_program name source built)
     add_executable(${name} ${source} ${ARGN})
     target_link_libraries(
         ${name}
-        PRIVATE equilibria::compiled $<TARGET_NAME_IF_EXISTS:CLI11::CLI11>
-                $<TARGET_NAME_IF_EXISTS:nlohmann_json::nlohmann_json>
+        PRIVATE equilibria::compiled $<TARGET_NAME_IF_EXISTS:command_line> $<TARGET_NAME_IF_EXISTS:json_documents>
     )
     equilibria_warnings(${name})
     equilibria_native(${name})

@@ -1,10 +1,11 @@
-#include <Eigen/LU>
-#include <Eigen/QR>
+
+#include <Eigen/Core>
 
 #include <equilibria/continuation/critical_point.hpp>
 
 #include "../programs/support/structures.hpp"
 #include "support/catch.hpp"
+#include "support/dense.hpp"
 
 using namespace equilibria;
 using namespace support;
@@ -53,7 +54,7 @@ VectorXd dense_bifurcation(const P& problem, VectorXd q, VectorXd phi, double p)
             behind(c) -= 1e-6;
             j.col(c) = (f(ahead) - f(behind)) / 2e-6;
         }
-        y -= j.fullPivLu().solve(f(y));
+        y -= tests::solved(j, f(y));
     }
     return y;
 }
@@ -63,7 +64,7 @@ VectorXd loaded(const Truss& truss, double p) {
     VectorXd q = truss.unloaded();
     for (int step = 1; step <= 50; ++step)
         for (int k = 0; k < 8; ++k)
-            q -= truss.tangent(q, p * step / 50).partialPivLu().solve(truss.residual(q, p * step / 50));
+            q -= tests::solved(truss.tangent(q, p * step / 50), truss.residual(q, p * step / 50));
     return q;
 }
 

@@ -1,11 +1,12 @@
 // Random problems with critical points planted on a branch: none may be missed, none invented, none lost in silence.
-#include <Eigen/LU>
-#include <Eigen/QR>
+
+#include <Eigen/Core>
 
 #include <equilibria/continuation/branch.hpp>
 #include <equilibria/core/random.hpp>
 
 #include "support/catch.hpp"
+#include "support/dense.hpp"
 
 using namespace equilibria;
 using Eigen::MatrixXd;
@@ -74,7 +75,7 @@ struct Hidden {
         VectorXd q = VectorXd::Zero(n), target = VectorXd::Zero(n);
         target(0) = y_0;
         for (double share = 0.1; share < 1.05; share += 0.1)
-            for (int k = 0; k < 10; ++k) q -= jacobian(q).partialPivLu().solve(y(q) - share * target);
+            for (int k = 0; k < 10; ++k) q -= tests::solved(jacobian(q), y(q) - share * target);
         return q;
     }
 };
@@ -85,7 +86,7 @@ Hidden hidden(std::uint64_t seed) {
     Hidden y;
     MatrixXd m(Hidden::n, Hidden::n);
     for (auto& entry : m.reshaped()) entry = draw(-1, 1);
-    y.turn = m.householderQr().householderQ();
+    y.turn = tests::orthogonal_factor(m);
     for (auto& b : y.bend) {
         for (auto& entry : m.reshaped()) entry = draw(-.04, .04);
         b = m + m.transpose();

@@ -6,13 +6,14 @@
 #include <utility>
 #include <vector>
 
-#include <Eigen/LU>
+#include <Eigen/Core>
 
 #include <equilibria/continuation/critical_point.hpp>
 #include <equilibria/continuation/generic_problem.hpp>
 
 #include "continuation/arch_energy.hpp"
 #include "support/catch.hpp"
+#include "support/dense.hpp"
 
 using namespace equilibria;
 using Eigen::MatrixXd, Eigen::VectorXd;
@@ -101,7 +102,7 @@ template <class P>
 VectorXd loaded(const P& problem, VectorXd q, double from, double p) {
     for (int step = 1; step <= 50; ++step) {
         const double now = from + (p - from) * step / 50;
-        for (int k = 0; k < 6; ++k) q -= problem.tangent(q, now).partialPivLu().solve(problem.residual(q, now));
+        for (int k = 0; k < 6; ++k) q -= tests::solved(problem.tangent(q, now), problem.residual(q, now));
     }
     return q;
 }
@@ -137,7 +138,7 @@ DenseRoot dense_newton(const System& system, VectorXd z) {
     DenseRoot y;
     for (int k = 0; k < 20; ++k) {
         const auto [f, j] = system(z);
-        const VectorXd d = j.fullPivLu().solve(f);
+        const VectorXd d = tests::solved(j, f);
         z -= d;
         y.steps.push_back(d.norm());
         if (d.norm() < 1e-13) break;

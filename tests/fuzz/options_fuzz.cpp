@@ -8,6 +8,8 @@
 #include <limits>
 #include <string>
 
+#include <CLI/CLI.hpp>
+
 #include "../../programs/support/options.hpp"
 
 namespace {
@@ -22,9 +24,9 @@ std::string printed(double value) {
 }
 /// What CLI11 makes of an option's text, or nothing where the option refuses it, in one sentence about that text.
 template <class T>
-std::optional<T> read(const CLI::Validator& validator, const std::string& text) {
+std::optional<T> read(const support::Rule& rule, const std::string& text) {
     std::string changed = text;
-    const std::string said = validator(changed);
+    const std::string said = rule(changed);
     T value{};
     if (!said.empty()) {
         require_that(said.starts_with(support::shown(text) + ": "));
@@ -39,12 +41,12 @@ std::optional<T> read(const CLI::Validator& validator, const std::string& text) 
 void numbers(const std::string& text) {
     if (const auto x = read<double>(support::not_negative(), text)) {
         require_that(std::isfinite(*x) && *x >= 0);
-        require_that(std::bit_cast<std::uint64_t>(*x) == std::bit_cast<std::uint64_t>(*support::parsed<double>(text)));
+        require_that(std::bit_cast<std::uint64_t>(*x) == std::bit_cast<std::uint64_t>(*support::parsed(text)));
         require_that(read<double>(support::not_negative(), printed(*x)) == *x);
     }
     if (const auto k = read<int>(support::integer(1, 10), text)) require_that(*k >= 1 && *k <= 10);
-    if (const auto k = read<std::uint64_t>(support::integer<std::uint64_t>(0, UINT64_MAX), text))
-        require_that(read<std::uint64_t>(support::integer<std::uint64_t>(0, UINT64_MAX), std::to_string(*k)) == *k);
+    if (const auto k = read<std::uint64_t>(support::integer(std::uint64_t{0}, UINT64_MAX), text))
+        require_that(read<std::uint64_t>(support::integer(std::uint64_t{0}, UINT64_MAX), std::to_string(*k)) == *k);
 }
 
 void lists(const std::string& text, int n) {

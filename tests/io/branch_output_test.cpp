@@ -11,6 +11,7 @@
 #include "../programs/support/structures.hpp"
 #include "io/read_csv.hpp"
 #include "support/catch.hpp"
+#include "support/read_json.hpp"
 
 using namespace equilibria;
 using Eigen::VectorXd;
@@ -62,7 +63,7 @@ TEST_CASE("branch: samples in their order, critical points and zeros among them"
     CHECK(c["inertia_after"] == 2);
     CHECK(c["nullity"] == 1);
 
-    const Json b = Json::parse(json_text(json_of(samples)));
+    const Json b = tests::read_json(json_text(json_of(samples)));
     REQUIRE(b["points"].size() == samples.size());
     CHECK(b["stable"].size() == samples.size());
     for (std::size_t k = 0; k < samples.size(); ++k) {
@@ -86,7 +87,7 @@ TEST_CASE("branch: a graph's nodes and branches name each other") {
     DiagramOptions options;
     options.continuation.range.low = -10, options.continuation.range.high = 10;
     const auto graph = bifurcation_diagram(arch, VectorXd(Eigen::Vector2d(2.5, 0)), 0.0, options);
-    const Json again = Json::parse(json_text(json_of(graph, measures())));
+    const Json again = tests::read_json(json_text(json_of(graph, measures())));
     CHECK(again["parameter"] == "q");
     CHECK(again["measures"].dump() == R"(["A1","A2"])");
     CHECK(again["complete"] == graph.complete());

@@ -5,6 +5,7 @@
 #include <equilibria/mechanisms/rotating_chain.hpp>
 
 #include "support/catch.hpp"
+#include "support/read_json.hpp"
 
 using namespace equilibria;
 using M = mechanisms::TwoLinkChain;
@@ -31,7 +32,7 @@ TEST_CASE("cusp locus: curves, transitions and planes") {
     locus.planes[0].z = 1.5;
     locus.planes[0].cusps = {at};
     locus.planes[0].given_up = {{1.25, 2, 3}};
-    const Json again = Json::parse(json_text(json_of(locus, names)));
+    const Json again = tests::read_json(json_text(json_of(locus, names)));
     CHECK(again["ratio"].dump() == "[1.0,3.0]");
     CHECK(again["cusp_curves"][0]["points"][0].dump() == R"({"ratio":1.5,"alpha":0.5,"omega":2.0})");
     CHECK(again["cusp_curves"][0]["ends"].dump() == R"(["box","degenerate"])");

@@ -17,6 +17,7 @@
 
 #include "support/catch.hpp"
 #include "support/models.hpp"
+#include "support/read_json.hpp"
 #include "support/scratch_file.hpp"
 
 using namespace equilibria;
@@ -28,7 +29,7 @@ TEST_CASE("json: numbers are read again bit by bit, what is not finite is null, 
         const double x = std::bit_cast<double>(generator());
         if (std::isfinite(x) && x != 0) values.push_back(x);
     }
-    const Json again = Json::parse(json_text(json_list(values)));
+    const Json again = tests::read_json(json_text(json_list(values)));
     REQUIRE(again.size() == values.size());
     for (std::size_t k = 0; k < values.size(); ++k)
         CHECK(std::bit_cast<std::uint64_t>(again[k].get<double>()) == std::bit_cast<std::uint64_t>(values[k]));

@@ -12,6 +12,7 @@
 #include "io/read_csv.hpp"
 #include "support/catch.hpp"
 #include "support/models.hpp"
+#include "support/read_json.hpp"
 
 using namespace equilibria;
 using M = models::ElasticPendulum;
@@ -47,7 +48,7 @@ LineEvents<M> two_intervals() {
 }  // namespace
 
 TEST_CASE("line events: an event and the tables beside it") {
-    const Json out = json_of(two_intervals(), "gravity"), again = Json::parse(json_text(out));
+    const Json out = json_of(two_intervals(), "gravity"), again = tests::read_json(json_text(out));
     const Json& e = again["events"][0];
     CHECK(e["gravity"].get<double>() == 1.0 / 3);
     CHECK(e["kind"] == "isola centre");

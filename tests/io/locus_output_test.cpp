@@ -5,6 +5,7 @@
 #include <equilibria/mechanisms/rotating_chain.hpp>
 
 #include "support/catch.hpp"
+#include "support/read_json.hpp"
 
 using namespace equilibria;
 using M = mechanisms::TwoLinkChain;
@@ -47,7 +48,7 @@ Locus<M> a_locus() {
 
 TEST_CASE("locus: its JSON") {
     const auto locus = a_locus();
-    const Json again = Json::parse(json_text(json_of(locus, names)));
+    const Json again = tests::read_json(json_text(json_of(locus, names)));
     CHECK(again["alpha"].dump() == "[0.0,1.0]");
     CHECK(again["omega"].dump() == "[0.0,5.0]");
     CHECK(again["cusps"].dump() ==

@@ -4,6 +4,7 @@
 #include <equilibria/io/results/locus_proof_output.hpp>
 
 #include "support/catch.hpp"
+#include "support/read_json.hpp"
 
 using namespace equilibria;
 
@@ -25,7 +26,7 @@ TEST_CASE("locus proof: shares proved, and cells") {
     cells.cells = {{{{0, 0.5}, {0, 3}}, CountArgument::real_search, 4, {1, 2, 1}}};
     cells.undecided.resize(2);
     cells.proved_area_share = 0.5;
-    const Json again = Json::parse(json_text(json_of(cells, names), -1));
+    const Json again = tests::read_json(json_text(json_of(cells, names), -1));
     CHECK(again["cells"].dump() ==
           R"([{"alpha":[0.0,0.5],"omega":[0.0,3.0],"count":4,"by_index":[1,2,1],"argument":"real search"}])");
     CHECK(again["undecided"] == 2);

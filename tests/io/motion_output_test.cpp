@@ -14,6 +14,7 @@
 
 #include "io/read_csv.hpp"
 #include "support/catch.hpp"
+#include "support/read_json.hpp"
 
 using namespace equilibria;
 using M = mechanisms::HolonomicMechanism;
@@ -23,7 +24,7 @@ TEST_CASE("motion: JSON and CSV of angles") {
     const auto motion =
         integrate_motion(LagrangeSecondKind<M>(M::paper_parameters(100)), {{0.9, 0.4}, {}}, {0, 0.125, 0.25});
     REQUIRE(motion.status == MotionStatus::finished);
-    const Json again = Json::parse(json_text(json_of(motion)));
+    const Json again = tests::read_json(json_text(json_of(motion)));
     CHECK(again["status"] == "finished");
     CHECK(again["steps"] == motion.steps);
     CHECK(again["time"].get<double>() == motion.time);  // the end of the last step

@@ -8,6 +8,7 @@
 
 #include "support/catch.hpp"
 #include "support/models.hpp"
+#include "support/read_json.hpp"
 
 using namespace equilibria;
 using M = models::ElasticPendulum;
@@ -34,7 +35,7 @@ Proof<M> a_proof() {
 }  // namespace
 
 TEST_CASE("proof: an object of its own") {
-    const Json again = Json::parse(json_text(json_of(a_proof())));
+    const Json again = tests::read_json(json_text(json_of(a_proof())));
     CHECK(again == Json{{"complete", true},
                         {"reason", "because"},
                         {"bound", 8},

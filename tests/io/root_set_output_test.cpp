@@ -15,6 +15,7 @@
 
 #include "io/read_csv.hpp"
 #include "support/catch.hpp"
+#include "support/read_json.hpp"
 
 using namespace equilibria;
 using Chain = mechanisms::TwoLinkChain;
@@ -70,7 +71,7 @@ TEST_CASE("root set: the values of its JSON are those of the result, and are rea
     const auto& set = a_set();
     REQUIRE(set.real() >= 4);
     const Json out = json_of(set, {.parameter_names = {"alpha", "ratio", "omega"}});
-    const Json again = Json::parse(json_text(out));
+    const Json again = tests::read_json(json_text(out));
     CHECK(again == out);
     CHECK(again["parameters"] == Json{{"alpha", 0.4}, {"ratio", 1.5}, {"omega", 2.0}});
     CHECK(again["seed"] == set.seed);
@@ -118,7 +119,7 @@ TEST_CASE("root set: failures, families and an energy that is not there") {
     family.points.resize(2);
     set.families.push_back(family);
     set.equilibria.front().energy = std::numeric_limits<double>::quiet_NaN();
-    const Json again = Json::parse(json_text(json_of(set)));
+    const Json again = tests::read_json(json_text(json_of(set)));
     CHECK(again["failures"] == Json::array({{{"path", 7}, {"reason", "step too small"}}}));
     CHECK(again["families"] == Json::array({"a real curve of solutions (2 paths)"}));
     CHECK(again["equilibria"][0]["energy"].is_null());

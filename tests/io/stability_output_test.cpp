@@ -6,6 +6,7 @@
 #include <equilibria/stability/linearise.hpp>
 
 #include "support/catch.hpp"
+#include "support/read_json.hpp"
 
 using namespace equilibria;
 using M = mechanisms::HolonomicMechanism;
@@ -16,7 +17,7 @@ TEST_CASE("stability: criteria as JSON") {
     const auto motion = count_poles(system);
     Json out = json_of(energy);
     add_keys(out, json_of(motion));
-    const Json again = Json::parse(json_text(out));
+    const Json again = tests::read_json(json_text(out));
     CHECK(again["hessian"].size() == 2);
     CHECK(again["hessian"][1][0].get<double>() == energy.hessian(1, 0));
     CHECK(again["minors"][0].get<double>() == energy.minors[0]);

@@ -5,12 +5,12 @@
 #include <limits>
 
 #include <Eigen/Core>
-#include <Eigen/QR>
 
 #include <equilibria/core/random.hpp>
 #include <equilibria/singularity/null_vector.hpp>
 
 #include "support/catch.hpp"
+#include "support/dense.hpp"
 
 using namespace equilibria;
 
@@ -35,7 +35,7 @@ Matrix random_orthogonal(Generator& generator) {
     Matrix a;
     for (int i = 0; i < 4; ++i)
         for (int j = 0; j < 4; ++j) a(i, j) = uniform(generator, -1, 1);
-    return Eigen::HouseholderQR<Matrix>(a).householderQ();
+    return tests::orthogonal_factor(a);
 }
 Column column(const Unknowns<Four>& v) { return {v[0], v[1], v[2], v[3]}; }
 

@@ -1,8 +1,11 @@
 // Sylvester's minors against the inertia, on matrices whose inertia is known.
+#include <Eigen/Core>
+
 #include <equilibria/core/random.hpp>
 #include <equilibria/stability/lagrange_dirichlet.hpp>
 
 #include "support/catch.hpp"
+#include "support/dense.hpp"
 
 using namespace equilibria;
 
@@ -24,7 +27,7 @@ TEST_CASE("Sylvester's minors and the inertia agree, and congruence keeps both v
         CHECK(y.inertia.negative == negative);
         CHECK(y.agree());
         CHECK(y.verdict() == (negative == 0 ? PotentialVerdict::stable : PotentialVerdict::unstable));
-        CHECK(y.minors[n - 1] == Approx(hessian.determinant()).epsilon(1e-10));
+        CHECK(y.minors[n - 1] == Approx(tests::determinant(hessian)).epsilon(1e-10));
         stable += negative == 0;
     }
     CHECK(stable > 100);

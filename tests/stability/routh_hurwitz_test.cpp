@@ -5,13 +5,14 @@
 #include <string>
 #include <vector>
 
-#include <Eigen/Eigenvalues>
+#include <Eigen/Core>
 
 #include <equilibria/core/random.hpp>
 #include <equilibria/stability/hurwitz.hpp>
 #include <equilibria/stability/routh.hpp>
 
 #include "support/catch.hpp"
+#include "support/dense.hpp"
 
 using namespace equilibria;
 
@@ -91,7 +92,7 @@ TEST_CASE("Every polynomial with coefficients -1, 0, 1 up to degree 6 has the co
             Eigen::MatrixXd companion = Eigen::MatrixXd::Zero(degree, degree);
             companion.row(0) = -c.tail(degree).transpose();
             companion.diagonal(-1).setOnes();
-            const Eigen::VectorXcd roots = companion.eigenvalues();
+            const Eigen::VectorXcd roots = tests::eigenvalues(companion);
             // multiple roots on the axis are found to a few digits only
             const auto right = std::count_if(roots.begin(), roots.end(), [](auto s) { return s.real() > 1e-3; });
             const auto left = std::count_if(roots.begin(), roots.end(), [](auto s) { return s.real() < -1e-3; });

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include <Eigen/Core>
-#include <Eigen/LU>
 
 #include <equilibria/continuation/branch.hpp>
 #include <equilibria/continuation/check_derivatives.hpp>
@@ -14,6 +13,7 @@
 #include <equilibria/studies/rotating_body_beam/rotating_body_beam_boundary.hpp>
 
 #include "support/catch.hpp"
+#include "support/dense.hpp"
 
 using namespace equilibria;
 using Eigen::VectorXd;
@@ -80,8 +80,7 @@ bool newton(Unknowns<M>& q, const Parameters<M>& p) {
     for (int step = 0; step < 30; ++step) {
         const auto f = equations<M>(q, p);
         const VectorXd g = Eigen::Map<const VectorXd>(f.begin(), f.size());
-        const Eigen::MatrixXd j = jacobian<M>(q, p);
-        const VectorXd d = j.partialPivLu().solve(g);
+        const VectorXd d = tests::solved(jacobian<M>(q, p), g);
         for (int i = 0; i < q.size(); ++i) q[i] -= d(i);
         if (d.norm() < 1e-11) return true;
     }

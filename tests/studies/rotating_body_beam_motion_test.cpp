@@ -7,9 +7,7 @@
 #include <vector>
 
 #include <Eigen/Core>
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
-#include <Eigen/LU>
 
 #include <equilibria/core/random.hpp>
 #include <equilibria/model/derivatives.hpp>
@@ -19,6 +17,7 @@
 #include <equilibria/studies/rotating_body_beam/rotating_body_beam_motion.hpp>
 
 #include "support/catch.hpp"
+#include "support/dense.hpp"
 
 using namespace equilibria;
 using mechanisms::BeamDamping, mechanisms::BeamStrain, mechanisms::BodyBeamState, mechanisms::BodyBeamStatus,
@@ -69,9 +68,8 @@ template <class M>
 Unknowns<M> relative_equilibrium(Unknowns<M> q, const Parameters<M>& p) {
     for (int step = 0; step < 20; ++step) {
         const auto f = equations<M>(q, p);
-        const Eigen::MatrixXd slope = jacobian<M>(q, p);
         const Eigen::VectorXd shift =
-            slope.partialPivLu().solve(Eigen::Map<const Eigen::VectorXd>(f.begin(), f.size()));
+            tests::solved(jacobian<M>(q, p), Eigen::Map<const Eigen::VectorXd>(f.begin(), f.size()));
         for (int i = 0; i < q.size(); ++i) q[i] -= shift(i);
         if (shift.norm() < 1e-14) break;
     }
@@ -225,10 +223,10 @@ void check_settled(const Motion& motion, const BodyBeamState<Motion::n_modes / 3
     const double size = start.momentum.norm();
     CHECK((y.last.space_momentum - start.orientation * start.momentum).norm() < 1e-9 * size);
     // (2.6) by other means: the angular velocity is along an eigenvector of J, and along the momentum
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(motion.inertia(y.last.state.modes));
+    const auto axes = tests::symmetric_eigen(motion.inertia(y.last.state.modes));
     const Eigen::Vector3d n = y.last.angular_velocity.normalized();
     double sine = 1;
-    for (int k = 0; k < 3; ++k) sine = std::min(sine, n.cross(axes.eigenvectors().col(k)).norm());
+    for (int k = 0; k < 3; ++k) sine = std::min(sine, n.cross(Eigen::Vector3d(axes.vectors.col(k))).norm());
     CHECK(sine < 1e-8);
     CHECK(y.last.wobble() < 1e-8);
     // and the model's equations, whose derivatives are others, hold

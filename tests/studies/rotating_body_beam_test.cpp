@@ -5,7 +5,6 @@
 #include <vector>
 
 #include <Eigen/Core>
-#include <Eigen/Eigenvalues>
 
 #include <equilibria/core/random.hpp>
 #include <equilibria/paths/complex_roots.hpp>
@@ -14,6 +13,7 @@
 #include <equilibria/studies/rotating_body_beam/rotating_body_beam.hpp>
 
 #include "support/catch.hpp"
+#include "support/dense.hpp"
 
 using namespace equilibria;
 using mechanisms::BeamModes, mechanisms::BeamSlopeIntegrals, mechanisms::BeamStrain, mechanisms::momentum_hessian,
@@ -58,7 +58,7 @@ std::vector<Unknowns<M>> real_solutions(const auto& set, const Parameters<M>& p)
         Unknowns<M> at;
         std::copy(q.begin(), q.end(), at.begin());
         const auto f = equations<M>(at, p);
-        q -= jacobian<M>(at, p).partialPivLu().solve(Eigen::Map<const Eigen::Vector<double, n_unknowns<M>>>(f.begin()));
+        q -= tests::solved(jacobian<M>(at, p), Eigen::Map<const Eigen::VectorXd>(f.begin(), f.size()));
         std::copy(q.begin(), q.end(), at.begin());
         y.push_back(at);
     }
@@ -216,9 +216,9 @@ TEST_CASE("Where the undeformed spin begins to whirl, the Hessian of its energy 
         q[M::multiplier] = 0.8;
         const auto hessian = [&](double w) { return momentum_hessian<2, BeamStrain::coupled>(q, 0.8 * w, body(w)); };
         CHECK(std::abs(equations<M>(q, body(speed))[0]) < 1e-14);
-        const double here = hessian(speed).determinant();
-        CHECK(std::abs(here) < 1e-9 * std::abs(hessian(0.9 * speed).determinant()));
-        CHECK(hessian(0.999 * speed).determinant() * hessian(1.001 * speed).determinant() < 0);
+        const double here = tests::determinant(hessian(speed));
+        CHECK(std::abs(here) < 1e-9 * std::abs(tests::determinant(hessian(0.9 * speed))));
+        CHECK(tests::determinant(hessian(0.999 * speed)) * tests::determinant(hessian(1.001 * speed)) < 0);
     }
 }
 

@@ -4,13 +4,13 @@
 #include <utility>
 #include <vector>
 
-#include <Eigen/Dense>
 #include <Eigen/SparseCore>
 
 #include <equilibria/continuation/factorization/bordered.hpp>
 #include <equilibria/core/random.hpp>
 
 #include "support/catch.hpp"
+#include "support/dense.hpp"
 
 using namespace equilibria;
 using Dense = Eigen::MatrixXd;
@@ -28,17 +28,15 @@ Dense random_matrix(int n, bool symmetric, Generator& generator) {
 Dense singular_matrix(int n, bool symmetric, Generator& generator) {
     const Dense k = random_matrix(n, symmetric, generator);
     if (symmetric) {
-        const Eigen::SelfAdjointEigenSolver<Dense> eigen(k);
-        Eigen::VectorXd values = eigen.eigenvalues();
+        auto [values, vectors] = tests::symmetric_eigen(k);
         Eigen::Index least;
         values.cwiseAbs().minCoeff(&least);
         values(least) = 0;
-        return eigen.eigenvectors() * values.asDiagonal() * eigen.eigenvectors().transpose();
+        return vectors * values.asDiagonal() * vectors.transpose();
     }
-    const Eigen::JacobiSVD<Dense> svd(k, Eigen::ComputeFullU | Eigen::ComputeFullV);
-    Eigen::VectorXd values = svd.singularValues();
+    auto [left, values, right] = tests::singular_decomposition(k);
     values(n - 1) = 0;
-    return svd.matrixU() * values.asDiagonal() * svd.matrixV().transpose();
+    return left * values.asDiagonal() * right.transpose();
 }
 
 /// [K e_j; e_i^T 0]
@@ -80,13 +78,14 @@ void check_solutions(const Dense& k, bool symmetric) {
         CHECK((b.transpose() * x - right).norm() < 1e-11 * (1 + x.norm()));
     }
     // sigma = -det K / det of K without row j and column i, by the sign of the cofactor in B
-    CHECK(weak->r.tau == Approx(k.determinant() / b.determinant()).margin(1e-12));
+    CHECK(weak->r.tau == Approx(tests::determinant(k) / tests::determinant(b)).margin(1e-12));
     CHECK(weak->r.x(border.column) == Approx(1));
     CHECK((k * weak->r.x + weak->r.tau * Eigen::VectorXd::Unit(n, border.row)).norm() < 1e-12 * (1 + weak->r.x.norm()));
-    if (std::abs(weak->r.tau) > 1e-10) CHECK(solver.sign_of_determinant(weak->r.tau) == (k.determinant() < 0 ? -1 : 1));
+    if (std::abs(weak->r.tau) > 1e-10)
+        CHECK(solver.sign_of_determinant(weak->r.tau) == (tests::determinant(k) < 0 ? -1 : 1));
     if (symmetric) {
         const auto inertia = solver.inertia(weak->r.tau);
-        const Eigen::VectorXd values = Eigen::SelfAdjointEigenSolver<Dense>(k).eigenvalues();
+        const Eigen::VectorXd values = tests::symmetric_eigen(k).values;
         if (inertia && std::abs(weak->r.tau) > 1e-10) CHECK(inertia->negative == (values.array() < 0).count());
     }
 }

@@ -1,13 +1,13 @@
 // L D L^T of sparse symmetric matrices: solutions, inertia, multipliers, and what it refuses.
 #include <vector>
 
-#include <Eigen/Dense>
 #include <Eigen/SparseCore>
 
 #include <equilibria/continuation/factorization/sparse_ldlt.hpp>
 #include <equilibria/core/random.hpp>
 
 #include "support/catch.hpp"
+#include "support/dense.hpp"
 
 using namespace equilibria;
 using Sparse = Eigen::SparseMatrix<double>;
@@ -27,7 +27,7 @@ Eigen::MatrixXd constrained(int n, int multipliers, Generator& generator) {
 }
 
 int negative_eigenvalues(const Eigen::MatrixXd& k) {
-    return static_cast<int>((Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(k).eigenvalues().array() < 0).count());
+    return static_cast<int>((tests::symmetric_eigen(k).values.array() < 0).count());
 }
 
 }  // namespace

@@ -22,6 +22,10 @@
 #include <equilibria/model/derivatives.hpp>
 #include <equilibria/model/sizes.hpp>
 
+#ifdef EQUILIBRIA_JSON_COMPILED  // some unit of the program instantiates it, so that the others need not
+extern template class nlohmann::basic_json<nlohmann::ordered_map>;
+#endif
+
 namespace equilibria {
 
 using Json = nlohmann::ordered_json;

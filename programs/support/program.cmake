@@ -15,6 +15,7 @@ function(equilibria_program name source built)
         PRIVATE equilibria::compiled $<TARGET_NAME_IF_EXISTS:command_line> $<TARGET_NAME_IF_EXISTS:json_documents>
     )
     equilibria_warnings(${name})
+    equilibria_read_first(${source} ${ARGN})
     equilibria_native(${name})
     set(${built} ON PARENT_SCOPE)
 endfunction()

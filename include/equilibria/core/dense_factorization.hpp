@@ -40,7 +40,38 @@ public:
     using Matrix = std::conditional_t<N == at_run_time, RuntimeMatrix<S>, Array<Array<S, N>, N>>;
     using Vector = std::conditional_t<N == at_run_time, RuntimeArray<S>, Array<S, N>>;
 
-    explicit DenseFactorization(const Matrix& a) : n_(a.size()), a_(a), exchange_(n_) {
+    /// Of n by n matrices, one after the other.
+    explicit DenseFactorization(int n) : n_(n), a_(n), exchange_(n) {}
+    explicit DenseFactorization(const Matrix& a) : n_(a.size()), a_(a), exchange_(n_) { decompose(); }
+
+    void factor(const Matrix& a) {
+        a_ = a;
+        decompose();
+    }
+
+    /// Whether no pivot vanished.
+    bool regular() const { return regular_; }
+
+    Vector solve(Vector b) const {
+        solve_in_place(b);
+        return b;
+    }
+    /// Overwrites b with the solution.
+    void solve_in_place(Vector& b) const {
+        using std::swap;
+        for (int k = 0; k < n_; ++k)
+            if (exchange_[k] != k) swap(b[k], b[exchange_[k]]);
+        for (int k = 0; k < n_; ++k)
+            for (int j = 0; j < k; ++j) b[k] = b[k] - a_[k][j] * b[j];
+        for (int k = n_ - 1; k >= 0; --k) {
+            for (int j = k + 1; j < n_; ++j) b[k] = b[k] - a_[k][j] * b[j];
+            b[k] = b[k] / a_[k][k];
+        }
+    }
+
+private:
+    void decompose() {
+        regular_ = false;
         for (int k = 0; k < n_; ++k) {
             int best = k;
             for (int i = k + 1; i < n_; ++i)
@@ -57,23 +88,6 @@ public:
         regular_ = true;
     }
 
-    /// Whether no pivot vanished.
-    bool regular() const { return regular_; }
-
-    Vector solve(Vector b) const {
-        using std::swap;
-        for (int k = 0; k < n_; ++k)
-            if (exchange_[k] != k) swap(b[k], b[exchange_[k]]);
-        for (int k = 0; k < n_; ++k)
-            for (int j = 0; j < k; ++j) b[k] = b[k] - a_[k][j] * b[j];
-        for (int k = n_ - 1; k >= 0; --k) {
-            for (int j = k + 1; j < n_; ++j) b[k] = b[k] - a_[k][j] * b[j];
-            b[k] = b[k] / a_[k][k];
-        }
-        return b;
-    }
-
-private:
     Extent<N> n_;
     Matrix a_;
     SizedArray<int, N> exchange_;

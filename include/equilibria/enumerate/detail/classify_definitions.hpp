@@ -7,8 +7,8 @@
 #include <numbers>
 
 #include <Eigen/Core>
-#include <Eigen/LU>
 
+#include <equilibria/core/dense_factorization.hpp>
 #include <equilibria/core/eigenvalues.hpp>
 #include <equilibria/enumerate/classify.hpp>
 #include <equilibria/stability/inertia.hpp>
@@ -16,11 +16,12 @@
 namespace equilibria::detail {
 
 struct RootClassifier::Workspace {
-    Eigen::VectorXd f, step;
-    Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> jacobian;
-    Eigen::PartialPivLU<decltype(jacobian)> lu;
+    RuntimeArray<double> step;
+    RuntimeMatrix<double> jacobian;
+    DenseFactorization<double, at_run_time> lu;
 
-    explicit Workspace(Eigen::Index n) : f(n), step(n), jacobian(n, n), lu(n) {}
+    explicit Workspace(int n) : step(n), jacobian(n), lu(n) {}
+    double* entries() { return &jacobian[0][0]; }
 };
 
 EQUILIBRIA_INLINE RootClassifier::RootClassifier(const RealEquations& equations)
@@ -28,7 +29,7 @@ EQUILIBRIA_INLINE RootClassifier::RootClassifier(const RealEquations& equations)
 EQUILIBRIA_INLINE RootClassifier::~RootClassifier() = default;
 
 EQUILIBRIA_INLINE bool RootClassifier::is_real(const RootView& root, std::span<double> q) {
-    auto& [f, step, jacobian, lu] = *with_;
+    auto& [step, jacobian, lu] = *with_;
     const auto n = q.size(), angles = static_cast<std::size_t>(equations_->sizes.angles);
     double imaginary = 0;
     for (const auto& z : root.q) imaginary = std::max(imaginary, std::abs(z.imag()));
@@ -37,12 +38,16 @@ EQUILIBRIA_INLINE bool RootClassifier::is_real(const RootView& root, std::span<d
     if (root.singular) return true;
     double moved = 0;
     for (int round = 0; round < 3; ++round) {
-        equations_->linearize(q.data(), f.data(), jacobian.data());
-        lu.compute(jacobian);
-        step.noalias() = lu.solve(f);
-        if (!std::isfinite(step.sum())) return imaginary < 1e-12;
-        const double size = step.cwiseAbs().maxCoeff();
-        for (std::size_t u = 0; u < n; ++u) q[u] -= step[static_cast<Eigen::Index>(u)];
+        equations_->linearize(q.data(), &step[0], with_->entries());
+        lu.factor(jacobian);
+        if (!lu.regular()) return imaginary < 1e-12;
+        lu.solve_in_place(step);
+        double size = 0;
+        for (const double d : step) {
+            if (!std::isfinite(d)) return imaginary < 1e-12;
+            size = std::max(size, std::abs(d));
+        }
+        for (std::size_t u = 0; u < n; ++u) q[u] -= step[static_cast<int>(u)];
         moved += size;
         if (moved > 1e-4) return false;
         if (size < 1e-15) break;
@@ -57,8 +62,9 @@ EQUILIBRIA_INLINE bool RootClassifier::is_real(const RootView& root, std::span<d
 }
 
 EQUILIBRIA_INLINE Classification RootClassifier::classify(std::span<const double> q) {
-    auto& jacobian = with_->jacobian;
-    equations_->linearize(q.data(), with_->f.data(), jacobian.data());
+    const int n = with_->step.size();
+    equations_->linearize(q.data(), &with_->step[0], with_->entries());
+    Eigen::Map<Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>> jacobian(with_->entries(), n, n);
     Classification y;
     y.energy = equations_->energy(q.data());
     if (equations_->has_potential) {

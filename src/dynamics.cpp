@@ -1,0 +1,1 @@
+#include <equilibria/dynamics/detail/adaptive_integrator_definitions.hpp>

@@ -92,11 +92,16 @@ private:
     }
     template <class List, class Text>
     GnuplotData& array(const std::string& name, const List& list, const Text& text, const char* nothing) {
-        std::string entries;
-        for (const auto& entry : list) entries += (entries.empty() ? "" : ",") + text(entry);
+        // no sum of a literal and a string that ends: g++ 12 takes it for overlapping copies at -O3
+        std::string entries = "[";
+        for (const auto& entry : list) {
+            if (entries.size() > 1) entries += ',';
+            entries += text(entry);
+        }
+        if (list.empty()) entries += nothing;
+        entries += ']';
         const std::size_t size = list.empty() ? 1 : list.size();
-        return assign("array " + name + "[" + std::to_string(size) + "]",
-                      "[" + (list.empty() ? std::string(nothing) : entries) + "]");
+        return assign("array " + name + "[" + std::to_string(size) + "]", entries);
     }
 
     std::string text_;

@@ -19,7 +19,7 @@
 
 namespace equilibria {
 
-/// One solution from time 0, a step at a time.
+/// One solution from time 0, a step at a time. It can be moved and not copied.
 class AdaptiveIntegrator {
 public:
     using State = std::vector<double>;

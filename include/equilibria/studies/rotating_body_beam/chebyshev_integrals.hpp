@@ -3,9 +3,6 @@
 /// Trefethen, Approximation Theory and Approximation Practice (2013), chapters 2, 3 and 19.
 #pragma once
 
-#include <cmath>
-#include <numbers>
-
 #include <Eigen/Core>
 
 #include <equilibria/core/compiled.hpp>

@@ -3,15 +3,10 @@
 /// once a model. See rotating_body_beam_motion.hpp.
 #pragma once
 
-#include <algorithm>
 #include <array>
-#include <cmath>
-#include <cstddef>
 #include <vector>
 
-#include <Eigen/Cholesky>
 #include <Eigen/Core>
-#include <Eigen/LU>
 
 #include <equilibria/core/compiled.hpp>
 #include <equilibria/studies/rotating_body_beam/rotating_body_beam_state.hpp>

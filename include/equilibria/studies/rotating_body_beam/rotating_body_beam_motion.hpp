@@ -21,6 +21,7 @@
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
+#include <Eigen/LU>
 
 #include <equilibria/core/array.hpp>
 #include <equilibria/core/dense_solvers.hpp>

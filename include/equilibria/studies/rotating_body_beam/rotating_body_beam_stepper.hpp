@@ -3,13 +3,6 @@
 /// See rotating_body_beam_motion.hpp.
 #pragma once
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <numbers>
-#include <utility>
-#include <vector>
-
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 

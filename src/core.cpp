@@ -1,4 +1,3 @@
-#include <equilibria/core/detail/dense_solvers_definitions.hpp>
 #include <equilibria/core/detail/error_definitions.hpp>
 #include <equilibria/core/detail/sorted_order_definitions.hpp>
 #include <equilibria/run/detail/elapsed_definitions.hpp>

@@ -1,5 +1,18 @@
+#include <equilibria/algebra/runtime_scalar.hpp>
+#include <equilibria/start/detail/linear_product_definitions.hpp>
+#include <equilibria/start/detail/solved_instance_definitions.hpp>
+#include <equilibria/start/detail/total_degree_start_definitions.hpp>
+#include <equilibria/start/detail/total_degree_system_definitions.hpp>
 #include <equilibria/system/detail/critical_system_definitions.hpp>
 #include <equilibria/system/detail/runtime_formulation_definitions.hpp>
 #include <equilibria/system/detail/sparse_system_definitions.hpp>
 #include <equilibria/system/detail/symmetric_branches_definitions.hpp>
 #include <equilibria/system/detail/symmetric_system_definitions.hpp>
+
+namespace equilibria {
+
+template class RuntimePool<double>;
+template class RuntimeScalar<double>;
+template class RuntimeAngle<double>;
+
+}  // namespace equilibria

@@ -1,5 +1,6 @@
 # Programs and examples are built and tested alike.
-# An executable `name` from the given sources. Where a package that the first one needs is missing, it is left out, and
+# An executable `name` from the given sources; linked to the library as a whole, if not to the target that `library` names.
+# Where a package that the first one needs is missing, it is left out, and
 # the variable `built` says so.
 function(equilibria_program name source built)
     file(READ ${source} text)
@@ -9,10 +10,13 @@ function(equilibria_program name source built)
         set(${built} OFF PARENT_SCOPE)
         return()
     endif()
+    if(NOT library)
+        set(library equilibria::compiled)
+    endif()
     add_executable(${name} ${source} ${ARGN})
     target_link_libraries(
         ${name}
-        PRIVATE equilibria::compiled $<TARGET_NAME_IF_EXISTS:command_line> $<TARGET_NAME_IF_EXISTS:json_documents>
+        PRIVATE ${library} $<TARGET_NAME_IF_EXISTS:command_line> $<TARGET_NAME_IF_EXISTS:json_documents>
     )
     equilibria_warnings(${name})
     equilibria_read_first(${source} ${ARGN})

@@ -25,4 +25,5 @@ Eigen::MatrixXd positive_inverse(const Eigen::MatrixXd& a);
 
 #ifndef EQUILIBRIA_COMPILED
 #include <equilibria/core/detail/dense_solvers_definitions.hpp>
+#include <equilibria/core/detail/orthogonal_solvers_definitions.hpp>
 #endif

@@ -3,19 +3,12 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
-#include <cmath>
-#include <complex>
-#include <cstdint>
 #include <limits>
 #include <memory>
 #include <span>
-#include <type_traits>
-#include <utility>
 #include <vector>
 
 #include <equilibria/core/compiled.hpp>
-#include <equilibria/core/sorted_order.hpp>
 #include <equilibria/enumerate/root_set.hpp>
 #include <equilibria/model/equations.hpp>
 #include <equilibria/run/executor.hpp>
@@ -90,70 +83,19 @@ private:
     std::unique_ptr<Workspace> with_;
 };
 
-template <class M>
-double largest_imaginary(const Root<M>& root) {
-    double y = 0;
-    for (const auto& q : root.q) y = std::max(y, std::abs(q.imag()));
-    return y;
-}
+double largest_imaginary(const Root<RuntimeUnknowns>& root);
 /// The equilibrium at q, the real root that a root is.
-template <class M>
-Equilibrium<M> equilibrium_of(const Root<M>& root, UnknownArray<M, double> q, const Classification& found) {
-    Equilibrium<M> e;
-    e.q = std::move(q);
-    e.energy = found.energy;
-    e.index = found.index;
-    e.nullity = found.nullity;
-    e.margin = found.margin;
-    e.residual = root.residual;
-    e.condition = root.condition;
-    e.path = root.path;
-    e.multiplicity = root.paths;
-    if (root.status == PathStatus::singular && e.nullity == 0) e.nullity = 1;
-    return e;
-}
+Equilibrium<RuntimeUnknowns> equilibrium_of(const Root<RuntimeUnknowns>& root, RuntimeArray<double> q,
+                                            const Classification& found);
 
 /// The real roots among roots, classified.
-template <class M>
 struct RealRoots {
-    std::vector<Equilibrium<M>> equilibria;  ///< by index, then nullity, then path
+    std::vector<Equilibrium<RuntimeUnknowns>> equilibria;  ///< by index, then nullity, then path
     /// The largest imaginary part among the real roots, the smallest among the others (infinity where there are none).
     double largest_real_imaginary = 0, smallest_nonreal_imaginary = std::numeric_limits<double>::infinity();
 };
-
-template <class M>
-[[gnu::cold]] RealRoots<M> classify(const std::vector<Root<M>>& roots, const RealEquations& equations,
-                                    const Executor& executor) {
-    std::vector<std::uint8_t> real(roots.size());
-    std::vector<UnknownArray<M, double>> at(roots.size());
-    executor.for_blocks(roots.size(), 4096, [&](std::size_t first, std::size_t last) {
-        RootClassifier classifier(equations);
-        UnknownArray<M, double> q{};
-        if constexpr (std::is_same_v<M, RuntimeUnknowns>) q.resize(equations.sizes.unknowns);
-        for (std::size_t k = first; k < last; ++k) {
-            real[k] = classifier.is_real(view(roots[k]), {q.begin(), q.end()});
-            if (real[k]) at[k] = q;
-        }
-    });
-    RootClassifier classifier(equations);
-    RealRoots<M> y;
-    y.equilibria.reserve(static_cast<std::size_t>(std::count(real.begin(), real.end(), 1)));
-    for (std::size_t k = 0; k < roots.size(); ++k) {
-        const double imaginary = largest_imaginary(roots[k]);
-        if (real[k]) {
-            const Classification found = classifier.classify({at[k].begin(), at[k].end()});
-            y.equilibria.push_back(equilibrium_of(roots[k], std::move(at[k]), found));
-            y.largest_real_imaginary = std::max(y.largest_real_imaginary, imaginary);
-        } else {
-            y.smallest_nonreal_imaginary = std::min(y.smallest_nonreal_imaginary, imaginary);
-        }
-    }
-    std::vector<std::array<std::int64_t, 3>> keys;
-    keys.reserve(y.equilibria.size());
-    for (const auto& e : y.equilibria) keys.push_back({e.index, e.nullity, static_cast<std::int64_t>(e.path)});
-    y.equilibria = in_order(sorted_order(keys), std::move(y.equilibria));
-    return y;
-}
+RealRoots classify(const std::vector<Root<RuntimeUnknowns>>& roots, const RealEquations& equations,
+                   const Executor& executor);
 
 }  // namespace equilibria::detail
 

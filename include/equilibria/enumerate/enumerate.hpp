@@ -6,12 +6,9 @@
 #include <utility>
 #include <vector>
 
-#include <equilibria/enumerate/alarms.hpp>
 #include <equilibria/enumerate/classify.hpp>
-#include <equilibria/enumerate/families.hpp>
 #include <equilibria/enumerate/root_set.hpp>
 #include <equilibria/homotopy/model_homotopy.hpp>
-#include <equilibria/paths/merge.hpp>
 #include <equilibria/paths/track.hpp>
 #include <equilibria/run/elapsed.hpp>
 #include <equilibria/run/run_options.hpp>
@@ -24,44 +21,20 @@ namespace equilibria {
 namespace detail {
 
 /// The way from tracked paths to a root set: their account, roots, families, equilibria, alarms.
-template <class M>
-[[gnu::cold]] RootSet<M> root_set_of(PathSet paths, const ParameterArray<M, double>& p, const ModelProperties<M>& model,
-                                     const PolynomialHomotopy& homotopy, const RealEquations& equations,
-                                     const RunOptions& run) {
-    auto [counts, failures] = account_for<M>(paths);
-    const double tracking_seconds = paths.effort.tracking_seconds;
-    std::vector<Root<M>> roots;
-    {
-        PathSet done = std::move(paths);  // many paths have large records
-        roots = merge<M>(done);
-    }
-    auto [isolated, families, regular_paths] = split_families(std::move(roots), homotopy, run.executor);
-    auto real = classify(isolated, equations, run.executor);
-    RootSet<M> set{.parameters = p,
-                   .seed = run.seed,
-                   .paths = counts.with_singular(regular_paths),
-                   .roots = std::move(isolated),
-                   .equilibria = std::move(real.equilibria),
-                   .families = std::move(families),
-                   .failures = std::move(failures),
-                   .alarms = {},
-                   .largest_real_imaginary = real.largest_real_imaginary,
-                   .smallest_nonreal_imaginary = real.smallest_nonreal_imaginary,
-                   .tracking_seconds = tracking_seconds,
-                   .seconds = 0,
-                   .model = model};
-    set.alarms = check_alarms(set, run.executor);
-    return set;
-}
+RootSet<RuntimeUnknowns> root_set_of(PathSet paths, const RuntimeArray<double>& p,
+                                     const ModelProperties<RuntimeUnknowns>& model, const PolynomialHomotopy& homotopy,
+                                     const RealEquations& equations, const RunOptions& run);
 
 template <Model M, class StartSystem>
 [[gnu::cold]] RootSet<M> enumerate_from(const ModelSystem<M>& target, const StartSystem& start, const RunOptions& run,
                                         const TrackerOptions& options, MoreDigits<> resort = nullptr) {
     const detail::Stopwatch begin;
     const PolynomialHomotopy homotopy = model_homotopy(target, start);
-    auto paths = track_paths(homotopy, model_problem<M>(start, target.parameters, run), run, options, resort);
-    auto set = root_set_of<M>(std::move(paths), target.parameters, {}, homotopy,
-                              RealModelEquations<M>(target.parameters), run);
+    const Parameters<M>& p = target.parameters;
+    auto paths = track_paths(homotopy, model_problem<M>(start, p, run), run, options, resort);
+    auto set = typed<M>(root_set_of(std::move(paths), runtime_array(p),
+                                    {Sizes<M>(), PotentialModel<M>, Formulation<M>::reflection_symmetric}, homotopy,
+                                    RealModelEquations<M>(p), run));
     set.seconds = begin.seconds();
     return set;
 }
@@ -120,3 +93,7 @@ template <Model M>
 }
 
 }  // namespace equilibria
+
+#ifndef EQUILIBRIA_COMPILED
+#include <equilibria/enumerate/detail/enumerate_definitions.hpp>
+#endif

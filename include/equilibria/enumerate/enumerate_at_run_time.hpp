@@ -70,10 +70,9 @@ RootSet<RuntimeUnknowns> enumerate(const T& model, const RuntimeArray<double>& p
     detail::PathProblem problem{.start = StartPoints(start)};
     if (!run.checkpoint.empty())
         problem.model = detail::model_fields(detail::type_name<T>(), sizes, target.terms, {p.begin(), p.end()});
-    auto set =
-        detail::root_set_of<RuntimeUnknowns>(detail::track_paths(homotopy, std::move(problem), run, options, resort), p,
-                                             {sizes, formulation.has_potential(), formulation.reflection_symmetric()},
-                                             homotopy, detail::RealRuntimeEquations<T>(model, p), run);
+    auto set = detail::root_set_of(detail::track_paths(homotopy, std::move(problem), run, options, resort), p,
+                                   {sizes, formulation.has_potential(), formulation.reflection_symmetric()}, homotopy,
+                                   detail::RealRuntimeEquations<T>(model, p), run);
     set.seconds = begin.seconds();
     return set;
 }

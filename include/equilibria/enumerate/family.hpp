@@ -3,6 +3,7 @@
 #pragma once
 
 #include <complex>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -10,6 +11,7 @@
 
 #include <equilibria/core/compiled.hpp>
 #include <equilibria/model/sizes.hpp>
+#include <equilibria/paths/root.hpp>
 
 namespace equilibria {
 
@@ -46,6 +48,28 @@ struct Family {
         return sum;
     }
 };
+
+/// In the unknowns of a model, which are as many.
+template <class M>
+[[gnu::cold]] Family<M> typed(const Family<RuntimeUnknowns>& family) {
+    Family<M> y{family.dimension, std::nullopt, std::vector<FamilyPoint<M>>(family.points.size())};
+    if (family.real_point) y.real_point = unknowns_from<M>(*family.real_point);
+    for (std::size_t k = 0; k < y.points.size(); ++k) {
+        const auto& from = family.points[k];
+        auto& to = y.points[k];
+        to.q = unknowns_from<M>(from.q);
+        to.nullity = from.nullity;
+        to.tangent.resize(from.tangent.size());
+        for (std::size_t i = 0; i < to.tangent.size(); ++i) to.tangent[i] = unknowns_from<M>(from.tangent[i]);
+        to.neighbour = unknowns_from<M>(from.neighbour);
+        to.distance = from.distance;
+        to.residual = from.residual;
+        to.condition = from.condition;
+        to.path = from.path;
+        to.paths = from.paths;
+    }
+    return y;
+}
 
 /// "curve", "surface", "3-dimensional family".
 std::string family_kind(int dimension);

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <iosfwd>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <equilibria/core/compiled.hpp>
@@ -39,6 +40,13 @@ struct Equilibrium {
     /// A strict minimum of the potential (Lagrange-Dirichlet); without one, a point that dq/dt = -F(q) comes back to.
     bool stable() const { return index == 0 && nullity == 0; }
 };
+
+/// In the unknowns of a model, which are as many.
+template <class M>
+Equilibrium<M> typed(const Equilibrium<RuntimeUnknowns>& e) {
+    return {unknowns_from<M>(e.q), e.energy, e.index,       e.nullity, e.margin, e.residual,
+            e.condition,           e.path,   e.multiplicity};
+}
 
 namespace detail {
 /// What a RootSet prints of itself.
@@ -106,6 +114,25 @@ struct RootSet {
         return detail::write(out, {set.verdict(), set.real(), counted, summary(set.families), on_families});
     }
 };
+
+/// In the unknowns of a model, whose properties those of the set are.
+template <class M>
+[[gnu::cold]] RootSet<M> typed(RootSet<RuntimeUnknowns>&& set) {
+    RootSet<M> y;
+    y.parameters = parameters_from<M>(set.parameters);
+    y.seed = set.seed;
+    y.paths = set.paths;
+    y.roots = typed<M>(std::move(set.roots));
+    y.equilibria = typed<M>(std::move(set.equilibria));
+    y.families = typed<M>(std::move(set.families));
+    y.failures = typed<M>(std::move(set.failures));
+    y.alarms = std::move(set.alarms);
+    y.largest_real_imaginary = set.largest_real_imaginary;
+    y.smallest_nonreal_imaginary = set.smallest_nonreal_imaginary;
+    y.tracking_seconds = set.tracking_seconds;
+    y.seconds = set.seconds;
+    return y;
+}
 
 }  // namespace equilibria
 

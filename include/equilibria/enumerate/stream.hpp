@@ -7,9 +7,9 @@
 /// and the number of each), 5 a tracked path for the merging, and the endpoints that were tracked again.
 #pragma once
 
-#include <algorithm>
 #include <concepts>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -19,24 +19,25 @@
 
 namespace equilibria {
 
-/// What is known of an enumeration whose roots were handed on: RootSet without the roots.
-template <Model M>
+/// What is known of an enumeration whose roots were handed on: RootSet without the roots. M: the model, or
+/// RuntimeUnknowns.
+template <class M>
 struct StreamedRoots {
-    Parameters<M> parameters;
+    ParameterArray<M, double> parameters;
     std::uint64_t seed = 0;
     PathCounts paths;
     std::vector<FailedPath<M>> failures;
     std::uint64_t distinct = 0, real = 0, degenerate = 0;
-    /// Nondegenerate equilibria of each index 0 .. n.
-    std::vector<std::int64_t> by_index = std::vector<std::int64_t>(static_cast<std::size_t>(n_unknowns<M>) + 1);
-    double largest_real_imaginary = 0;  ///< as of RootSet
+    std::vector<std::int64_t> by_index;  ///< nondegenerate equilibria of each index 0 .. n
+    double largest_real_imaginary = 0;   ///< as of RootSet
     double smallest_nonreal_imaginary = std::numeric_limits<double>::infinity();
     /// Poincare-Hopf's alone; the others look at all roots at once, which are not kept.
     Alarms alarms;
     double tracking_seconds = 0, seconds = 0;
+    [[no_unique_address]] ModelProperties<M> model{};
 
     CountVerdict verdict() const {
-        return {&paths, &alarms, distinct, degenerate, by_index, n_coordinates<M> == 0 && PotentialModel<M>};
+        return {&paths, &alarms, distinct, degenerate, by_index, model.sizes.coordinates == 0 && model.has_potential};
     }
     bool cancelled() const { return verdict().cancelled(); }
     bool morse_applies() const { return verdict().morse_applies(); }
@@ -48,6 +49,16 @@ struct StreamedRoots {
 /// What takes streamed roots: the equilibrium is nullptr where the root is not real.
 template <class T, class M>
 concept RootTaker = std::invocable<T&, const Root<M>&, const Equilibrium<M>*>;
+
+namespace detail {
+using RuntimeRootTaker = std::function<void(const Root<RuntimeUnknowns>&, const Equilibrium<RuntimeUnknowns>*)>;
+
+/// As root_set_of, with the roots handed on.
+StreamedRoots<RuntimeUnknowns> stream_roots(PathSet paths, const RuntimeArray<double>& p,
+                                            const ModelProperties<RuntimeUnknowns>& model,
+                                            const RealEquations& equations, const RunOptions& run,
+                                            const RuntimeRootTaker& take);
+}  // namespace detail
 
 /// `enumerate`, with the roots handed to take(root, equilibrium) one after the other. A mirror image comes after its
 /// original, otherwise they come by path number; roots that are their own mirror images are last. Sorted by path they
@@ -67,36 +78,32 @@ StreamedRoots<M> enumerate(const Parameters<M>& p, const RunOptions& run, Take&&
     const StartSystem start(target, generator);
     auto paths = detail::track_paths(model_homotopy(target, start), detail::model_problem<M>(start, p, run, true), run,
                                      options, nullptr);
-    auto [counts, failures] = account_for<M>(paths);
-    StreamedRoots<M> set;
-    set.parameters = p;
-    set.seed = run.seed;
-    set.paths = counts;
-    set.failures = std::move(failures);
-    set.tracking_seconds = paths.effort.tracking_seconds;
-    const detail::RealModelEquations<M> equations(p);
-    detail::RootClassifier classifier(equations);
-    if (!set.cancelled())
-        merge<M>(paths, [&](const Root<M>& root) {
-            ++set.distinct;
-            const double imaginary = detail::largest_imaginary(root);
-            Unknowns<M> q;
-            if (!classifier.is_real(detail::view(root), {q.begin(), q.end()})) {
-                set.smallest_nonreal_imaginary = std::min(set.smallest_nonreal_imaginary, imaginary);
-                take(root, static_cast<const Equilibrium<M>*>(nullptr));
-                return;
-            }
-            const Equilibrium<M> e = detail::equilibrium_of(root, q, classifier.classify({q.begin(), q.end()}));
-            ++set.real;
-            set.degenerate += e.degenerate();
-            if (!e.degenerate()) ++set.by_index[static_cast<std::size_t>(e.index)];
-            set.largest_real_imaginary = std::max(set.largest_real_imaginary, imaginary);
-            take(root, &e);
-        });
-    set.alarms.poincare_hopf =
-        detail::poincare_hopf(set.by_index, n_coordinates<M> == 0, set.degenerate == 0 && set.paths.singular == 0);
-    set.seconds = begin.seconds();
-    return set;
+    auto set = detail::stream_roots(std::move(paths), runtime_array(p),
+                                    {Sizes<M>(), PotentialModel<M>, Formulation<M>::reflection_symmetric},
+                                    detail::RealModelEquations<M>(p), run,
+                                    [&](const Root<RuntimeUnknowns>& root, const Equilibrium<RuntimeUnknowns>* e) {
+                                        const auto equilibrium = e ? typed<M>(*e) : Equilibrium<M>{};
+                                        take(typed<M>(root), e ? &equilibrium : nullptr);
+                                    });
+    StreamedRoots<M> y;
+    y.parameters = p;
+    y.seed = set.seed;
+    y.paths = set.paths;
+    y.failures = typed<M>(std::move(set.failures));
+    y.distinct = set.distinct;
+    y.real = set.real;
+    y.degenerate = set.degenerate;
+    y.by_index = std::move(set.by_index);
+    y.largest_real_imaginary = set.largest_real_imaginary;
+    y.smallest_nonreal_imaginary = set.smallest_nonreal_imaginary;
+    y.alarms = std::move(set.alarms);
+    y.tracking_seconds = set.tracking_seconds;
+    y.seconds = begin.seconds();
+    return y;
 }
 
 }  // namespace equilibria
+
+#ifndef EQUILIBRIA_COMPILED
+#include <equilibria/enumerate/detail/stream_definitions.hpp>
+#endif

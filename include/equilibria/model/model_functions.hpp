@@ -53,26 +53,6 @@ protected:
     using ModelDerivatives<S>::ModelDerivatives;
 };
 
-/// The numbers in an array of the size of their type, and back.
-template <class T, int N>
-RuntimeArray<T> runtime_array(const Array<T, N>& a) {
-    RuntimeArray<T> y(N);
-    std::copy(a.begin(), a.end(), y.begin());
-    return y;
-}
-template <class M, class T>
-Array<T, n_unknowns<M>> unknowns_from(const RuntimeArray<T>& a) {
-    Array<T, n_unknowns<M>> y;
-    std::copy(a.begin(), a.end(), y.begin());
-    return y;
-}
-template <class M, class T>
-Array<T, n_parameters<M>> parameters_from(const RuntimeArray<T>& a) {
-    Array<T, n_parameters<M>> y;
-    std::copy(a.begin(), a.end(), y.begin());
-    return y;
-}
-
 namespace detail {
 
 /// Those of the model M, as a Base.

@@ -2,6 +2,7 @@
 /// How many unknowns a system has: angles, then plain coordinates. Numbers of a type, or of a system that is data.
 #pragma once
 
+#include <algorithm>
 #include <type_traits>
 
 #include <equilibria/core/array.hpp>
@@ -60,6 +61,26 @@ UnknownArray<M, T> unknown_array(const Sizes<M>& sizes) {
         return UnknownArray<M, T>(sizes.unknowns);
     else
         return {};
+}
+
+/// The numbers in an array of the size of their type, and back.
+template <class T, int N>
+RuntimeArray<T> runtime_array(const Array<T, N>& a) {
+    RuntimeArray<T> y(N);
+    std::copy(a.begin(), a.end(), y.begin());
+    return y;
+}
+template <class M, class T>
+Array<T, n_unknowns<M>> unknowns_from(const RuntimeArray<T>& a) {
+    Array<T, n_unknowns<M>> y;
+    std::copy(a.begin(), a.end(), y.begin());
+    return y;
+}
+template <class M, class T>
+Array<T, n_parameters<M>> parameters_from(const RuntimeArray<T>& a) {
+    Array<T, n_parameters<M>> y;
+    std::copy(a.begin(), a.end(), y.begin());
+    return y;
 }
 
 }  // namespace equilibria

@@ -29,11 +29,7 @@ struct ComplexRoots {
 };
 
 /// What all paths end at, merged.
-template <class M = RuntimeUnknowns>
-ComplexRoots<M> complex_roots(PathSet paths) {
-    auto [counts, failures] = account_for<M>(paths);
-    return {counts, merge<M>(paths), std::move(failures)};
-}
+ComplexRoots<> complex_roots(PathSet paths);
 
 /// Tracks all paths of a homotopy and merges what they end at: the driver of every search for complex roots.
 /// Homotopies of a type of one's own: own_homotopy.hpp.

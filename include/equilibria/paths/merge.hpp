@@ -2,12 +2,8 @@
 /// From records of paths to distinct roots: endpoints that are one point are one root.
 #pragma once
 
-#include <algorithm>
-#include <concepts>
-#include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <utility>
 #include <vector>
 
 #include <equilibria/core/compiled.hpp>
@@ -23,21 +19,6 @@ std::uint64_t most_roots(PathSet& paths);
 void merge(PathSet& paths, const std::function<void(Root<RuntimeUnknowns>)>& take);
 /// The distinct roots, by path number.
 std::vector<Root<RuntimeUnknowns>> merge(PathSet& paths);
-
-/// The same in the unknowns of a model, which are as many.
-template <class M, std::invocable<const Root<M>&> Take>
-void merge(PathSet& paths, Take&& take) {
-    merge(paths, std::function<void(Root<RuntimeUnknowns>)>(
-                     [&](Root<RuntimeUnknowns> root) { take(typed<M>(std::move(root))); }));
-}
-template <class M>
-[[gnu::cold]] std::vector<Root<M>> merge(PathSet& paths) {
-    std::vector<Root<M>> roots;
-    roots.reserve(static_cast<std::size_t>(most_roots(paths)));
-    merge<M>(paths, [&](Root<M> root) { roots.push_back(std::move(root)); });
-    std::sort(roots.begin(), roots.end(), [](const auto& a, const auto& b) { return a.path < b.path; });
-    return roots;
-}
 
 }  // namespace equilibria
 

@@ -71,24 +71,14 @@ namespace detail {
 Root<RuntimeUnknowns> reflected(Root<RuntimeUnknowns> root, std::uint64_t path);
 }  // namespace detail
 
-/// The account of a set of paths. M: the unknowns.
-template <class M>
+/// The account of a set of paths.
 struct PathAccount {
     PathCounts counts;
-    std::vector<FailedPath<M>> failures;  ///< by path number
+    std::vector<FailedPath<RuntimeUnknowns>> failures;  ///< by path number
 };
 
 /// How every path ended. Of a cancelled run the paths that it left are counted as such.
-PathAccount<RuntimeUnknowns> account_for(PathSet& paths);
-
-/// The same in the unknowns of a model, which are as many.
-template <class M>
-[[gnu::cold]] PathAccount<M> account_for(PathSet& paths) {
-    auto [counts, failures] = account_for(paths);
-    PathAccount<M> y{counts, {}};
-    for (auto& failed : failures) y.failures.push_back(typed<M>(std::move(failed)));
-    return y;
-}
+PathAccount account_for(PathSet& paths);
 
 }  // namespace equilibria
 

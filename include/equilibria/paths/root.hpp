@@ -4,10 +4,11 @@
 
 #include <algorithm>
 #include <complex>
+#include <cstddef>
 #include <cstdint>
 #include <span>
-#include <type_traits>
 #include <utility>
+#include <vector>
 
 #include <equilibria/homotopy/path_status.hpp>
 #include <equilibria/model/sizes.hpp>
@@ -50,38 +51,24 @@ RootView view(const Root<M>& root) {
 
 }  // namespace detail
 
-/// The numbers of as many unknowns as M has, in M's own array.
-template <class M, class T>
-UnknownArray<M, T> typed(SizedArray<T, at_run_time> q) {
-    if constexpr (std::is_same_v<M, RuntimeUnknowns>) {
-        return q;
-    } else {
-        UnknownArray<M, T> y;
-        std::copy(q.begin(), q.end(), y.begin());
-        return y;
+/// In the unknowns of a model, which are as many.
+template <class M>
+Root<M> typed(const Root<RuntimeUnknowns>& root) {
+    const auto& [q, residual, condition, path, paths, winding_number, status] = root;
+    return {unknowns_from<M>(q), residual, condition, path, paths, winding_number, status};
+}
+template <class M>
+FailedPath<M> typed(const FailedPath<RuntimeUnknowns>& failed) {
+    return {failed.path, failed.reason, unknowns_from<M>(failed.q)};
+}
+/// All of these, each let go when it has been taken over.
+template <class M, template <class> class Thing>
+std::vector<Thing<M>> typed(std::vector<Thing<RuntimeUnknowns>>&& things) {
+    std::vector<Thing<M>> y(things.size());
+    for (std::size_t k = 0; k < y.size(); ++k) {
+        const Thing<RuntimeUnknowns> thing = std::move(things[k]);
+        y[k] = typed<M>(thing);
     }
-}
-template <class M>
-Root<M> typed(Root<RuntimeUnknowns> root) {
-    auto& [q, residual, condition, path, paths, winding_number, status] = root;
-    return {typed<M>(std::move(q)), residual, condition, path, paths, winding_number, status};
-}
-template <class M>
-FailedPath<M> typed(FailedPath<RuntimeUnknowns> failed) {
-    return {failed.path, failed.reason, typed<M>(std::move(failed.q))};
-}
-
-/// The other way round.
-template <class M>
-[[gnu::cold]] Root<RuntimeUnknowns> untyped(const Root<M>& root) {
-    Root<RuntimeUnknowns> y{RuntimeArray<std::complex<double>>(root.q.size()),
-                            root.residual,
-                            root.condition,
-                            root.path,
-                            root.paths,
-                            root.winding_number,
-                            root.status};
-    std::copy(root.q.begin(), root.q.end(), y.q.begin());
     return y;
 }
 

@@ -135,4 +135,6 @@ std::optional<WeakDirection> factor_at_weakest(BorderedSolver<Matrix>& solver, c
 
 #ifndef EQUILIBRIA_COMPILED
 #include <equilibria/continuation/factorization/detail/bordered_definitions.hpp>
+#include <equilibria/continuation/factorization/detail/dense_factors_definitions.hpp>
+#include <equilibria/continuation/factorization/detail/sparse_factors_definitions.hpp>
 #endif

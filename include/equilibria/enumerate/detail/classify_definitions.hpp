@@ -3,13 +3,18 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <complex>
+#include <cstdint>
 #include <numbers>
+#include <utility>
 
 #include <Eigen/Core>
 
 #include <equilibria/core/dense_factorization.hpp>
 #include <equilibria/core/eigenvalues.hpp>
+#include <equilibria/core/sorted_order.hpp>
 #include <equilibria/enumerate/classify.hpp>
 #include <equilibria/stability/inertia.hpp>
 
@@ -88,6 +93,60 @@ EQUILIBRIA_INLINE Classification RootClassifier::classify(std::span<const double
         else
             y.index += z.real() < 0;
     y.margin = largest > 0 ? smallest / largest : 0;
+    return y;
+}
+
+EQUILIBRIA_INLINE double largest_imaginary(const Root<RuntimeUnknowns>& root) {
+    double y = 0;
+    for (const auto& q : root.q) y = std::max(y, std::abs(q.imag()));
+    return y;
+}
+
+EQUILIBRIA_INLINE Equilibrium<RuntimeUnknowns> equilibrium_of(const Root<RuntimeUnknowns>& root, RuntimeArray<double> q,
+                                                              const Classification& found) {
+    Equilibrium<RuntimeUnknowns> e;
+    e.q = std::move(q);
+    e.energy = found.energy;
+    e.index = found.index;
+    e.nullity = found.nullity;
+    e.margin = found.margin;
+    e.residual = root.residual;
+    e.condition = root.condition;
+    e.path = root.path;
+    e.multiplicity = root.paths;
+    if (root.status == PathStatus::singular && e.nullity == 0) e.nullity = 1;
+    return e;
+}
+
+EQUILIBRIA_INLINE RealRoots classify(const std::vector<Root<RuntimeUnknowns>>& roots, const RealEquations& equations,
+                                     const Executor& executor) {
+    std::vector<std::uint8_t> real(roots.size());
+    std::vector<RuntimeArray<double>> at(roots.size());
+    executor.for_blocks(roots.size(), 4096, [&](std::size_t first, std::size_t last) {
+        RootClassifier classifier(equations);
+        RuntimeArray<double> q(equations.sizes.unknowns);
+        for (std::size_t k = first; k < last; ++k) {
+            real[k] = classifier.is_real(view(roots[k]), {q.begin(), q.end()});
+            if (real[k]) at[k] = q;
+        }
+    });
+    RootClassifier classifier(equations);
+    RealRoots y;
+    y.equilibria.reserve(static_cast<std::size_t>(std::count(real.begin(), real.end(), 1)));
+    for (std::size_t k = 0; k < roots.size(); ++k) {
+        const double imaginary = largest_imaginary(roots[k]);
+        if (real[k]) {
+            const Classification found = classifier.classify({at[k].begin(), at[k].end()});
+            y.equilibria.push_back(equilibrium_of(roots[k], std::move(at[k]), found));
+            y.largest_real_imaginary = std::max(y.largest_real_imaginary, imaginary);
+        } else {
+            y.smallest_nonreal_imaginary = std::min(y.smallest_nonreal_imaginary, imaginary);
+        }
+    }
+    std::vector<std::array<std::int64_t, 3>> keys;
+    keys.reserve(y.equilibria.size());
+    for (const auto& e : y.equilibria) keys.push_back({e.index, e.nullity, static_cast<std::int64_t>(e.path)});
+    y.equilibria = in_order(sorted_order(keys), std::move(y.equilibria));
     return y;
 }
 

@@ -106,4 +106,31 @@ EQUILIBRIA_INLINE FoundFamilies find_families(const PolynomialHomotopy& homotopy
     return y;
 }
 
+EQUILIBRIA_INLINE RootFamilies split_families(std::vector<Root<RuntimeUnknowns>> roots,
+                                              const PolynomialHomotopy& homotopy, const Executor& executor) {
+    std::vector<std::size_t> numbers;
+    std::vector<Root<RuntimeUnknowns>> suspects;
+    for (std::size_t k = 0; k < roots.size(); ++k)
+        if (roots[k].status == PathStatus::singular || !(roots[k].condition < suspect_condition)) {
+            numbers.push_back(k);
+            suspects.push_back(roots[k]);
+        }
+    RootFamilies y;
+    if (!suspects.empty()) {
+        FoundFamilies found = find_families(homotopy, suspects, executor);
+        y.families = std::move(found.families);
+        y.regular_paths = found.regular_paths;
+        std::size_t kept = 0, next = 0;
+        for (std::size_t k = 0; k < roots.size(); ++k) {
+            const bool suspected = next < numbers.size() && numbers[next] == k;
+            if (suspected && found.on_one[next++]) continue;
+            if (kept != k) roots[kept] = std::move(roots[k]);
+            ++kept;
+        }
+        roots.resize(kept);
+    }
+    y.isolated = std::move(roots);
+    return y;
+}
+
 }  // namespace equilibria::detail

@@ -11,6 +11,11 @@
 
 namespace equilibria {
 
+EQUILIBRIA_INLINE ComplexRoots<> complex_roots(PathSet paths) {
+    auto [counts, failures] = account_for(paths);
+    return {counts, merge(paths), std::move(failures)};
+}
+
 EQUILIBRIA_INLINE ComplexRoots<> solve_multihomogeneous(const SparseSystem& system, std::span<const int> grouping,
                                                         const RunOptions& run, const TrackerOptions& options,
                                                         MoreDigits<> resort) {

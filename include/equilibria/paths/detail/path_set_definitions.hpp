@@ -52,8 +52,8 @@ EQUILIBRIA_INLINE Root<RuntimeUnknowns> reflected(Root<RuntimeUnknowns> root, st
 
 }  // namespace detail
 
-EQUILIBRIA_INLINE PathAccount<RuntimeUnknowns> account_for(PathSet& paths) {
-    PathAccount<RuntimeUnknowns> y;
+EQUILIBRIA_INLINE PathAccount account_for(PathSet& paths) {
+    PathAccount y;
     PathCounts& counts = y.counts;
     counts.retracked = paths.effort.retracked;
     counts.crossed = paths.effort.crossed;

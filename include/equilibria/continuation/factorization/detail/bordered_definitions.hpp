@@ -2,16 +2,14 @@
 /// See continuation/factorization/bordered.hpp.
 #pragma once
 
-#include <algorithm>
 #include <cmath>
+#include <memory>
+#include <optional>
 
-#include <Eigen/Eigenvalues>
-#include <Eigen/LU>
-#include <Eigen/SparseLU>
+#include <Eigen/Core>
 
 #include <equilibria/continuation/factorization/bordered.hpp>
 #include <equilibria/continuation/factorization/generic_vector.hpp>
-#include <equilibria/continuation/factorization/sparse_ldlt.hpp>
 
 namespace equilibria {
 
@@ -34,129 +32,6 @@ Matrix without(const Matrix& k, Border border, double corner) {
     }
     return y;
 }
-
-EQUILIBRIA_INLINE double largest_entry(const Eigen::MatrixXd& k) {
-    if (k.hasNaN()) return std::numeric_limits<double>::quiet_NaN();
-    return k.size() > 0 ? k.cwiseAbs().maxCoeff() : 0;
-}
-EQUILIBRIA_INLINE double largest_entry(const Eigen::SparseMatrix<double>& k) {
-    double y = 0;
-    for (Eigen::Index c = 0; c < k.outerSize(); ++c)
-        for (Eigen::SparseMatrix<double>::InnerIterator entry(k, c); entry; ++entry)
-            if (std::isnan(entry.value()))
-                return entry.value();
-            else
-                y = std::max(y, std::abs(entry.value()));
-    return y;
-}
-
-EQUILIBRIA_INLINE double largest_force(const Eigen::MatrixXd& k, const Eigen::VectorXd& weights, Eigen::Index own) {
-    double y = 0;
-    for (Eigen::Index c = 0; c < own; ++c) y = std::max(y, k.col(c).cwiseAbs().maxCoeff() / std::sqrt(weights(c)));
-    return y;
-}
-EQUILIBRIA_INLINE double largest_force(const Eigen::SparseMatrix<double>& k, const Eigen::VectorXd& weights,
-                                       Eigen::Index own) {
-    double y = 0;
-    for (Eigen::Index c = 0; c < own; ++c) {
-        double column = 0;
-        for (Eigen::SparseMatrix<double>::InnerIterator entry(k, c); entry; ++entry)
-            column = std::max(column, std::abs(entry.value()));
-        y = std::max(y, column / std::sqrt(weights(c)));
-    }
-    return y;
-}
-
-// Templates, so that a program compiles what it uses of both.
-
-/// L U of a dense K without its border.
-template <class Matrix>
-class BorderedFactors {
-public:
-    BorderedFactors(bool, int) {}
-
-    /// The sign of the determinant, 0 where it is singular to working precision.
-    int factor(const Matrix& without) {
-        lu_.compute(without);
-        const double determinant_sign = lu_.permutationP().determinant() < 0 ? -1 : 1;
-        double sign = determinant_sign, smallest = std::numeric_limits<double>::infinity(), largest = 0;
-        for (Eigen::Index k = 0; k < without.rows(); ++k) {
-            const double pivot = lu_.matrixLU()(k, k);
-            if (pivot < 0) sign = -sign;
-            smallest = std::min(smallest, std::abs(pivot));
-            largest = std::max(largest, std::abs(pivot));
-        }
-        if (!(smallest > 4 * std::numeric_limits<double>::epsilon() * largest)) return 0;
-        return sign < 0 ? -1 : 1;
-    }
-    Eigen::VectorXd solve(const Eigen::VectorXd& f, bool transposed) const {
-        return transposed ? Eigen::VectorXd(lu_.transpose().solve(f)) : Eigen::VectorXd(lu_.solve(f));
-    }
-    /// Of a symmetric K, the border included.
-    static std::optional<TangentInertia> inertia(const Matrix& k, double) {
-        TangentInertia y;
-        const Eigen::SelfAdjointEigenSolver<Matrix> eigen(k, Eigen::EigenvaluesOnly);
-        const Eigen::VectorXd& values = eigen.eigenvalues();  // in increasing order
-        y.negative = static_cast<int>((values.array() < 0).count());
-        if (y.negative > 0) y.below = values(y.negative - 1);
-        if (y.negative < values.size()) y.above = values(y.negative);
-        return y;
-    }
-
-private:
-    Eigen::PartialPivLU<Matrix> lu_;
-};
-
-/// L D L^T of a sparse K without its border, or L U.
-template <class Number>
-class BorderedFactors<Eigen::SparseMatrix<Number>> {
-public:
-    using Matrix = Eigen::SparseMatrix<Number>;
-    BorderedFactors(bool symmetric, int multipliers) : symmetric_(symmetric), ldlt_(multipliers) {}
-
-    /// The sign of the determinant, 0 where it is singular to working precision.
-    int factor(const Matrix& without) {
-        negative_.reset();
-        use_lu_ = !symmetric_;
-        if (symmetric_) {
-            use_lu_ = !ldlt_.factor(without) || !safe(without);
-            if (!use_lu_) {
-                negative_ = ldlt_.negative();
-                return *negative_ % 2 == 0 ? 1 : -1;
-            }
-        }
-        lu_.compute(without);
-        if (lu_.info() != Eigen::Success) return 0;
-        return lu_.signDeterminant() < 0 ? -1 : 1;
-    }
-    Eigen::VectorXd solve(const Eigen::VectorXd& f, bool transposed) const {
-        if (!use_lu_) return ldlt_.solve(f);
-        // SparseLU's transposed view is not const in Eigen 3.4
-        return transposed ? Eigen::VectorXd(const_cast<LU&>(lu_).transpose().solve(f)) : Eigen::VectorXd(lu_.solve(f));
-    }
-    std::optional<TangentInertia> inertia(const Matrix&, double sigma) const {
-        if (!negative_) return std::nullopt;
-        TangentInertia y;
-        y.negative = *negative_ + (sigma > 0 ? 1 : 0);
-        return y;
-    }
-
-private:
-    using LU = Eigen::SparseLU<Matrix>;
-
-    /// Whether the factors without pivoting reproduce a vector.
-    bool safe(const Matrix& without) const {
-        const Eigen::VectorXd f = Eigen::VectorXd::Ones(without.rows());
-        const Eigen::VectorXd x = ldlt_.solve(f);
-        const double size = largest_entry(without) * x.lpNorm<Eigen::Infinity>() + 1;
-        return (without * x - f).template lpNorm<Eigen::Infinity>() < 1e-9 * size;
-    }
-
-    bool symmetric_, use_lu_ = false;
-    std::optional<int> negative_;
-    SparseLDLT ldlt_;
-    LU lu_;
-};
 
 }  // namespace detail
 
@@ -216,7 +91,7 @@ namespace detail {
 
 /// How many of the unknowns may hold the border: multipliers, the last ones, only where the weakest direction is one of
 /// multipliers alone, at a dead point of a mechanism.
-EQUILIBRIA_INLINE Eigen::Index border_candidates(const Eigen::VectorXd& direction, int multipliers) {
+inline Eigen::Index border_candidates(const Eigen::VectorXd& direction, int multipliers) {
     const Eigen::Index own = direction.size() - multipliers;
     return direction.head(own).norm() < 0.01 * direction.norm() ? direction.size() : own;
 }
@@ -225,12 +100,10 @@ EQUILIBRIA_INLINE Eigen::Index border_candidates(const Eigen::VectorXd& directio
 /// diagonal disturbed so that it is regular.
 template <class Matrix>
 Border border_for(const Matrix& k, const Eigen::VectorXd& weights, int multipliers, bool symmetric) {
-    using LU = std::conditional_t<(!BorderedSolver<Matrix>::sparse), Eigen::PartialPivLU<Eigen::MatrixXd>,
-                                  Eigen::SparseLU<Eigen::SparseMatrix<double>>>;
     const Eigen::VectorXd noise = 1e-8 * largest_entry(k) * generic_vector(k.rows(), 1);
     Matrix disturbed = k;
     disturbed += Matrix(noise.asDiagonal());
-    LU lu;
+    typename BorderedFactors<Matrix>::LU lu;
     lu.compute(disturbed);
     Eigen::VectorXd right = generic_vector(k.rows()), left = right;
     for (int iteration = 0; iteration < 3; ++iteration) {
@@ -333,19 +206,5 @@ std::optional<WeakDirection> factor_at_weakest(BorderedSolver<Matrix>& solver, c
     y.eigenvalue = (symmetric ? y.direction : y.left).dot(k * y.direction);
     return y;
 }
-
-#ifdef EQUILIBRIA_COMPILED
-template class BorderedSolver<Eigen::MatrixXd>;
-template class BorderedSolver<Eigen::SparseMatrix<double>>;
-template std::optional<WeakDirection> factor_at_weakest(BorderedSolver<Eigen::MatrixXd>&, const Eigen::MatrixXd&,
-                                                        const Eigen::VectorXd&, int, Border&);
-template std::optional<WeakDirection> factor_at_weakest(BorderedSolver<Eigen::SparseMatrix<double>>&,
-                                                        const Eigen::SparseMatrix<double>&, const Eigen::VectorXd&, int,
-                                                        Border&);
-template bool detail::factor_with_border(BorderedSolver<Eigen::MatrixXd>&, const Eigen::MatrixXd&,
-                                         const Eigen::VectorXd&, int, Border&);
-template bool detail::factor_with_border(BorderedSolver<Eigen::SparseMatrix<double>>&,
-                                         const Eigen::SparseMatrix<double>&, const Eigen::VectorXd&, int, Border&);
-#endif
 
 }  // namespace equilibria

@@ -1,0 +1,1 @@
+#include <equilibria/core/detail/orthogonal_solvers_definitions.hpp>

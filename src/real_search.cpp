@@ -1,1 +1,0 @@
-#include <equilibria/certify/detail/real_search_definitions.hpp>

@@ -1,0 +1,1 @@
+#include <equilibria/continuation/factorization/detail/redundant_constraints_definitions.hpp>

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include <equilibria/enumerate/alarms.hpp>
 #include <equilibria/enumerate/classify.hpp>
 #include <equilibria/enumerate/root_set.hpp>
 #include <equilibria/homotopy/model_homotopy.hpp>

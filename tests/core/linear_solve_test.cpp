@@ -112,7 +112,7 @@ TEST_CASE("each lane pivots for itself, and a singular lane leaves the others al
         Complex<Two> a[2][2];
         for (int i = 0; i < 2; ++i)
             for (int j = 0; j < 2; ++j) set_lane(a[i][j], 0, first[i][j]), set_lane(a[i][j], 1, second[i][j]);
-        for (int i = 0; i < 2; ++i) x[i] = broadcast_complex<Two>(i + 1.0);
+        for (int i = 0; i < 2; ++i) x[i] = Complex<Two>(i + 1.0);
         PivotedFactorization<Two> lu(2);
         lu.factor(a);
         lu.solve(x);

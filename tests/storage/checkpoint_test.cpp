@@ -78,6 +78,7 @@ Endpoint random_endpoint(Generator& generator) {
     e.arrival = static_cast<Arrival>(generator() % 3);
     e.status = static_cast<PathStatus>(generator() % 4);
     e.reason = static_cast<FailureReason>(generator() % 4);
+    e.precision = static_cast<Precision>(generator() % 2);
     e.winding_number = static_cast<std::int16_t>(generator());
     e.evidence = {any(), any(), any()};
     return e;
@@ -97,6 +98,7 @@ std::vector<std::uint64_t> bits(const Endpoint& e) {
     all.push_back(static_cast<std::uint64_t>(e.arrival));
     all.push_back(static_cast<std::uint64_t>(e.status));
     all.push_back(static_cast<std::uint64_t>(e.reason));
+    all.push_back(static_cast<std::uint64_t>(e.precision));
     return all;
 }
 
@@ -136,7 +138,7 @@ TEST_CASE("every field of an endpoint comes back bit by bit, whatever it holds")
     CHECK(bits(two[0]) == bits(ends[23]));
     CHECK(bits(two[1]) == bits(ends[24]));
     // 5 points of the plane, 4 numbers, and the rest: 4 + 2 + 3 bytes
-    CHECK(Checkpoint::endpoint_size(sizes) == 5 * 16 + 4 * 8 + 9);
+    CHECK(Checkpoint::endpoint_size(sizes) == 5 * 16 + 4 * 8 + 10);
     CHECK(scratch.bytes().size() ==
           1536 + std::string("model: everything\n").size() + 2 * (16 + 16) + 15 * Checkpoint::endpoint_size(sizes));
 }
@@ -265,6 +267,8 @@ TEST_CASE("the checkpoint of another model, seed, parameter, start or option is 
           "is of another run: its smallest_step is 9.9999999999999998e-13, this run's is 0.0009765625");
     CHECK(said([](auto&, auto&, auto& o) { o.endgame_start = 0.0625; }) ==
           "is of another run: its endgame_start is 1.0000000000000001e-05, this run's is 0.0625");
+    CHECK(said([](auto&, auto&, auto& o) { o.single_precision = false; }) ==
+          "is of another run: its single_precision is yes, this run's is no");
     CHECK(said([](auto&, auto&, auto& o) { o.most_steps = 100; }) ==
           "is of another run: its most_steps is 3000, this run's is 100");
     CHECK(said([](auto&, auto& o, auto&) { o.executor = threads(2); }) == "nothing was refused");

@@ -117,8 +117,8 @@ constexpr Complex<R> operator/(double a, const Complex<R>& b) {
 }
 
 /// The same complex number in every lane.
-template <class R>
-Complex<R> broadcast_complex(const std::complex<double>& z) {
+template <class R, class A = double>
+Complex<R> broadcast_complex(const std::complex<A>& z) {
     return {broadcast<R>(static_cast<typename LaneTraits<R>::Scalar>(z.real())),
             broadcast<R>(static_cast<typename LaneTraits<R>::Scalar>(z.imag()))};
 }

@@ -1,12 +1,15 @@
 /// \file
-/// SIMD lanes: W doubles that are added, multiplied and compared together, one path of a homotopy a lane.
+/// SIMD lanes: W doubles, or W floats, that are added, multiplied and compared together, one path of a homotopy a lane.
 ///
 /// They are the vector extension of GCC and Clang, so the compiler maps them onto whatever the target has, and the
-/// numeric code is written once: it runs over `Lanes<8>`, over `double` and over any multiprecision float. The few
-/// operations in which those differ (choose by a mask, read or write one lane) are the overloads below.
+/// numeric code is written once: it runs over `Lanes<8>`, over `FloatLanes<16>`, over `double` and over any
+/// multiprecision float. The few operations in which those differ (choose by a mask, read or write one lane) are the
+/// overloads below.
 #pragma once
 
 #include <cmath>
+#include <concepts>
+#include <cstddef>
 #include <cstdint>
 #include <type_traits>
 #include <utility>
@@ -34,12 +37,63 @@ inline constexpr int native_lanes = 4;
 inline constexpr int native_lanes = 2;
 #endif
 
+/// W floats side by side; W is a power of two, at least 4. Numbers of doubles that take part are rounded to float,
+/// which the bare vector extension refuses to do.
+template <int W>
+struct FloatLanes {
+    typedef float Values __attribute__((vector_size(W * 4)));
+    typedef std::int32_t Mask __attribute__((vector_size(W * 4)));
+    Values values;
+
+    friend constexpr FloatLanes operator+(const FloatLanes& a, const FloatLanes& b) { return {a.values + b.values}; }
+    friend constexpr FloatLanes operator-(const FloatLanes& a, const FloatLanes& b) { return {a.values - b.values}; }
+    friend constexpr FloatLanes operator*(const FloatLanes& a, const FloatLanes& b) { return {a.values * b.values}; }
+    friend constexpr FloatLanes operator/(const FloatLanes& a, const FloatLanes& b) { return {a.values / b.values}; }
+    friend constexpr FloatLanes operator-(const FloatLanes& a) { return {-a.values}; }
+    friend constexpr Mask operator<(const FloatLanes& a, const FloatLanes& b) { return a.values < b.values; }
+    friend constexpr Mask operator>(const FloatLanes& a, const FloatLanes& b) { return a.values > b.values; }
+    friend constexpr Mask operator>=(const FloatLanes& a, const FloatLanes& b) { return a.values >= b.values; }
+
+    template <std::floating_point A>
+    friend constexpr FloatLanes operator+(const FloatLanes& a, A b) {
+        return {a.values + static_cast<float>(b)};
+    }
+    template <std::floating_point A>
+    friend constexpr FloatLanes operator+(A a, const FloatLanes& b) {
+        return {static_cast<float>(a) + b.values};
+    }
+    template <std::floating_point A>
+    friend constexpr FloatLanes operator-(const FloatLanes& a, A b) {
+        return {a.values - static_cast<float>(b)};
+    }
+    template <std::floating_point A>
+    friend constexpr FloatLanes operator-(A a, const FloatLanes& b) {
+        return {static_cast<float>(a) - b.values};
+    }
+    template <std::floating_point A>
+    friend constexpr FloatLanes operator*(const FloatLanes& a, A b) {
+        return {a.values * static_cast<float>(b)};
+    }
+    template <std::floating_point A>
+    friend constexpr FloatLanes operator*(A a, const FloatLanes& b) {
+        return {static_cast<float>(a) * b.values};
+    }
+    template <std::floating_point A>
+    friend constexpr FloatLanes operator/(A a, const FloatLanes& b) {
+        return {static_cast<float>(a) / b.values};
+    }
+    friend constexpr FloatLanes select(const Mask& mask, const FloatLanes& a, const FloatLanes& b) {
+        return {mask ? a.values : b.values};
+    }
+};
+
 /// What generic code must know about a real type that may be a pack of lanes.
 template <class R>
 struct LaneTraits {
     static constexpr int width = 1;
     using Scalar = R;  ///< the type of one lane
     using Mask = bool;
+    using Constant = double;  ///< that the constants of a system are held in
 };
 template <class R>
 requires(!std::is_arithmetic_v<R> && std::is_arithmetic_v<std::remove_reference_t<decltype(std::declval<R&>()[0])>> &&
@@ -48,31 +102,52 @@ struct LaneTraits<R> {
     static constexpr int width = static_cast<int>(sizeof(R) / sizeof(double));
     using Scalar = double;
     using Mask = decltype(R{} < R{});
+    using Constant = double;
+};
+template <int W>
+struct LaneTraits<FloatLanes<W>> {
+    static constexpr int width = W;
+    using Scalar = float;
+    using Mask = typename FloatLanes<W>::Mask;
+    using Constant = float;
 };
 
 template <class R>
 inline constexpr bool is_pack = LaneTraits<R>::width > 1;
 
+/// Packs of floats, and float itself.
+template <class R>
+inline constexpr bool is_single = std::is_same_v<typename LaneTraits<R>::Scalar, float>;
+
 /// The same value in every lane.
 template <class R>
 constexpr R broadcast(const typename LaneTraits<R>::Scalar& value) {
     if constexpr (is_pack<R>)
-        return R{} + value;
+        return value - R{};  // value, of either sign: a broadcast alone, where R{} + value is an addition as well
     else
         return value;
+}
+template <class R>
+requires is_single<R>
+constexpr R broadcast(double value) {
+    return broadcast<R>(static_cast<float>(value));
 }
 
 /// Lane k of a pack; a scalar has the one lane 0.
 template <class R>
 typename LaneTraits<R>::Scalar lane(const R& pack, int k) {
-    if constexpr (is_pack<R>)
+    if constexpr (is_pack<R> && is_single<R>)
+        return pack.values[k];
+    else if constexpr (is_pack<R>)
         return pack[k];
     else
         return pack;
 }
 template <class R>
 void set_lane(R& pack, int k, const typename LaneTraits<R>::Scalar& value) {
-    if constexpr (is_pack<R>)
+    if constexpr (is_pack<R> && is_single<R>)
+        pack.values[k] = value;
+    else if constexpr (is_pack<R>)
         pack[k] = value;
     else
         pack = value;
@@ -111,7 +186,7 @@ bool all_lanes(const Mask& m) {
     if constexpr (std::is_same_v<Mask, bool>) {
         return m;
     } else {
-        for (int k = 0; k < static_cast<int>(sizeof(Mask) / sizeof(std::int64_t)); ++k)
+        for (int k = 0; k < static_cast<int>(sizeof(Mask) / sizeof(m[0])); ++k)
             if (m[k] == 0) return false;
         return true;
     }
@@ -130,7 +205,7 @@ template <class R>
 R square_root(const R& a) {
     if constexpr (is_pack<R>) {
         R y;
-        for (int k = 0; k < LaneTraits<R>::width; ++k) y[k] = std::sqrt(a[k]);
+        for (int k = 0; k < LaneTraits<R>::width; ++k) set_lane(y, k, std::sqrt(lane(a, k)));
         return y;
     } else {
         using std::sqrt;

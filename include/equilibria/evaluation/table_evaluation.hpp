@@ -37,11 +37,12 @@ public:
           sum_(static_cast<std::size_t>(moving_ ? H::law_order + 1 : 1) * (order + 1) * groups_),
           blend_((order + 1) * groups_), current_(moving_ ? tables_->operand.size() : 0) {
         by_share_.reserve(tables_->shares.size());
-        for (const auto& share : tables_->shares) by_share_.push_back(h.target(share.term));
+        for (const auto& share : tables_->shares) by_share_.push_back(static_cast<Constant>(h.target(share.term)));
         for (const auto& t : h.forms().terms) {
             const int own = tables_->factor(t.equation, t.code);
             for (int g = first_group(t.equation); g < first_group(t.equation + 1); ++g)
-                if (group(g).own_factor == own) start_[static_cast<std::size_t>(g)] += t.coefficient;
+                if (group(g).own_factor == own)
+                    start_[static_cast<std::size_t>(g)] += std::complex<Constant>(t.coefficient);
         }
         if (form_.empty()) return;
         for (auto& g : products_) g = SizedArray<Z, at_run_time>(n_);
@@ -80,7 +81,8 @@ public:
             f[i] = zero();
             for (int g = first_group(i); g < first_group(i + 1); ++g) {
                 sum[g] = total(group(g), factors_.values(0), target());
-                if (group(g).constant >= 0) sum[g] = sum[g] + number(h_->target(group(g).constant));
+                if (group(g).constant >= 0)
+                    sum[g] = sum[g] + number(static_cast<Constant>(h_->target(group(g).constant)));
                 f[i] += with_own_factor(group(g), sum[g]);
             }
         }
@@ -129,14 +131,18 @@ public:
 
 private:
     using Group = TermTables::Group;
+    using Constant = typename LaneTraits<R>::Constant;
     /// Of a group: the sums over its terms of the Taylor coefficients 0, 1, .. of the term's coefficient, each times
     /// the same Taylor coefficient of the operand. Where coefficients do not move, there is the target's alone.
     template <bool Moving>
     using Sums = std::array<Z, Moving ? H::law_order + 1 : 1>;
 
     static Z zero() { return {broadcast<R>(0.0), broadcast<R>(0.0)}; }
-    static auto number(double a) { return broadcast<R>(a); }
-    static auto number(const std::complex<double>& a) { return broadcast_complex<R>(a); }
+    static auto number(Constant a) { return broadcast<R>(a); }
+    template <class A>
+    static auto number(const std::complex<A>& a) {
+        return broadcast_complex<R>(a);
+    }
     static Z number(const Z& a) { return a; }
 
     int first_group(int equation) const { return tables_->first_group[static_cast<std::size_t>(equation)]; }
@@ -205,7 +211,7 @@ private:
     Sums<Moving> sums(int k, const Group& group) const {
         if constexpr (!Moving) {
             Z y = total(group, factors_.values(k), target());
-            if (k == 0 && group.constant >= 0) y = y + number(h_->target(group.constant));
+            if (k == 0 && group.constant >= 0) y = y + number(static_cast<Constant>(h_->target(group.constant)));
             return {y};
         } else {
             return [&]<int... law>(std::integer_sequence<int, law...>) -> Sums<Moving> {
@@ -239,8 +245,8 @@ private:
             if (k > 0) y += kept_sums(0, k - 1)[g];
         }
         if (k > 1) return y;
-        const std::complex<double>& start = start_[static_cast<std::size_t>(g)];
-        if (start == 0.0) return y;
+        const std::complex<Constant>& start = start_[static_cast<std::size_t>(g)];
+        if (start == std::complex<Constant>()) return y;
         if (k == 0)
             y += (1.0 - time_) * broadcast_complex<R>(start);
         else
@@ -288,8 +294,8 @@ private:
     FactorSeries<R> factors_;
     StartFormSeries<R> form_;
     std::size_t groups_;
-    std::vector<std::complex<double>> start_;  // of each group: the coefficient of its own factor in G
-    std::vector<double> by_share_;             // of each share: the target's coefficient
+    std::vector<std::complex<Constant>> start_;  // of each group: the coefficient of its own factor in G
+    std::vector<Constant> by_share_;             // of each share: the target's coefficient
     AlignedVector<Z> sum_, blend_;
     AlignedVector<Z> current_;                                    // where coefficients move
     std::array<SizedArray<Z, at_run_time>, order + 1> products_;  // the Taylor coefficients of the products of G

@@ -16,6 +16,13 @@ enum class Arrival : std::uint8_t {
     stuck     ///< the step control gave up, or the steps ran out
 };
 
+/// The numbers that a path was tracked with at last.
+enum class Precision : std::uint8_t {
+    as_begun,    ///< those of the whole run
+    in_double,   ///< single precision could not carry it to its end: it went on in double from where it was
+    more_digits  ///< more than double has, from its start
+};
+
 /// What became of a path, with the evidence.
 struct Endpoint {
     RuntimePoint<double> q;
@@ -24,7 +31,7 @@ struct Endpoint {
     Arrival arrival = Arrival::stuck;
     PathStatus status = PathStatus::failed;
     FailureReason reason = FailureReason::none;
-    bool more_digits = false;         ///< tracked with more digits than double has
+    Precision precision = Precision::as_begun;
     std::int16_t winding_number = 1;  ///< of the path at t = 1; more than 1 only at a singular endpoint
     PolishedEvidence evidence;
 };

@@ -21,7 +21,10 @@ class LaneTracker {
 public:
     LaneTracker(const H& homotopy, const TrackerOptions& options, std::span<const std::uint64_t> paths,
                 const StartPoint& start, std::span<Endpoint> ends)
-        : options_(&options), paths_(paths), start_(&start), ends_(ends), stepper_(homotopy, options),
+        : options_(&options),
+          endgame_start_(is_single<R> ? std::max(options.endgame_start, 1e-3) : options.endgame_start),
+          smallest_step_(is_single<R> ? std::max(options.smallest_step, 1e-5) : options.smallest_step), paths_(paths),
+          start_(&start), ends_(ends), stepper_(homotopy, options),
           q_(point_of_zeros<RuntimeUnknowns, R>(homotopy.sizes())) {
         for (int k = 0; k < width; ++k) load(k);
         fill_idle();
@@ -30,30 +33,31 @@ public:
     void run() {
         while (running_ > 0) {
             stepper_.expand(q_, t_);
-            begin_fresh();
+            if (any_fresh_) begin_fresh();
             const auto& outcome = stepper_.step(q_, t_, h_);
             take_where(outcome.accepted, outcome.q, q_);
             const R before = t_;
             t_ = select(outcome.accepted, t_ + outcome.step, t_);
             h_ = lane_min(outcome.next_step, 1.0 - t_);
-            settle(before, outcome.step, outcome.next_step);
+            settle(before, outcome);
         }
     }
 
 private:
+    using Steps = Stepper<H, R, R, Pivoted>;
+    using Scalar = typename LaneTraits<R>::Scalar;
     static constexpr int width = LaneTraits<R>::width;
 
     void load(int k) {
-        fresh_[k] = next_ < paths_.size();
-        any_fresh_ = any_fresh_ || fresh_[k];
-        path_[k] = fresh_[k] ? static_cast<std::int64_t>(next_++) : -1;
-        set_lane(t_, k, fresh_[k] ? 0.0 : 1.0);
-        set_lane(h_, k, 0.0);
-        steps_[k] = 0;
-        if (fresh_[k]) {
-            ++running_;
-            copy_lane((*start_)(paths_[static_cast<std::size_t>(path_[k])]), 0, q_, k);
-        }
+        const bool loaded = next_ < paths_.size();
+        path_[k] = loaded ? static_cast<std::int64_t>(next_++) : -1;
+        if (!loaded) return;
+        ++running_;
+        const Endpoint& end = ends_[static_cast<std::size_t>(path_[k])];
+        set_lane(t_, k, static_cast<Scalar>(end.t));
+        steps_[k] = end.steps;
+        copy_lane(end.t > 0 ? end.q : (*start_)(paths_[static_cast<std::size_t>(path_[k])]), 0, q_, k);
+        fresh_[k] = any_fresh_ = true;
     }
     /// Idle lanes go with a lane that runs. On their own they would rest at a solution, where what Newton's method
     /// corrects dies away into denormal numbers, each of which costs a processor a hundred cycles.
@@ -81,36 +85,36 @@ private:
         load(k);
     }
     void begin_fresh() {
-        if (!any_fresh_) return;
-        const R first = stepper_.first_step();
+        const R first = lane_min(stepper_.first_step(), 1.0 - t_);
         for (int k = 0; k < width; ++k)
             if (fresh_[k]) set_lane(h_, k, lane(first, k)), fresh_[k] = false;
         any_fresh_ = false;
     }
     /// Counts the step that was tried from the time `before`, and finishes the paths that go no further.
-    void settle(const R& before, const R& step, const R& next_step) {
+    void settle(const R& before, const typename Steps::Outcome& outcome) {
+        const R &step = outcome.step, &next_step = outcome.next_step;
         const R far = farthest2(q_), remaining = 1.0 - t_;
         const R reached = step - (1.0 - before);  // 0 where the step went to the end
         int most_steps = 0;
         for (int k = 0; k < width; ++k) most_steps = std::max(most_steps, ++steps_[k]);
         // what most steps are, for all lanes at once: inside, and nowhere near an end
-        const auto inside = mask_and(remaining > R{} + options_->endgame_start, reached < R{});
-        const auto fit = mask_and(mask_not(far > R{} + far_away2), next_step > R{} + options_->smallest_step);
+        const auto inside = mask_and(remaining > R{} + endgame_start_, reached < R{});
+        const auto fit = mask_and(mask_not(far > R{} + far_away2), next_step > R{} + smallest_step_);
         if (all_lanes(mask_and(inside, fit)) && most_steps < options_->most_steps) return;
         for (int k = 0; k < width; ++k) {
             if (path_[k] < 0) continue;
             const auto number = [k](const R& pack) { return static_cast<double>(lane(pack, k)); };
             const double left = number(remaining);
             const bool accepted = lane(t_, k) != lane(before, k) || lane(step, k) == 0;
-            if (accepted && (left <= 1e-15 || number(reached) >= 0)) {
-                set_lane(t_, k, 1.0);
+            if (accepted && (left <= end_ || number(reached) >= 0)) {
+                set_lane(t_, k, Scalar(1));
                 finish(k, Arrival::end, FailureReason::none);
             } else if (number(far) > far_away2) {
                 finish(k, Arrival::endgame, FailureReason::none);
-            } else if (left < options_->endgame_start &&  // the next step falls short of t = 1, or this one did
+            } else if (left < endgame_start_ &&  // the next step falls short of t = 1, or this one did
                        (number(h_) < 0.9 * left || number(reached) < -0.1 * (1 - number(before)))) {
                 finish(k, Arrival::endgame, FailureReason::none);
-            } else if (!(number(next_step) > options_->smallest_step)) {
+            } else if (!(number(next_step) > smallest_step_)) {
                 finish(k, Arrival::stuck, FailureReason::step_too_small);
             } else if (steps_[k] >= options_->most_steps) {
                 finish(k, Arrival::stuck, FailureReason::too_many_steps);
@@ -119,11 +123,14 @@ private:
         if (next_ == paths_.size()) fill_idle();
     }
 
+    static constexpr double end_ = is_single<R> ? 2e-7 : 1e-15;  // what is left of t at most at its end
+
     const TrackerOptions* options_;
+    double endgame_start_, smallest_step_;
     std::span<const std::uint64_t> paths_;
     const StartPoint* start_;
     std::span<Endpoint> ends_;
-    Stepper<H, R, R, Pivoted> stepper_;
+    Steps stepper_;
     RuntimePoint<R> q_;
     R t_ = broadcast<R>(1.0), h_ = broadcast<R>(0.0);
     std::int64_t path_[width];  // -1: idle
@@ -135,8 +142,9 @@ private:
 
 }  // namespace detail
 
-/// Tracks from t = 0 the paths that start at `start(path)`, a RuntimePoint<double>, for each of `paths`; where
-/// paths[k] was left goes to ends[k] (q, t, steps, arrival, reason). R: the pack of lanes, or a scalar type.
+/// Tracks from t = 0 the paths that start at `start(path)`, a RuntimePoint<double>, for each of `paths`, or from
+/// (ends[k].q, ends[k].t) where that has a t > 0; where paths[k] was left goes to ends[k] (q, t, steps, arrival,
+/// reason). R: the pack of lanes, or a scalar type.
 template <class R, bool Pivoted, class H, class StartPoint>
 void track_lanes(const H& homotopy, const TrackerOptions& options, std::span<const std::uint64_t> paths,
                  const StartPoint& start, std::span<Endpoint> ends) {

@@ -85,6 +85,9 @@ public:
     }
 
     const std::vector<double>& scale() const { return scale_; }
+    /// The same paths in numbers of a size that single precision can work with: each equation divided by a power of
+    /// two near its largest coefficient, all by the same one where the Jacobian is symmetric.
+    PolynomialHomotopy scaled() const;
     /// The system's own equations at q. `polynomials` has their values as polynomials, and is left as it is where the
     /// system has no other form.
     template <class R>

@@ -33,10 +33,11 @@ struct PadePredictor {
     /// An unknown's series behaves like a geometric one, with quotient q_3 / q_2, and sqrt(q_3 / q_1) where q_2 happens
     /// to vanish. An unknown that rests (a symmetric path) has none.
     static R pole(const auto& taylor, int n) {
-        R nearest4 = broadcast<R>(1e40);
+        // coefficients below these (squared) are rounding
+        constexpr double rest = is_single<R> ? 1e-10 : 1e-20, rest3 = is_single<R> ? 1e-12 : 1e-24;
+        R nearest4 = broadcast<R>(is_single<R> ? 1e36 : 1e40);
         for (int u = 0; u < n; ++u) {
-            const R a1 = norm2(taylor[0][u]) + 1e-20, a2 = norm2(taylor[1][u]) + 1e-20,
-                    a3 = norm2(taylor[2][u]) + 1e-24;
+            const R a1 = norm2(taylor[0][u]) + rest, a2 = norm2(taylor[1][u]) + rest, a3 = norm2(taylor[2][u]) + rest3;
             const R by = 1.0 / a3;
             nearest4 = lane_min(nearest4, lane_max(a2 * a2 * by, 0.0625 * a1) * by);
         }

@@ -16,6 +16,7 @@ struct TrackerOptions {
     double smallest_step = 1e-12;       ///< a path that needs a smaller one fails
     double endgame_start = 1e-5;        ///< a path that can't reach t = 1 in one step from 1 - this goes to the endgame
     int most_steps = 3000;              ///< steps of one path, refused ones included
+    bool single_precision = true;       ///< where it pays; false: doubles alone
 
     void validate() const {
         require(contraction > 0 && contraction <= 0.05, "contraction", contraction, "must be in (0, 0.05]");

@@ -29,8 +29,8 @@ namespace equilibria::detail {
 /// bindings name all fields of each type, so that one more cannot be forgotten here.
 template <class Archive, class E>
 void transfer(Archive& a, E& end) {
-    // more_digits is false of all that is written: such paths are tracked after the others, from what is in the file
-    [[maybe_unused]] auto& [q, t, steps, arrival, status, reason, more_digits, winding_number, evidence] = end;
+    // nothing that is written has more digits: such paths are tracked after the others, from what is in the file
+    auto& [q, t, steps, arrival, status, reason, precision, winding_number, evidence] = end;
     auto& [c, s, x] = q;
     auto& [residual, condition, correction] = evidence;
     for (auto& z : c) a(z.re), a(z.im);
@@ -38,6 +38,7 @@ void transfer(Archive& a, E& end) {
     for (auto& z : x) a(z.re), a(z.im);
     a(t), a(residual), a(condition), a(correction), a(steps), a(winding_number);
     a(arrival, Arrival::stuck), a(status, PathStatus::failed), a(reason, FailureReason::endgame_undecided);
+    a(precision, Precision::in_double);
 }
 
 /// Appends numbers to bytes, little-endian.
@@ -109,7 +110,7 @@ inline CheckpointFields checkpoint_header(const CheckpointFields& model, const C
     fields.insert(fields.end(), model.begin(), model.end());
     fields.push_back({"seed", std::to_string(seed)});
     const auto& [contraction, largest_contraction, largest_turn, pole_fraction, smallest_step, endgame_start,
-                 most_steps] = tracker;
+                 most_steps, single_precision] = tracker;
     fields.push_back({"contraction", to_text(contraction)});
     fields.push_back({"largest_contraction", to_text(largest_contraction)});
     fields.push_back({"largest_turn", to_text(largest_turn)});
@@ -117,6 +118,7 @@ inline CheckpointFields checkpoint_header(const CheckpointFields& model, const C
     fields.push_back({"smallest_step", to_text(smallest_step)});
     fields.push_back({"endgame_start", to_text(endgame_start)});
     fields.push_back({"most_steps", to_text(most_steps)});
+    fields.push_back({"single_precision", single_precision ? "yes" : "no"});
     fields.push_back({"build", build_name()});
     fields.push_back({"start", std::string(start)});
     fields.push_back({"paths", std::to_string(paths) + " in blocks of " + std::to_string(block)});
@@ -130,7 +132,7 @@ public:
     static constexpr std::uint64_t block_head = 8 + 8;
     /// Bytes of an endpoint.
     static std::uint64_t endpoint_size(const RuntimeSizes& sizes) {
-        return 16 * static_cast<std::uint64_t>(2 * sizes.angles + sizes.coordinates) + 4 * 8 + 4 + 2 + 3;
+        return 16 * static_cast<std::uint64_t>(2 * sizes.angles + sizes.coordinates) + 4 * 8 + 4 + 2 + 4;
     }
 
     /// Opens or creates the file and checks all of it; take(block, endpoints, retracked) gets each block that

@@ -29,8 +29,8 @@ public:
     bool empty() const { return others_.empty(); }
     void set(std::uint64_t k, const Endpoint& end) {
         auto& other = others_[k];
-        const auto& [q, t, steps, arrival, status, reason, more_digits, winding_number, evidence] = end;
-        other = {t, evidence, steps, winding_number, arrival, status, reason, more_digits};
+        const auto& [q, t, steps, arrival, status, reason, precision, winding_number, evidence] = end;
+        other = {t, evidence, steps, winding_number, arrival, status, reason, precision};
         auto to = points_.begin() + static_cast<std::ptrdiff_t>(k * (2 * angles_ + coordinates_));
         for (const auto& z : q.c) *to++ = z;
         for (const auto& z : q.s) *to++ = z;
@@ -41,9 +41,9 @@ public:
         if (unknowns(end.q) == 0)
             end.q =
                 point_of_zeros<RuntimeUnknowns, double>({static_cast<int>(angles_), static_cast<int>(coordinates_)});
-        auto& [q, t, steps, arrival, status, reason, more_digits, winding_number, evidence] = end;
+        auto& [q, t, steps, arrival, status, reason, precision, winding_number, evidence] = end;
         t = other.t, evidence = other.evidence, steps = other.steps, winding_number = other.winding_number;
-        arrival = other.arrival, status = other.status, reason = other.reason, more_digits = other.more_digits;
+        arrival = other.arrival, status = other.status, reason = other.reason, precision = other.precision;
         auto from = points_.begin() + static_cast<std::ptrdiff_t>(k * (2 * angles_ + coordinates_));
         for (auto& z : q.c) z = *from++;
         for (auto& z : q.s) z = *from++;
@@ -59,7 +59,7 @@ private:
         Arrival arrival;
         PathStatus status;
         FailureReason reason;
-        bool more_digits;
+        Precision precision;
     };
     std::size_t angles_, coordinates_;
     std::vector<Complex<double>> points_;

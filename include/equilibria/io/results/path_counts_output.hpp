@@ -10,10 +10,10 @@ namespace equilibria {
 
 /// All but the sum: finite + at_infinity + singular + failed + cancelled is the number of paths.
 inline Json json_of_ends(const PathCounts& n) {
-    return {{"finite", n.finite},       {"at_infinity", n.at_infinity}, {"singular", n.singular},
-            {"failed", n.failed},       {"cancelled", n.cancelled},     {"tracked", n.tracked},
-            {"retracked", n.retracked}, {"crossed", n.crossed},         {"more_digits", n.more_digits},
-            {"steps", n.steps}};
+    return {
+        {"finite", n.finite},       {"at_infinity", n.at_infinity}, {"singular", n.singular},   {"failed", n.failed},
+        {"cancelled", n.cancelled}, {"tracked", n.tracked},         {"retracked", n.retracked}, {"crossed", n.crossed},
+        {"in_double", n.in_double}, {"more_digits", n.more_digits}, {"steps", n.steps}};
 }
 
 /// An object of its own: the sum is "total".

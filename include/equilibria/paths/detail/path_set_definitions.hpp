@@ -67,6 +67,7 @@ EQUILIBRIA_INLINE PathAccount account_for(PathSet& paths) {
             continue;
         }
         const Endpoint& end = paths[k];
+        counts.in_double += end.precision == Precision::in_double;
         counts.steps += static_cast<std::uint64_t>(end.steps);
         switch (end.status) {
             case PathStatus::finite: counts.finite += weight; break;

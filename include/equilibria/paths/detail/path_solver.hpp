@@ -9,7 +9,9 @@
 #include <cstdint>
 #include <mutex>
 #include <numeric>
+#include <optional>
 #include <span>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -31,11 +33,17 @@ template <class H>
 class PathSolver {
 public:
     using Pack = Lanes<native_lanes>;
+    using SinglePack = FloatLanes<2 * native_lanes>;
+    /// Fewer paths fill the lanes of floats too badly.
+    static constexpr std::uint64_t least_in_single = 4 * LaneTraits<SinglePack>::width;
 
     PathSolver(const H& homotopy, PathProblem problem, const RunOptions& run, const TrackerOptions& options,
                MoreDigits<H> resort)
         : homotopy_(&homotopy), problem_(std::move(problem)), numbering_(problem_.start.numbering), polisher_(homotopy),
-          run_(&run), options_(options), more_digits_(resort) {}
+          run_(&run), options_(options), more_digits_(resort) {
+        if constexpr (std::is_same_v<H, PolynomialHomotopy>)
+            if (options_.single_precision && numbering_.tracked() >= least_in_single) single_ = homotopy.scaled();
+    }
     PathSolver(const PathSolver&) = delete;
 
     /// Where it was cancelled, not all paths are finished.
@@ -54,7 +62,19 @@ private:
     RuntimePoint<double> start_point(std::uint64_t k) const { return problem_.start.point(k); }
 
     void track_block(std::span<const std::uint64_t> paths, std::span<Endpoint> ends) const {
-        track_lanes<Pack, false>(*homotopy_, options_, paths, problem_.start.point, ends);
+        if (!single_) return track_lanes<Pack, false>(*homotopy_, options_, paths, problem_.start.point, ends);
+        track_lanes<SinglePack, false>(*single_, options_, paths, problem_.start.point, ends);
+        std::vector<std::uint64_t> left;
+        std::vector<Endpoint> on;  // from where they are
+        for (std::size_t k = 0; k < ends.size(); ++k)
+            if (ends[k].arrival != Arrival::end) left.push_back(paths[k]), on.push_back(ends[k]);
+        track_lanes<Pack, false>(*homotopy_, options_, left, problem_.start.point, on);
+        auto next = on.begin();
+        for (Endpoint& end : ends) {
+            if (end.arrival == Arrival::end) continue;
+            end = *next++;
+            end.precision = Precision::in_double;
+        }
     }
 
     /// Solutions that rest at every t, and at which no other path may end.
@@ -181,6 +201,7 @@ private:
             std::vector<Endpoint> ends = track_again(failed, first, careful);
             for (std::size_t m = 0; m < failed.size(); ++m) {
                 ends[m].steps += block[failed[m]].steps;
+                ends[m].precision = block[failed[m]].precision;
                 block[failed[m]] = ends[m];
             }
         }
@@ -202,14 +223,15 @@ private:
         EndpointStore& ends = paths.ends();
         std::vector<std::pair<std::uint64_t, Endpoint>> failed;
         for (std::uint64_t k = 0; k < ends.size(); ++k)
-            if (const Endpoint& end = ends[k]; end.status == PathStatus::failed && !end.more_digits)
+            if (const Endpoint& end = ends[k];
+                end.status == PathStatus::failed && end.precision != Precision::more_digits)
                 failed.emplace_back(k, end);
         TrackerOptions careful = options_.tightened();
         careful.most_steps = std::max(careful.most_steps, 20000);
         run_->executor.for_blocks(failed.size(), 1, [&](std::size_t at, std::size_t) {
             auto& [k, end] = failed[at];
             more_digits_(*homotopy_, polisher_, careful, start_point(k), end);
-            end.more_digits = true;
+            end.precision = Precision::more_digits;
         });
         for (const auto& [k, end] : failed) ends.replace(k, end);
         paths.effort.more_digits += failed.size();
@@ -242,6 +264,7 @@ private:
                 const Endpoint before = ends[crossed[m]];
                 Endpoint end = again[m];
                 end.steps += before.steps;
+                end.precision = before.precision;
                 ++paths.effort.retracked;
                 paths.effort.crossed += end.status != PathStatus::finite || !finder.same(before.q, end.q, 1e-9);
                 ends.replace(crossed[m], end);
@@ -251,6 +274,7 @@ private:
     }
 
     const H* homotopy_;
+    std::optional<PolynomialHomotopy> single_;  // where paths are tracked in single precision first
     PathProblem problem_;
     PathNumbering numbering_;
     Polisher<H> polisher_;

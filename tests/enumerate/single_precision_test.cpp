@@ -1,0 +1,88 @@
+// Paths in single precision: the same roots as in double, each path accounted for.
+#include <equilibria/enumerate/enumerate.hpp>
+
+#include <cmath>
+#include <complex>
+
+#include "support/catch.hpp"
+#include "support/enumeration.hpp"
+#include "support/models.hpp"
+
+using namespace equilibria;
+
+namespace {
+
+constexpr TrackerOptions in_double{.single_precision = false};
+
+/// The largest distance of a root from the nearest one of the other set.
+template <class M>
+double distance(const RootSet<M>& a, const RootSet<M>& b) {
+    double largest = 0;
+    for (const auto& root : a.roots) {
+        double nearest = 1e300;
+        for (const auto& other : b.roots) {
+            double far = 0;
+            for (int u = 0; u < root.q.size(); ++u) {
+                const auto turn = std::exp(std::complex<double>(0, 1) * (root.q[u] - other.q[u]));
+                far = std::max(far, std::abs(turn - 1.0));
+            }
+            nearest = std::min(nearest, far);
+        }
+        largest = std::max(largest, nearest);
+    }
+    return largest;
+}
+
+}  // namespace
+
+TEMPLATE_TEST_CASE_SIG("Chains have the same roots in single precision as in double", "", ((int N), N), 4, 5, 6) {
+    Generator generator(7);
+    for (int k = 0; k < (N == 6 ? 1 : tests::thoroughness); ++k) {
+        const auto p = k == 0 ? tests::benchmark_chain<N>() : tests::random_chain<N>(generator);
+        RunOptions run;
+        run.seed = static_cast<std::uint64_t>(k + 1);
+        const auto single = enumerate<tests::Chain<N>>(p, run);
+        const auto twofold = enumerate<tests::Chain<N>>(p, run, in_double);
+        CAPTURE(N, k, single.paths.in_double);
+        CHECK(single.paths.accounted_for());
+        CHECK(single.paths.failed == 0);
+        CHECK(single.paths.crossed == 0);
+        CHECK(twofold.paths.in_double == 0);
+        REQUIRE(single.roots.size() == twofold.roots.size());
+        CHECK(distance(single, twofold) < 1e-9);
+        CHECK(single.by_index() == twofold.by_index());
+    }
+}
+
+TEST_CASE("Sizes of coefficients that floats do not have change nothing") {
+    using M = tests::Chain<4>;
+    const auto p = tests::benchmark_chain<4>();
+    const auto set = enumerate<M>(p);
+    for (const int power : {200, -200}) {
+        auto scaled = p;
+        for (int i = 0; i < 4; ++i) scaled[M::mass + i] = std::ldexp(p[M::mass + i], power);
+        const auto other = enumerate<M>(scaled);
+        CHECK(other.paths.steps == set.paths.steps);
+        CHECK(other.paths.in_double == set.paths.in_double);
+        REQUIRE(other.roots.size() == set.roots.size());
+        for (std::size_t k = 0; k < set.roots.size(); ++k) CHECK(other.roots[k].q == set.roots[k].q);
+    }
+}
+
+TEST_CASE("What single precision cannot carry goes on in double from where it is, for any number of threads") {
+    const auto p = tests::benchmark_chain<7>();
+    const auto set = enumerate<tests::Chain<7>>(p);
+    CHECK(set.clean());
+    CHECK(set.roots.size() == 16384);
+    CHECK(set.paths.in_double > 0);
+    CHECK(set.paths.retracked == 0);
+    RunOptions run;
+    run.executor = threads(3);
+    const auto again = enumerate<tests::Chain<7>>(p, run);
+    CHECK(again.paths.in_double == set.paths.in_double);
+    CHECK(again.paths.steps == set.paths.steps);
+    REQUIRE(again.roots.size() == set.roots.size());
+    bool same = true;
+    for (std::size_t k = 0; k < set.roots.size(); ++k) same = same && again.roots[k].q == set.roots[k].q;
+    CHECK(same);
+}

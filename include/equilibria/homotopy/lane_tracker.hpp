@@ -23,7 +23,7 @@ public:
                 const StartPoint& start, std::span<Endpoint> ends)
         : options_(&options),
           endgame_start_(is_single<R> ? std::max(options.endgame_start, 1e-3) : options.endgame_start),
-          smallest_step_(is_single<R> ? std::max(options.smallest_step, 1e-5) : options.smallest_step), paths_(paths),
+          smallest_step_(is_single<R> ? std::max(options.smallest_step, 1e-4) : options.smallest_step), paths_(paths),
           start_(&start), ends_(ends), stepper_(homotopy, options),
           q_(point_of_zeros<RuntimeUnknowns, R>(homotopy.sizes())) {
         for (int k = 0; k < width; ++k) load(k);

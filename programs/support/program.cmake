@@ -1,5 +1,6 @@
 # Programs and examples are built and tested alike.
-# An executable `name` from the given sources; linked to the library as a whole, if not to the target that `library` names.
+# An executable `name` from the given sources; linked to the library as a whole, if not to the target that `library` names;
+# optimised as `level` says, if not as the library.
 # Where a package that the first one needs is missing, it is left out, and
 # the variable `built` says so.
 function(equilibria_program name source built)
@@ -20,7 +21,7 @@ function(equilibria_program name source built)
     )
     equilibria_warnings(${name})
     equilibria_read_first(${source} ${ARGN})
-    equilibria_native(${name})
+    equilibria_native(${name} ${level})
     set(${built} ON PARENT_SCOPE)
 endfunction()
 

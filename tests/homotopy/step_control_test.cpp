@@ -37,6 +37,18 @@ TEST_CASE("A step is accepted where the correction contracts enough") {
     CHECK(control.judge(noise).accepted);
 }
 
+TEST_CASE("A step without a second correction makes the next one four times as long, however tight the target") {
+    TrackerOptions tight = options;
+    for (int round = 0; round < 4; ++round, tight = tight.tightened()) {
+        CHECK(ContractionControl<double, 4>(tight).judge(trial(0)).next_step == Approx(0.4));
+        // floats as well, without numbers below their range
+        const auto first = FloatLanes<4>{} + 1e-9;
+        const Trial<FloatLanes<4>> single{first + 0.1, first + 0.1, first, first, FloatLanes<4>{}, FloatLanes<4>{}};
+        const auto verdict = ContractionControl<FloatLanes<4>, 4>(tight).judge(single);
+        CHECK(lane(verdict.next_step, 2) == Approx(0.4));
+    }
+}
+
 TEST_CASE("The next step brings the contraction to its target") {
     // with Theta by^order times the target it is 1 / by times as long
     const auto check = [&]<int local_order>(std::integral_constant<int, local_order>) {

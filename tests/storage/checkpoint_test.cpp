@@ -137,7 +137,7 @@ TEST_CASE("every field of an endpoint comes back bit by bit, whatever it holds")
     file.read(2, 3, two);
     CHECK(bits(two[0]) == bits(ends[23]));
     CHECK(bits(two[1]) == bits(ends[24]));
-    // 5 points of the plane, 4 numbers, and the rest: 4 + 2 + 3 bytes
+    // 5 points of the plane, 4 numbers, and the rest: 4 + 2 + 4 bytes
     CHECK(Checkpoint::endpoint_size(sizes) == 5 * 16 + 4 * 8 + 10);
     CHECK(scratch.bytes().size() ==
           1536 + std::string("model: everything\n").size() + 2 * (16 + 16) + 15 * Checkpoint::endpoint_size(sizes));

@@ -9,7 +9,6 @@
 
 #include <cmath>
 #include <concepts>
-#include <cstddef>
 #include <cstdint>
 #include <type_traits>
 #include <utility>
@@ -93,7 +92,6 @@ struct LaneTraits {
     static constexpr int width = 1;
     using Scalar = R;  ///< the type of one lane
     using Mask = bool;
-    using Constant = double;  ///< that the constants of a system are held in
 };
 template <class R>
 requires(!std::is_arithmetic_v<R> && std::is_arithmetic_v<std::remove_reference_t<decltype(std::declval<R&>()[0])>> &&
@@ -102,14 +100,12 @@ struct LaneTraits<R> {
     static constexpr int width = static_cast<int>(sizeof(R) / sizeof(double));
     using Scalar = double;
     using Mask = decltype(R{} < R{});
-    using Constant = double;
 };
 template <int W>
 struct LaneTraits<FloatLanes<W>> {
     static constexpr int width = W;
     using Scalar = float;
     using Mask = typename FloatLanes<W>::Mask;
-    using Constant = float;
 };
 
 template <class R>

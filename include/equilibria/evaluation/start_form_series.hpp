@@ -64,7 +64,7 @@ public:
     /// After `series(0, ..)`.
     void slopes(const FactorSeries<R>& factors, auto& j) const {
         for (const Product& product : products_) {
-            Z behind = Complex<R>(1.0);  // of the forms behind number m
+            Z behind(1.0);  // of the forms behind number m
             for (std::size_t m = product.last; m-- > product.first;) {
                 const Z others = m == product.first ? Z(broadcast_complex<R>(product.weight) * behind)
                                                     : Z(partial_[m - 1][0] * behind);

@@ -131,7 +131,7 @@ public:
 
 private:
     using Group = TermTables::Group;
-    using Constant = typename LaneTraits<R>::Constant;
+    using Constant = std::conditional_t<is_single<R>, float, double>;  // which the tables hold
     /// Of a group: the sums over its terms of the Taylor coefficients 0, 1, .. of the term's coefficient, each times
     /// the same Taylor coefficient of the operand. Where coefficients do not move, there is the target's alone.
     template <bool Moving>

@@ -126,7 +126,8 @@ private:
     static constexpr double end_ = is_single<R> ? 2e-7 : 1e-15;  // what is left of t at most at its end
 
     const TrackerOptions* options_;
-    double endgame_start_, smallest_step_;
+    double endgame_start_,
+        smallest_step_;  // of floats, 1 - t has three digits at 1e-3, and steps no meaning below 1e-4
     std::span<const std::uint64_t> paths_;
     const StartPoint* start_;
     std::span<Endpoint> ends_;

@@ -49,8 +49,13 @@ public:
     template <class R>
     void run(RuntimePoint<R>& q, PolishedEvidence* evidence, Workspace<R>& with) const {
         auto& [evaluation, lu, f, column, unit, size, row_sum, j, next] = with;
-        R last = broadcast<R>(1.0);
-        const auto correct_once = [&](const auto& asked) {
+        R last = broadcast<R>(0.0);
+        auto asked = mask_not(last < last);  // all
+        for (int round = 0; round < 4; ++round) {
+            if (round == 3) {  // where there was farther to go, as from single precision
+                asked = mask_and(last > R{} + 1e-16, last < R{} + 1e-10);
+                if (all_lanes(mask_not(asked))) break;
+            }
             evaluate(q, with);
             lu.factor(j);
             for (int i = 0; i < n_; ++i) f[i] = -f[i];
@@ -61,11 +66,7 @@ public:
             next = q;
             correct(next, f);
             take_where(small, next, q);
-        };
-        for (int round = 0; round < 3; ++round) correct_once(R{} < broadcast<R>(1.0));
-        // from single precision a point may have farther to go
-        const auto rough = mask_and(last > R{} + 1e-16, last < R{} + 1e-10);
-        if (!all_lanes(mask_not(rough))) correct_once(rough);
+        }
         assess(q, evidence, with);
         for (int k = 0; k < LaneTraits<R>::width; ++k)
             evidence[k].correction = std::sqrt(static_cast<double>(lane(last, k)));

@@ -56,7 +56,7 @@ public:
                               trial.first2 < largest_first2);
         // h (target / Theta)^(1 / local_order), between a quarter and four times h
         const R growth =
-            root((options_.contraction * options_.contraction) * first2 / (trial.second2 + 1e-16 * first2));
+            root((options_.contraction * options_.contraction) * first2 / (trial.second2 + 1e-28 * first2));
         R proposed = h * lane_min(lane_max(growth, R{} + 0.25), R{} + 4.0);
         const R turn_limit = h * (0.8 * options_.largest_turn) / square_root(turn2 + 1e-30);
         proposed = lane_min(proposed, lane_max(turn_limit, 0.25 * h));

@@ -163,7 +163,8 @@ private:
     RuntimeArray<Z> taylor_[Predictor::order];
     Outcome outcome_;
     R pole_;
-    R noise2_ = R{} + (is_single<R> ? 1e-9 : 1e-14), rounding2_ = R{};
+    R noise2_ = R{} + (is_single<R> ? 1e-9 : 1e-14);  // with 1e-8 in single precision paths met
+    R rounding2_ = R{};
 };
 
 }  // namespace detail

@@ -10,11 +10,12 @@ namespace equilibria {
 struct PathCounts {
     std::uint64_t total = 0;  ///< the bound: all paths, those known by symmetry included
     std::uint64_t finite = 0, at_infinity = 0, singular = 0, failed = 0;
-    std::uint64_t cancelled = 0;    ///< not finished, since the run was cancelled: 0 for every run that was not
-    std::uint64_t tracked = 0;      ///< paths that were computed; the others are their mirror images, or rest
-    std::uint64_t retracked = 0;    ///< paths tracked again, more carefully
-    std::uint64_t crossed = 0;      ///< among those: paths that had run into another one's endpoint
-    std::uint64_t in_double = 0;    ///< tracked paths that single precision could not carry to their ends
+    std::uint64_t cancelled = 0;  ///< not finished, since the run was cancelled: 0 for every run that was not
+    std::uint64_t tracked = 0;    ///< paths that were computed; the others are their mirror images, or rest
+    std::uint64_t retracked = 0;  ///< paths tracked again, more carefully
+    std::uint64_t crossed = 0;    ///< among those: paths that had run into another one's endpoint
+    std::uint64_t in_double =
+        0;  ///< tracked paths that single precision left to double, those of more_digits not counted
     std::uint64_t more_digits = 0;  ///< paths tracked with more digits than double has (enumerate/more_digits.hpp)
     std::uint64_t steps = 0;
     /// With so many of the finite paths counted as singular: their endpoints are not isolated.

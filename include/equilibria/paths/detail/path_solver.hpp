@@ -34,6 +34,8 @@ class PathSolver {
 public:
     using Pack = Lanes<native_lanes>;
     using SinglePack = FloatLanes<2 * native_lanes>;
+    /// What brings its own law of time, predictor or step control is tracked in double.
+    static constexpr bool may_be_single = std::is_same_v<H, PolynomialHomotopy>;
     /// Fewer paths fill the lanes of floats too badly.
     static constexpr std::uint64_t least_in_single = 4 * LaneTraits<SinglePack>::width;
 
@@ -41,7 +43,7 @@ public:
                MoreDigits<H> resort)
         : homotopy_(&homotopy), problem_(std::move(problem)), numbering_(problem_.start.numbering), polisher_(homotopy),
           run_(&run), options_(options), more_digits_(resort) {
-        if constexpr (std::is_same_v<H, PolynomialHomotopy>)
+        if constexpr (may_be_single)
             if (options_.single_precision && numbering_.tracked() >= least_in_single) single_ = homotopy.scaled();
     }
     PathSolver(const PathSolver&) = delete;
@@ -62,13 +64,26 @@ private:
     RuntimePoint<double> start_point(std::uint64_t k) const { return problem_.start.point(k); }
 
     void track_block(std::span<const std::uint64_t> paths, std::span<Endpoint> ends) const {
-        if (!single_) return track_lanes<Pack, false>(*homotopy_, options_, paths, problem_.start.point, ends);
-        track_lanes<SinglePack, false>(*single_, options_, paths, problem_.start.point, ends);
+        const auto in_double = [&](std::span<const std::uint64_t> which, std::span<Endpoint> on) {
+            track_lanes<Pack, false>(*homotopy_, options_, which, problem_.start.point, on);
+        };
+        if constexpr (may_be_single) {
+            if (single_) {
+                track_lanes<SinglePack, false>(*single_, options_, paths, problem_.start.point, ends);
+                go_on(paths, ends, in_double);
+                return;
+            }
+        }
+        in_double(paths, ends);
+    }
+    /// Tracks by track(paths, ends) what is not at its end, from where it is.
+    static void go_on(std::span<const std::uint64_t> paths, std::span<Endpoint> ends, const auto& track) {
         std::vector<std::uint64_t> left;
-        std::vector<Endpoint> on;  // from where they are
+        std::vector<Endpoint> on;
         for (std::size_t k = 0; k < ends.size(); ++k)
             if (ends[k].arrival != Arrival::end) left.push_back(paths[k]), on.push_back(ends[k]);
-        track_lanes<Pack, false>(*homotopy_, options_, left, problem_.start.point, on);
+        if (left.empty()) return;
+        track(left, on);
         auto next = on.begin();
         for (Endpoint& end : ends) {
             if (end.arrival == Arrival::end) continue;

@@ -3,10 +3,10 @@
 /// stability analysis of the nonlinear system", Theoretical and Applied Mechanics (2022), (1.17) and (*).
 #pragma once
 
-#include <Eigen/Cholesky>
 #include <Eigen/Core>
 
 #include <equilibria/core/array.hpp>
+#include <equilibria/core/cholesky.hpp>
 #include <equilibria/dynamics/motion_point.hpp>
 #include <equilibria/model/kinetics.hpp>
 
@@ -33,7 +33,8 @@ template <DynamicModel M>
 ChristoffelSymbols<M> christoffel_second_kind(const Unknowns<M>& q, const Parameters<M>& p) {
     constexpr int n = n_unknowns<M>;
     const auto first = christoffel_first_kind<M>(q, p);
-    const UnknownMatrix<M> inverse = mass_matrix<M>(q, p).llt().solve(UnknownMatrix<M>::Identity());
+    const UnknownMatrix<M> identity = UnknownMatrix<M>::Identity(),
+                           inverse = detail::Cholesky<n>(mass_matrix<M>(q, p)).solve(identity);
     ChristoffelSymbols<M> y;
     for (int k = 0; k < n; ++k) {
         y[k].setZero();

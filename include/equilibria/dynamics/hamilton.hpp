@@ -3,8 +3,7 @@
 /// Theoretical and Applied Mechanics (2022), section 1.6, with p = dL/dv.
 #pragma once
 
-#include <Eigen/Cholesky>
-
+#include <equilibria/core/cholesky.hpp>
 #include <equilibria/dynamics/motion_formulation.hpp>
 
 namespace equilibria {
@@ -30,8 +29,8 @@ public:
 
     MotionRates<Base::n_states> rates(double t, const State& y) const {
         const auto q = Base::first_half(y);
-        const Eigen::LLT<UnknownMatrix<M>> mass(mass_matrix<M>(q, this->p_));
-        if (mass.info() != Eigen::Success) return {MotionStatus::singular_mass_matrix};
+        const detail::Cholesky<Base::n> mass(mass_matrix<M>(q, this->p_));
+        if (!mass.positive()) return {MotionStatus::singular_mass_matrix};
         const Vector v = mass.solve(detail::vector_of<M>(Base::second_half(y)));
         const auto velocity = detail::unknowns_of<M>(v);
         const auto forces = detail::applied_forces<M>(t, q, velocity, this->p_);
@@ -44,7 +43,8 @@ public:
 
     MotionPoint<M> point(double t, const State& y) const {
         const auto q = Base::first_half(y);
-        const Vector v = mass_matrix<M>(q, this->p_).llt().solve(detail::vector_of<M>(Base::second_half(y)));
+        const detail::Cholesky<Base::n> mass(mass_matrix<M>(q, this->p_));
+        const Vector v = mass.solve(detail::vector_of<M>(Base::second_half(y)));
         auto point = this->point_at(t, q, detail::unknowns_of<M>(v));
         point.momentum = Base::second_half(y);
         return point;

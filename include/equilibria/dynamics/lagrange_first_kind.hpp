@@ -9,9 +9,9 @@
 #include <cstddef>
 #include <limits>
 
-#include <Eigen/Cholesky>
 #include <Eigen/Core>
 
+#include <equilibria/core/cholesky.hpp>
 #include <equilibria/core/error.hpp>
 #include <equilibria/dynamics/christoffel.hpp>
 #include <equilibria/dynamics/motion_formulation.hpp>
@@ -93,37 +93,33 @@ private:
     };
     /// The factors of M and of J M^-1 J^T.
     struct Metric {
-        MotionStatus status = MotionStatus::finished;
-        ConstraintJacobian<M> jacobian;
-        Eigen::LLT<UnknownMatrix<M>> mass;
-        Eigen::Matrix<double, Base::n, m> spread;  // M^-1 J^T
-        Eigen::LLT<Eigen::Matrix<double, m, m>> gram;
-    };
+        explicit Metric(const Unknowns<M>& q, const Parameters<M>& p)
+            : jacobian(constraint_jacobian<M>(q, p)), mass(mass_matrix<M>(q, p)),
+              spread(mass.template solve<m>(jacobian.transpose())), product(jacobian * spread), gram(product) {}
 
-    Metric metric(const Unknowns<M>& q) const {
-        Metric y;
-        y.jacobian = constraint_jacobian<M>(q, this->p_);
-        y.mass.compute(mass_matrix<M>(q, this->p_));
-        if (y.mass.info() != Eigen::Success) {
-            y.status = MotionStatus::singular_mass_matrix;
-            return y;
+        MotionStatus status() const {
+            if (!mass.positive()) return MotionStatus::singular_mass_matrix;
+            return gram.positive() && gram.reciprocal_condition(product) > 1e-13 ? MotionStatus::finished
+                                                                                 : MotionStatus::singular_constraints;
         }
-        y.spread = y.mass.solve(y.jacobian.transpose());
-        y.gram.compute(y.jacobian * y.spread);
-        if (y.gram.info() != Eigen::Success || !(y.gram.rcond() > 1e-13)) y.status = MotionStatus::singular_constraints;
-        return y;
-    }
+
+        ConstraintJacobian<M> jacobian;
+        detail::Cholesky<Base::n> mass;
+        Eigen::Matrix<double, Base::n, m> spread;  // M^-1 J^T
+        Eigen::Matrix<double, m, m> product;       // J M^-1 J^T
+        detail::Cholesky<m> gram;
+    };
 
     Solved solve(double t, const Unknowns<M>& q, const Unknowns<M>& v) const {
         Solved y;
-        const auto at = metric(q);
-        y.status = at.status;
+        const Metric at(q, this->p_);
+        y.status = at.status();
         if (y.status != MotionStatus::finished) return y;
         y.forces = detail::applied_forces<M>(t, q, v, this->p_);
         const Vector inertial = contracted<M>(christoffel_first_kind<M>(q, this->p_), detail::vector_of<M>(v));
-        const Vector free = at.mass.solve(y.forces.total - inertial);
+        const Vector free = at.mass.solve(Vector(y.forces.total - inertial));
         const auto curvature = constraint_curvature<M>(q, v, this->p_);
-        y.multipliers = at.gram.solve(-values(curvature) - at.jacobian * free);
+        y.multipliers = at.gram.solve(Values(-values(curvature) - at.jacobian * free));
         y.acceleration = free + at.spread * y.multipliers;
         return y;
     }
@@ -134,14 +130,14 @@ private:
         double before = std::numeric_limits<double>::infinity();
         for (int iteration = 0; iteration < 20; ++iteration) {
             const auto place = detail::unknowns_of<M>(q);
-            const auto at = metric(place);
-            if (at.status != MotionStatus::finished) return at.status;
+            const Metric at(place, this->p_);
+            if (const auto status = at.status(); status != MotionStatus::finished) return status;
             const Vector step = at.spread * at.gram.solve(values(constraints<M>(place, this->p_)));
             q -= step;
             const double size = step.norm();
             if (!std::isfinite(size)) return MotionStatus::not_finite;
             if (size <= 1e-15 * (1 + q.norm()) || size >= before) {
-                v -= at.spread * at.gram.solve(at.jacobian * v);
+                v -= at.spread * at.gram.solve(Values(at.jacobian * v));
                 y = Base::joined(detail::unknowns_of<M>(q), detail::unknowns_of<M>(v));
                 return size <= 1e-9 * (1 + q.norm()) ? MotionStatus::finished : MotionStatus::singular_constraints;
             }

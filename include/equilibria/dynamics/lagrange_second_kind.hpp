@@ -6,8 +6,7 @@
 
 #include <optional>
 
-#include <Eigen/Cholesky>
-
+#include <equilibria/core/cholesky.hpp>
 #include <equilibria/dynamics/christoffel.hpp>
 #include <equilibria/dynamics/motion_formulation.hpp>
 
@@ -54,11 +53,11 @@ public:
 
 private:
     std::optional<Vector> acceleration(const Unknowns<M>& q, const Vector& v, const Vector& force) const {
-        const Eigen::LLT<UnknownMatrix<M>> mass(mass_matrix<M>(q, this->p_));
-        if (mass.info() != Eigen::Success) return {};
+        const detail::Cholesky<Base::n> mass(mass_matrix<M>(q, this->p_));
+        if (!mass.positive()) return {};
         if (form_ == LagrangeForm::contravariant)
             return mass.solve(force) - contracted<M>(christoffel_second_kind<M>(q, this->p_), v);
-        return mass.solve(force - contracted<M>(christoffel_first_kind<M>(q, this->p_), v));
+        return mass.solve(Vector(force - contracted<M>(christoffel_first_kind<M>(q, this->p_), v)));
     }
 
     LagrangeForm form_;

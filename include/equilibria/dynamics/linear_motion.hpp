@@ -2,8 +2,7 @@
 /// The linearised motion about an equilibrium, to be seen beside the true one.
 #pragma once
 
-#include <Eigen/Cholesky>
-
+#include <equilibria/core/cholesky.hpp>
 #include <equilibria/dynamics/motion_formulation.hpp>
 #include <equilibria/stability/linearise.hpp>
 
@@ -21,9 +20,8 @@ public:
 
     /// Throws InvalidArgument where the mass matrix is not positive definite there.
     LinearMotion(const Parameters<M>& p, const Unknowns<M>& equilibrium)
-        : Base(p), equilibrium_(equilibrium), system_(linearise<M>(equilibrium, p)) {
+        : Base(p), equilibrium_(equilibrium), system_(linearise<M>(equilibrium, p)), mass_(system_.mass) {
         system_.validate();
-        mass_.compute(system_.mass);
     }
     const SecondOrderSystem<UnknownMatrix<M>>& system() const { return system_; }
 
@@ -34,7 +32,7 @@ public:
     MotionRates<Base::n_states> rates(double, const State& y) const {
         const auto v = Base::second_half(y);
         const Vector velocity = detail::vector_of<M>(v), damping = system_.damping * velocity;
-        const Vector a = mass_.solve(-damping - system_.stiffness * deviation(y));
+        const Vector a = mass_.solve(Vector(-damping - system_.stiffness * deviation(y)));
         return {MotionStatus::finished, Base::joined(v, detail::unknowns_of<M>(a)), 0, damping.dot(velocity)};
     }
     MotionPoint<M> point(double t, const State& y) const {
@@ -57,7 +55,7 @@ private:
 
     Unknowns<M> equilibrium_;
     SecondOrderSystem<UnknownMatrix<M>> system_;
-    Eigen::LLT<UnknownMatrix<M>> mass_;
+    detail::Cholesky<Base::n> mass_;
 };
 
 }  // namespace equilibria

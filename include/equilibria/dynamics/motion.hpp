@@ -10,24 +10,65 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <vector>
 
-#include <boost/numeric/odeint/stepper/controlled_runge_kutta.hpp>
-#include <boost/numeric/odeint/stepper/dense_output_runge_kutta.hpp>
-#include <boost/numeric/odeint/stepper/generation.hpp>
-#include <boost/numeric/odeint/stepper/runge_kutta_dopri5.hpp>
-
-#include <equilibria/core/error.hpp>
+#include <equilibria/dynamics/detail/motion_integration.hpp>
 #include <equilibria/dynamics/motion_formulation.hpp>
 #include <equilibria/dynamics/motion_options.hpp>
 #include <equilibria/dynamics/motion_point.hpp>
 #include <equilibria/dynamics/motion_status.hpp>
 
 namespace equilibria {
+
+namespace detail {
+
+/// A formulation as the integration sees it, behind virtual calls.
+template <MotionFormulation F>
+class FormulationEquations final : public MotionEquations {
+public:
+    explicit FormulationEquations(const F& formulation) : formulation_(formulation) {}
+
+    State start(const MotionState<typename F::Model>& at) const {
+        State y(n + 2);
+        write(formulation_.start(at), y);
+        return y;
+    }
+    MotionStatus rates(double t, const State& y, State& rate) const override {
+        const auto found = formulation_.rates(t, own(y));
+        if (found.status != MotionStatus::finished) return found.status;
+        write(found.state, rate);
+        rate[n] = found.power;
+        rate[n + 1] = found.loss;
+        return found.status;
+    }
+    MotionStatus project(State& y) const override {
+        auto state = own(y);
+        const auto status = formulation_.project(state);
+        if (status == MotionStatus::finished) write(state, y);
+        return status;
+    }
+    MotionEnergies energies(double t, const State& y) const override {
+        const auto point = formulation_.point(t, own(y));
+        return {point.kinetic, point.potential, point.drift, point.velocity_drift};
+    }
+    MotionPoint<typename F::Model> point(double t, const State& y) const { return formulation_.point(t, own(y)); }
+
+private:
+    static constexpr std::size_t n = F::n_states;
+
+    static std::array<double, n> own(const State& y) {
+        std::array<double, n> state;
+        std::copy_n(y.begin(), n, state.begin());
+        return state;
+    }
+    static void write(const std::array<double, n>& state, State& y) { std::copy_n(state.begin(), n, y.begin()); }
+
+    F formulation_;
+};
+
+}  // namespace detail
 
 /// One motion, a step at a time. Between the ends of the last step it is known everywhere.
 template <MotionFormulation F>
@@ -38,139 +79,37 @@ public:
     /// Throws InvalidArgument where the start or an option is none.
     MotionStepper(const F& formulation, const MotionState<Model>& start, double start_time = 0,
                   const MotionOptions& options = {})
-        : formulation_(formulation), options_(options) {
-        options.validate();
-        require(std::isfinite(start_time), "start_time", start_time, "must be finite");
-        const auto state = formulation_.start(start);
-        State y{};
-        std::copy(state.begin(), state.end(), y.begin());
-        const auto point = formulation_.point(start_time, state);
-        start_energy_ = point.kinetic + point.potential;
-        start_potential_ = point.potential;
-        stepper_ = boost::numeric::odeint::make_dense_output(options.absolute_tolerance, options.relative_tolerance,
-                                                             options.largest_step, Pair());
-        stepper_.initialize(y, start_time, first_step(y, start_time));
-        note(point_at(start_time, y));
+        : equations_(formulation), integration_(start_time, options) {
+        integration_.begin(equations_, equations_.start(start));
     }
 
     /// The end of the last step.
-    double time() const { return stepper_.current_time(); }
-    MotionStatus status() const { return status_; }
-    std::uint64_t steps() const { return steps_; }
-    std::uint64_t evaluations() const { return evaluations_; }
+    double time() const { return integration_.time(); }
+    MotionStatus status() const { return integration_.status(); }
+    std::uint64_t steps() const { return integration_.steps(); }
+    std::uint64_t evaluations() const { return integration_.evaluations(); }
     /// The largest |balance| at the ends of the steps, over the largest of the energies that it is made of.
-    double largest_balance() const { return largest_energy_ > 0 ? largest_balance_ / largest_energy_ : 0; }
+    double largest_balance() const { return integration_.largest_balance(); }
     /// The constraints' largest errors at the ends of the steps, before they were put right.
-    double largest_drift() const { return largest_drift_; }
-    double largest_velocity_drift() const { return largest_velocity_drift_; }
+    double largest_drift() const { return integration_.largest_drift(); }
+    double largest_velocity_drift() const { return integration_.largest_velocity_drift(); }
 
     /// One step of the size that the tolerances allow. False where there is none: `status` says why.
-    bool step() {
-        if (status_ != MotionStatus::finished) return false;
-        if (steps_ >= options_.most_steps) return end(MotionStatus::too_many_steps);
-        if (corrected_) {
-            stepper_.initialize(projected_, time(), stepper_.current_time_step());
-            corrected_ = false;
-        }
-        trouble_ = MotionStatus::finished;
-        try {
-            stepper_.do_step([this](const State& y, State& rate, double t) { rates(y, rate, t); });
-        } catch (const boost::numeric::odeint::odeint_error&) {
-            return end(trouble_ != MotionStatus::finished ? trouble_ : MotionStatus::step_too_small);
-        }
-        ++steps_;
-        const State& y = stepper_.current_state();
-        if (!std::all_of(y.begin(), y.end(), [](double x) { return std::isfinite(x); }))
-            return end(trouble_ != MotionStatus::finished ? trouble_ : MotionStatus::not_finite);
-        note(point_at(time(), y));
-        projected_ = y;
-        const auto status = project(projected_);
-        corrected_ = projected_ != y;
-        return status == MotionStatus::finished || end(status);
-    }
+    bool step() { return integration_.step(equations_); }
 
     /// The motion at a time between the ends of the last step, with the constraints put right.
     MotionPoint<Model> at(double t) {
-        State y = stepper_.current_state();
-        if (t != time()) stepper_.calc_state(t, y);
-        project(y);
-        return point_at(t, y);
-    }
-
-private:
-    // the formulation's state, then the work of the generalised forces, then what damping has taken
-    static constexpr std::size_t n = F::n_states;
-    using State = std::array<double, n + 2>;
-    using Pair = boost::numeric::odeint::runge_kutta_dopri5<State>;
-    using Stepper = typename boost::numeric::odeint::result_of::make_dense_output<Pair>::type;
-
-    static std::array<double, n> formulation_state(const State& y) {
-        std::array<double, n> state;
-        std::copy_n(y.begin(), n, state.begin());
-        return state;
-    }
-
-    void rates(const State& y, State& rate, double t) {
-        ++evaluations_;
-        const auto found = formulation_.rates(t, formulation_state(y));
-        if (found.status != MotionStatus::finished) {
-            trouble_ = found.status;
-            rate.fill(std::numeric_limits<double>::quiet_NaN());
-            return;
-        }
-        std::copy(found.state.begin(), found.state.end(), rate.begin());
-        rate[n] = found.power;
-        rate[n + 1] = found.loss;
-    }
-
-    /// A hundredth of the time in which the state changes by its own size.
-    double first_step(const State& y, double t) {
-        State rate;
-        rates(y, rate, t);
-        double size = 0, speed = 0;
-        for (std::size_t k = 0; k < n; ++k)
-            size = std::max(size, std::abs(y[k])), speed = std::max(speed, std::abs(rate[k]));
-        const double step = size > 0 && speed > 0 && std::isfinite(size / speed) ? 0.01 * size / speed : 1e-6;
-        return options_.largest_step > 0 ? std::min(step, options_.largest_step) : step;
-    }
-
-    MotionStatus project(State& y) const {
-        auto state = formulation_state(y);
-        const auto status = formulation_.project(state);
-        if (status == MotionStatus::finished) std::copy(state.begin(), state.end(), y.begin());
-        return status;
-    }
-
-    MotionPoint<Model> point_at(double t, const State& y) const {
-        auto point = formulation_.point(t, formulation_state(y));
-        point.work = y[n];
-        point.dissipated = y[n + 1];
-        point.balance = point.kinetic + point.potential + point.dissipated - point.work - start_energy_;
+        const auto& y = integration_.at(equations_, t);
+        auto point = equations_.point(t, y);
+        point.work = integration_.work(y);
+        point.dissipated = integration_.dissipated(y);
+        point.balance = integration_.balance(point.kinetic, point.potential, y);
         return point;
     }
 
-    void note(const MotionPoint<Model>& point) {
-        largest_drift_ = std::max(largest_drift_, point.drift);
-        largest_velocity_drift_ = std::max(largest_velocity_drift_, point.velocity_drift);
-        largest_balance_ = std::max(largest_balance_, std::abs(point.balance));
-        largest_energy_ = std::max({largest_energy_, point.kinetic, std::abs(point.potential - start_potential_),
-                                    std::abs(point.work), point.dissipated});
-    }
-
-    bool end(MotionStatus status) {
-        status_ = status;
-        return false;
-    }
-
-    F formulation_;
-    MotionOptions options_;
-    Stepper stepper_;
-    State projected_{};
-    bool corrected_ = false;
-    MotionStatus status_ = MotionStatus::finished, trouble_ = MotionStatus::finished;
-    std::uint64_t steps_ = 0, evaluations_ = 0;
-    double start_energy_ = 0, start_potential_ = 0;
-    double largest_balance_ = 0, largest_energy_ = 0, largest_drift_ = 0, largest_velocity_drift_ = 0;
+private:
+    detail::FormulationEquations<F> equations_;
+    detail::MotionIntegration integration_;
 };
 
 /// A motion at given times, with its evidence.

@@ -10,7 +10,6 @@
 #include <cstdio>
 #include <equilibria/continuation/check_derivatives.hpp>
 #include <equilibria/fem/loose_motion.hpp>
-#include <equilibria/io/structure/structure_json.hpp>
 #include <equilibria/io/structure/structure_output.hpp>
 #include <exception>
 #include <functional>
@@ -22,6 +21,7 @@
 #include <utility>
 #include <vector>
 
+#include "buckling/model.hpp"
 #include "plots/buckling.hpp"
 #include "support/buckling_cases.hpp"
 #include "support/options.hpp"
@@ -344,7 +344,7 @@ void follow_case(const Command& c) {
 }
 
 void follow_model(const Command& c) {
-    auto input = equilibria::fem::read_structure(c.model);
+    auto input = read_model(c.model);
     Setup setup{.title = input.name.empty() ? c.model : input.name,
                 .parameter = input.parameter,
                 .value = [](const StructureState&, double p) { return p; },

@@ -129,3 +129,39 @@ TEST_CASE("each lane pivots for itself, and a singular lane leaves the others al
     CHECK_FALSE(std::abs(lane(x[1], 0)) < 1e300);
     CHECK(std::abs(lane(x[1], 1) - 2.0) < 1e-15);
 }
+
+TEMPLATE_TEST_CASE("the inverse and its rows' weighted sums are those of solutions for unit vectors", "", double,
+                   Pack) {
+    using R = TestType;
+    constexpr int n = 5;
+    Generator generator(11);
+    for (int trial = 0; trial < 20; ++trial) {
+        RuntimeMatrix<Complex<R>> a(n), y(n);
+        RuntimeArray<R> weights(n), sums(n), expected(n);
+        for (int i = 0; i < n; ++i) {
+            weights[i] = broadcast<R>(uniform(generator, 0.5, 2));
+            for (int j = 0; j < n; ++j) a[i][j] = draw<R>(generator);
+            a[i][i] = 1e-3 * a[i][i];  // rows are exchanged
+        }
+        PivotedFactorization<R> lu(n);
+        lu.factor(a);
+        lu.inverse_into(y);
+        double difference = 0;
+        for (int c = 0; c < n; ++c) {
+            Complex<R> e[n];
+            for (int r = 0; r < n; ++r) e[r] = Complex<R>(r == c ? 1.0 : 0.0);
+            lu.solve(e);
+            for (int r = 0; r < n; ++r) {
+                expected[r] = expected[r] + weights[c] * square_root(norm2(e[r]));
+                for (int k = 0; k < LaneTraits<R>::width; ++k)
+                    difference = std::max(difference,
+                                          std::abs(lane(y[r][c], k) - lane(e[r], k)) / (1 + std::abs(lane(e[r], k))));
+            }
+        }
+        CHECK(difference < 1e-13);
+        lu.sum_inverse(weights, sums);
+        for (int r = 0; r < n; ++r)
+            for (int k = 0; k < LaneTraits<R>::width; ++k)
+                CHECK(lane(sums[r], k) == Approx(lane(expected[r], k)).epsilon(1e-12));
+    }
+}

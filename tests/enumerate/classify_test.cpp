@@ -1,10 +1,13 @@
+#include <cmath>
 #include <complex>
 #include <numbers>
+#include <vector>
 
 #include <equilibria/enumerate/classify.hpp>
-#include <equilibria/evaluation/point.hpp>
+#include <equilibria/enumerate/enumerate.hpp>
 
 #include "support/catch.hpp"
+#include "support/enumeration.hpp"
 #include "support/models.hpp"
 
 using namespace equilibria;
@@ -26,15 +29,6 @@ bool is_real(const Parameters<M>& p, const Root<M>& root, Unknowns<M>& q) {
 }
 
 }  // namespace
-
-TEST_CASE("the angle of a point keeps its digits far up and down the imaginary axis") {
-    for (const double re : {-3.1, -1.0, 0.0, 0.5, 3.1})
-        for (const double im : {-30.0, -3.0, -1e-9, 0.0, 1e-9, 3.0, 30.0}) {
-            const std::complex<double> theta(re, im), c = std::cos(theta), s = std::sin(theta);
-            const auto angle = equilibria::angle_of({c.real(), c.imag()}, {s.real(), s.imag()});
-            CHECK(std::abs(angle - theta) < 1e-14 * (1 + std::abs(im)));
-        }
-}
 
 TEST_CASE("a root is real if its imaginary part is rounding, and only then") {
     Unknowns<M> q;
@@ -61,5 +55,34 @@ TEST_CASE("real angles are above -pi and at most pi") {
         CHECK(q[0] > -pi);
         CHECK(q[0] <= pi);
         CHECK(std::abs(q[0]) == Approx(pi));
+    }
+}
+
+TEST_CASE("of a model that is odd mirror images are classified together, and alike") {
+    using Chain = tests::Chain<4>;
+    const auto p = tests::benchmark_chain<4>();
+    const auto set = enumerate<Chain>(p);
+    std::vector<Root<RuntimeUnknowns>> roots;
+    for (const auto& root : set.roots) {
+        Root<RuntimeUnknowns> r;
+        r.q = RuntimeArray<std::complex<double>>(AlignedVector<std::complex<double>>(root.q.begin(), root.q.end()));
+        r.condition = root.condition;
+        r.path = root.path;
+        roots.push_back(r);
+    }
+    const detail::RealModelEquations<Chain> equations(p);
+    const auto together = detail::classify(roots, equations, true, {}),
+               alone = detail::classify(roots, equations, false, {});
+    REQUIRE(together.equilibria.size() == alone.equilibria.size());
+    CHECK(together.largest_real_imaginary == alone.largest_real_imaginary);
+    CHECK(together.smallest_nonreal_imaginary == alone.smallest_nonreal_imaginary);
+    for (std::size_t k = 0; k < alone.equilibria.size(); ++k) {
+        const auto &a = together.equilibria[k], &b = alone.equilibria[k];
+        CHECK(a.path == b.path);
+        CHECK(a.index == b.index);
+        CHECK(a.nullity == b.nullity);
+        CHECK(a.energy == Approx(b.energy).epsilon(1e-14));
+        CHECK(a.margin == Approx(b.margin).epsilon(1e-10));
+        for (int u = 0; u < a.q.size(); ++u) CHECK(std::abs(std::remainder(a.q[u] - b.q[u], 2 * pi)) < 1e-14);
     }
 }

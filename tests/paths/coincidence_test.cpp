@@ -28,7 +28,8 @@ Q point(std::complex<double> theta, std::complex<double> x) {
 using Groups = std::vector<std::vector<std::size_t>>;
 
 Groups groups(const std::vector<Q>& points, double tolerance, bool reflected = false) {
-    return Finder(reflected, sizes).groups(points.size(), [&](std::size_t k) { return &points[k]; }, tolerance);
+    return Finder(reflected, sizes)
+        .groups(points.size(), [&](std::size_t k) { return PointView(points[k]); }, tolerance);
 }
 
 }  // namespace
@@ -59,7 +60,8 @@ TEST_CASE("the tolerance is relative to the size of the points") {
 TEST_CASE("points that are left out are in no group") {
     const std::vector<Q> points(4, point(1, 2));
     const auto found =
-        Finder(false, sizes).groups(points.size(), [&](std::size_t k) { return k == 2 ? nullptr : &points[k]; }, 1e-9);
+        Finder(false, sizes)
+            .groups(points.size(), [&](std::size_t k) { return k == 2 ? PointView() : PointView(points[k]); }, 1e-9);
     CHECK(found == Groups{{0, 1, 3}});
 }
 

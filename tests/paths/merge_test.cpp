@@ -97,3 +97,14 @@ TEST_CASE("paths of a cancelled run are counted as cancelled, and are no roots")
     CHECK(counts.finite == 4);
     CHECK(merge(paths).size() == 1);
 }
+
+TEST_CASE("paths that are known to be apart are not compared again") {
+    auto paths = records({endpoint(PathStatus::finite, 1), endpoint(PathStatus::finite, 1 + 1e-11),
+                          endpoint(PathStatus::singular, 2), endpoint(PathStatus::singular, 2 + 1e-8)},
+                         PathNumbering::all(4));
+    CHECK(merge(paths).size() == 2);
+    paths.apart = true;
+    const auto roots = merge(paths);
+    CHECK(roots.size() == 3);
+    CHECK(roots[2].paths == 2);
+}

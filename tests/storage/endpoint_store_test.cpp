@@ -20,7 +20,7 @@ TEST_CASE("endpoints are the same in memory, in a file and in both, in whatever 
     const auto numbered = [](std::uint64_t k) {
         Endpoint end;
         end.q = point_of_zeros<RuntimeUnknowns, double>(sizes);
-        end.t = static_cast<double>(k);
+        end.t = end.q.s[1].re = static_cast<double>(k);
         return end;
     };
     for (const std::uint64_t which : {3, 10, 0, 1, 2, 9, 8, 7, 6, 5}) {
@@ -45,7 +45,12 @@ TEST_CASE("endpoints are the same in memory, in a file and in both, in whatever 
 
         const auto value = [](std::uint64_t k) { return k == 17 ? 1e6 : static_cast<double>(k); };
         store.replace(17, numbered(1000000));
-        for (std::uint64_t k = 0; k < size; ++k) CHECK(store[k].t == value(k));
+        for (std::uint64_t k = 0; k < size; ++k) {
+            CHECK(store[k].t == value(k));
+            CHECK(store.record(k).t == value(k));
+            CHECK(store.point(k).c.size() == 2);
+            CHECK(store.point(k).s[1].re == value(k));
+        }
         // pairs: a reference outlives the next call
         for (std::uint64_t k = 0; k < 2000; ++k) {
             const std::uint64_t i = k * 7919 % size, j = k * k * 31 % size;

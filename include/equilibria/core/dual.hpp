@@ -94,8 +94,16 @@ struct Dual {
         for (int k = 0; k < N; ++k) y.derivative[k] = b.derivative[k] / detail::plain(a);
         return y;
     }
-    constexpr Dual& operator+=(const Dual& b) { return *this = *this + b; }
-    constexpr Dual& operator-=(const Dual& b) { return *this = *this - b; }
+    constexpr Dual& operator+=(const Dual& b) {
+        value = value + b.value;
+        for (int k = 0; k < derivative.size(); ++k) derivative[k] = derivative[k] + b.derivative[k];
+        return *this;
+    }
+    constexpr Dual& operator-=(const Dual& b) {
+        value = value - b.value;
+        for (int k = 0; k < derivative.size(); ++k) derivative[k] = derivative[k] - b.derivative[k];
+        return *this;
+    }
     constexpr Dual& operator*=(const Dual& b) { return *this = *this * b; }
     constexpr Dual& operator/=(const Dual& b) { return *this = *this / b; }
 

@@ -188,6 +188,11 @@ bool all_lanes(const Mask& m) {
     }
 }
 
+template <class Mask>
+bool no_lane(const Mask& m) {
+    return all_lanes(mask_not(m));
+}
+
 template <class R>
 R lane_max(const R& a, const R& b) {
     return select(a > b, a, b);

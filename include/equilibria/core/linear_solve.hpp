@@ -85,7 +85,7 @@ public:
     using Z = Complex<R>;
     using Mask = typename LaneTraits<R>::Mask;
 
-    explicit PivotedFactorization(int n) : n_(n), l_(n), exchange_(n) {}
+    explicit PivotedFactorization(int n) : n_(n), l_(n), exchange_(n), column_(n) {}
 
     void factor(const auto& a) {
         const int n = n_;
@@ -95,7 +95,9 @@ public:
             auto&& row_k = l_[k];
             for (int i = k + 1; i < n; ++i) {
                 auto&& row_i = l_[i];
-                const Mask m = exchange_[k][i].mask = norm2(row_i[k]) > norm2(row_k[k]);
+                const Mask m = norm2(row_i[k]) > norm2(row_k[k]);
+                exchange_[k][i] = {m, !no_lane(m)};
+                if (!exchange_[k][i].any) continue;
                 for (int j = 0; j < n; ++j) exchange(m, row_k[j], row_i[j]);
             }
             row_k[k] = inverse(row_k[k]);
@@ -108,40 +110,74 @@ public:
     }
     /// Overwrites b with the solution.
     void solve(auto& b) const {
-        const int n = n_;
-        Z* x = std::begin(b);
-        for (int k = 0; k < n; ++k) {
-            auto&& exchanged = exchange_[k];
-            for (int i = k + 1; i < n; ++i) exchange(exchanged[i].mask, x[k], x[i]);
+        Z* const x = std::begin(b);
+        permute(x);
+        substitute(x, 0);
+    }
+    /// y[r][c] becomes (a^-1)_rc.
+    void inverse_into(auto& y) {
+        for (int c = 0; c < n_; ++c) {
+            for (int r = 0; r < n_; ++r) column_[r] = Z{broadcast<R>(r == c ? 1.0 : 0.0), broadcast<R>(0.0)};
+            substitute(&column_[0], c);
+            for (int r = 0; r < n_; ++r) y[r][c] = column_[r];
         }
-        for (int i = 1; i < n; ++i) {
-            auto&& row = l_[i];
-            Z y = x[i];
-            for (int k = 0; k < i; ++k) y -= row[k] * x[k];
-            x[i] = y;
-        }
-        for (int k = n - 1; k >= 0; --k) {
-            auto&& row = l_[k];
-            Z y = x[k];
-            for (int j = k + 1; j < n; ++j) y -= row[j] * x[j];
-            x[k] = y * row[k];
+        for (int k = n_ - 1; k >= 0; --k)
+            for (int i = n_ - 1; i > k; --i)
+                if (exchange_[k][i].any)
+                    for (int r = 0; r < n_; ++r) exchange(exchange_[k][i].mask, y[r][k], y[r][i]);
+    }
+    /// sums[r] = sum over c of |(a^-1)_rc| weights[c]; overwrites the weights.
+    void sum_inverse(auto& weights, auto& sums) {
+        R* const w = std::begin(weights);
+        permute(w);
+        for (int r = 0; r < n_; ++r) sums[r] = broadcast<R>(0.0);
+        for (int c = 0; c < n_; ++c) {
+            for (int r = 0; r < n_; ++r) column_[r] = Z{broadcast<R>(r == c ? 1.0 : 0.0), broadcast<R>(0.0)};
+            substitute(&column_[0], c);
+            for (int r = 0; r < n_; ++r) sums[r] = sums[r] + w[c] * square_root(norm2(column_[r]));
         }
     }
 
 private:
-    static void exchange(const Mask& m, Z& a, Z& b) {
-        const Z t = select(m, b, a);
+    template <class T>
+    static void exchange(const Mask& m, T& a, T& b) {
+        const T t = select(m, b, a);
         b = select(m, a, b);
         a = t;
     }
+    /// x becomes P x.
+    void permute(auto* x) const {
+        for (int k = 0; k < n_; ++k) {
+            auto&& exchanged = exchange_[k];
+            for (int i = k + 1; i < n_; ++i)
+                if (exchanged[i].any) exchange(exchanged[i].mask, x[k], x[i]);
+        }
+    }
+    /// x becomes (L U)^-1 x; its entries before `first` are 0.
+    void substitute(Z* x, int first) const {
+        for (int i = first + 1; i < n_; ++i) {
+            auto&& row = l_[i];
+            Z y = x[i];
+            for (int k = first; k < i; ++k) y -= row[k] * x[k];
+            x[i] = y;
+        }
+        for (int k = n_ - 1; k >= 0; --k) {
+            auto&& row = l_[k];
+            Z y = x[k];
+            for (int j = k + 1; j < n_; ++j) y -= row[j] * x[j];
+            x[k] = y * row[k];
+        }
+    }
 
     struct Exchange {
-        Mask mask;  // std::vector<bool> would pack them
+        Mask mask;
+        bool any;  // in some lane
     };
 
     int n_;
     RuntimeMatrix<Z> l_;  // unit lower factor below the diagonal, upper above it, inverse pivots on it
     RuntimeMatrix<Exchange> exchange_;
+    RuntimeArray<Z> column_;
 };
 
 /// Either of them, chosen at run time.

@@ -16,7 +16,7 @@ namespace detail {
 /// Makes a diagonal; turns the columns of *vectors along, if given.
 template <class Matrix>
 void diagonalize(Matrix& a, Matrix* vectors) {
-    using std::abs, std::hypot, std::sqrt;
+    using std::abs, std::sqrt;
     using Scalar = typename Matrix::Scalar;
     const Scalar negligible = std::numeric_limits<Scalar>::epsilon();
     const auto n = a.rows();
@@ -27,7 +27,10 @@ void diagonalize(Matrix& a, Matrix* vectors) {
                 if (abs(a(i, j)) <= negligible * sqrt(abs(a(i, i))) * sqrt(abs(a(j, j)))) continue;
                 rotated = true;
                 const Scalar difference = (a(j, j) - a(i, i)) / 2;
-                const Scalar longer = abs(difference) + hypot(difference, a(i, j));
+                // sqrt(x^2 + y^2) without overflow; std::hypot, exact to the last digit, takes longer than the rest
+                const Scalar leg = abs(difference), other = abs(a(i, j)), most = leg > other ? leg : other;
+                const Scalar share = (leg > other ? other : leg) / most;
+                const Scalar longer = leg + most * sqrt(1 + share * share);
                 const Scalar t =
                     difference < 0 ? Scalar(-a(i, j) / longer) : Scalar(a(i, j) / longer);  // tan, |t| <= 1
                 const Scalar c = 1 / sqrt(1 + t * t), s = t * c;

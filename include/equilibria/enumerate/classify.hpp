@@ -75,12 +75,14 @@ public:
     /// Whether a root is real, by Newton's method in real arithmetic from its real part: a regular root whose imaginary
     /// part is rounding is reached again. On success q is the real root.
     bool is_real(const RootView& root, std::span<double> q);
+    /// Of the root that is_real has found last, q.
     Classification classify(std::span<const double> q);
 
 private:
     struct Workspace;
     const RealEquations* equations_;
     std::unique_ptr<Workspace> with_;
+    bool linearized_ = false;  // the Jacobian in the workspace is that of the root that was found last
 };
 
 double largest_imaginary(const Root<RuntimeUnknowns>& root);
@@ -88,13 +90,16 @@ double largest_imaginary(const Root<RuntimeUnknowns>& root);
 Equilibrium<RuntimeUnknowns> equilibrium_of(const Root<RuntimeUnknowns>& root, RuntimeArray<double> q,
                                             const Classification& found);
 
-/// The real roots among roots, classified.
+/// The real roots among roots.
 struct RealRoots {
     std::vector<Equilibrium<RuntimeUnknowns>> equilibria;  ///< by index, then nullity, then path
     /// The largest imaginary part among the real roots, the smallest among the others (infinity where there are none).
     double largest_real_imaginary = 0, smallest_nonreal_imaginary = std::numeric_limits<double>::infinity();
 };
-RealRoots classify(const std::vector<Root<RuntimeUnknowns>>& roots, const RealEquations& equations,
+/// The mirror image of a real point, angles in (-pi, pi].
+RuntimeArray<double> mirrored(RuntimeArray<double> angles);
+/// The real roots among these, classified. odd: F(-q) = -F(q), so that what one root is its mirror image is as well.
+RealRoots classify(const std::vector<Root<RuntimeUnknowns>>& roots, const RealEquations& equations, bool odd,
                    const Executor& executor);
 
 }  // namespace equilibria::detail

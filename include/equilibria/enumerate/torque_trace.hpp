@@ -120,8 +120,8 @@ private:
         auto paths = track(PolynomialHomotopy(to, start), start, run_, options_);
         for (std::size_t k = 0; k < paths.size(); ++k) {
             if (!paths.finished(k)) return false;
-            lost += paths[k].status != PathStatus::finite;
-            difference.add(weights_[k], root_of(paths[k], k).q);
+            lost += paths.status(k) != PathStatus::finite;
+            difference.add(weights_[k], root_of(paths.point(k), paths.record(k), k).q);
         }
         return true;
     }

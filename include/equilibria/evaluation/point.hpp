@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <complex>
+#include <span>
 #include <utility>
 
 #include <equilibria/core/aligned_vector.hpp>
@@ -25,6 +26,19 @@ struct Point<RuntimeUnknowns, R> {
 };
 template <class R>
 using RuntimePoint = Point<RuntimeUnknowns, R>;
+
+/// The numbers of a point, wherever they lie. Empty: no point.
+struct PointView {
+    std::span<const Complex<double>> c, s, x;
+
+    PointView() = default;
+    PointView(std::span<const Complex<double>> cosines, std::span<const Complex<double>> sines,
+              std::span<const Complex<double>> coordinates)
+        : c(cosines), s(sines), x(coordinates) {}
+    PointView(const RuntimePoint<double>& q)
+        : c(q.c.begin(), q.c.end()), s(q.s.begin(), q.s.end()), x(q.x.begin(), q.x.end()) {}
+    bool empty() const { return c.empty() && x.empty(); }
+};
 
 /// A point with the numbers 0.
 template <class M, class R>
@@ -64,15 +78,6 @@ RuntimePoint<R> runtime_point(const Point<M, R>& q) {
         return SizedArray<Complex<R>, at_run_time>(AlignedVector<Complex<R>>(a.begin(), a.end()));
     };
     return {entries(q.c), entries(q.s), entries(q.x)};
-}
-
-/// The complex angle, in radians, of the point (c, s): c + i s = exp(i theta). Real part in (-pi, pi].
-inline std::complex<double> angle_of(const Complex<double>& c, const Complex<double>& s) {
-    const std::complex<double> z(c.re - s.im, c.im + s.re), w(c.re + s.im, c.im - s.re);  // exp(i theta), exp(-i theta)
-    // the larger of the two has the digits
-    const double z2 = std::norm(z), w2 = std::norm(w);
-    return z2 >= w2 ? std::complex<double>(std::arg(z), -0.5 * std::log(z2))
-                    : std::complex<double>(-std::arg(w), 0.5 * std::log(w2));
 }
 
 /// b becomes a where the mask is set.

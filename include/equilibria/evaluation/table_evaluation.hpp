@@ -72,10 +72,9 @@ public:
             for (int u = symmetric_ ? i : 0; u < n_; ++u) j[i][u] += (1.0 - time_) * of_form[i][u];
     }
 
-    /// F(q), what H(q, 1) is, and its Jacobian, as of `jacobian`; nothing along a path may follow.
-    void target_jacobian(const RuntimePoint<R>& q, auto& f, auto& j) {
+    /// F(q), what H(q, 1) is; nothing along a path may follow.
+    void target_value(const RuntimePoint<R>& q, auto& f) {
         factors_.begin(q);
-        factors_.begin_slopes();
         Z* const sum = kept_sums(0, 0);
         for (int i = 0; i < n_; ++i) {
             f[i] = zero();
@@ -86,7 +85,12 @@ public:
                 f[i] += with_own_factor(group(g), sum[g]);
             }
         }
-        set_slopes(sum, target(), [](const Z& z) -> const Z& { return z; }, j);
+    }
+    /// And its Jacobian, as of `jacobian`.
+    void target_jacobian(const RuntimePoint<R>& q, auto& f, auto& j) {
+        target_value(q, f);
+        factors_.begin_slopes();
+        set_slopes(kept_sums(0, 0), target(), [](const Z& z) -> const Z& { return z; }, j);
     }
 
     /// The Taylor coefficient k of -H(q(t), t), given those of q(t) below k and taking its k-th as zero: the

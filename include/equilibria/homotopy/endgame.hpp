@@ -332,6 +332,7 @@ private:
         q = estimate;
         if (!(polisher_->correct_determined(q, polishing_) < 1e-10)) return false;
         polisher_->assess(q, &end.evidence, polishing_);
+        if (end.evidence.condition < regular_condition) return false;  // a regular solution, near the estimate
         end.q = q;
         end.status = PathStatus::singular;
         end.winding_number = static_cast<std::int16_t>(winding);

@@ -36,6 +36,25 @@ struct Endpoint {
     PolishedEvidence evidence;
 };
 
+/// An endpoint without its point.
+struct EndpointRecord {
+    double t = 0;
+    PolishedEvidence evidence;
+    std::int32_t steps = 0;
+    std::int16_t winding_number = 1;
+    Arrival arrival = Arrival::stuck;
+    PathStatus status = PathStatus::failed;
+    FailureReason reason = FailureReason::none;
+    Precision precision = Precision::as_begun;
+
+    EndpointRecord() = default;
+    EndpointRecord(const Endpoint& end) {
+        const auto& [q, t_, steps_, arrival_, status_, reason_, precision_, winding_, evidence_] = end;
+        t = t_, evidence = evidence_, steps = steps_, winding_number = winding_;
+        arrival = arrival_, status = status_, reason = reason_, precision = precision_;
+    }
+};
+
 /// The largest condition number (see PolishedEvidence) of an endpoint that counts as regular.
 inline constexpr double regular_condition = 1e8;
 

@@ -21,7 +21,7 @@ enum class FailureReason : std::uint8_t {
     endgame_undecided  ///< near t = 1, neither finite, nor at infinity, nor singular could be shown
 };
 
-/// What polishing tells of an endpoint.
+/// What polishing tells of an endpoint, measured where the last correction began.
 struct PolishedEvidence {
     double residual = 0;    ///< max_i |F_i| / (largest coefficient of F_i)
     double condition = 0;   ///< of the Jacobian: equations against their terms, coordinates against 1 + |x|

@@ -88,6 +88,8 @@ public:
     /// The same paths in numbers of a size that single precision can work with: each equation divided by a power of
     /// two near its largest coefficient, all by the same one where the Jacobian is symmetric.
     PolynomialHomotopy scaled() const;
+    /// Whether the system has equations of its own beside its polynomials.
+    bool has_own_equations() const { return own_ != nullptr; }
     /// The system's own equations at q. `polynomials` has their values as polynomials, and is left as it is where the
     /// system has no other form.
     template <class R>

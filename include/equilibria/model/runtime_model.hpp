@@ -119,7 +119,7 @@ auto call_runtime_equations(const T& model, const Theta& theta, const X& x, cons
     return values;
 }
 
-/// Unknowns as variables, those from number `first` on in the directions that there are.
+/// Unknowns as variables, as many at once as there are directions.
 template <class S>
 struct DirectedUnknowns {
     static constexpr int directions = 4;
@@ -127,19 +127,27 @@ struct DirectedUnknowns {
     LocalArray<CircleAngle<D>> theta;
     LocalArray<D> x;
 
-    DirectedUnknowns(const LocalArray<CircleAngle<S>>& angles, const LocalArray<S>& coordinates, int first)
+    DirectedUnknowns(const LocalArray<CircleAngle<S>>& angles, const LocalArray<S>& coordinates)
         : theta(angles.size()), x(coordinates.size()) {
-        for (int i = 0; i < theta.size(); ++i) {
-            theta[i] = {D(angles[i].c), D(angles[i].s)};
-            if (const int d = i - first; d >= 0 && d < directions) {
-                theta[i].c.derivative[d] = -angles[i].s;
-                theta[i].s.derivative[d] = angles[i].c;
-            }
+        for (int i = 0; i < theta.size(); ++i) theta[i].c.value = angles[i].c, theta[i].s.value = angles[i].s;
+        for (int j = 0; j < x.size(); ++j) x[j].value = coordinates[j];
+    }
+    /// Unknown number first + d becomes the variable of direction d, and those before it variables no longer.
+    void vary(int first) {
+        const int angles = theta.size(), n = angles + x.size();
+        for (int d = 0; d < directions; ++d) {
+            if (const int u = first - directions + d; u >= 0) set(u, d, S(0.0), S(0.0), S(0.0));
+            if (const int u = first + d; u < n)
+                u < angles ? set(u, d, -theta[u].s.value, theta[u].c.value, S(0.0)) : set(u, d, S(0.0), S(0.0), S(1.0));
         }
-        for (int j = 0; j < x.size(); ++j) {
-            x[j] = D(coordinates[j]);
-            if (const int d = theta.size() + j - first; d >= 0 && d < directions) x[j].derivative[d] = S(1.0);
-        }
+    }
+
+private:
+    void set(int u, int d, const S& of_cosine, const S& of_sine, const S& of_coordinate) {
+        if (u < theta.size())
+            theta[u].c.derivative[d] = of_cosine, theta[u].s.derivative[d] = of_sine;
+        else
+            x[u - theta.size()].derivative[d] = of_coordinate;
     }
 };
 
@@ -180,8 +188,9 @@ void equations_at(const T& model, const LocalArray<CircleAngle<S>>& theta, const
     if constexpr (RuntimePotentialModel<T>) {
         using Directed = detail::DirectedUnknowns<S>;
         const auto& parameters = detail::lifted<typename Directed::D>(p);
+        Directed at(theta, x);
         for (int first = 0; first < n; first += Directed::directions) {
-            const Directed at(theta, x, first);
+            at.vary(first);
             const typename Directed::D v = detail::call_runtime_potential(model, at.theta, at.x, parameters);
             for (int d = 0; d < Directed::directions && first + d < n; ++d) f[first + d] = v.derivative[d];
         }
@@ -199,8 +208,9 @@ void equations_and_jacobian(const T& model, const LocalArray<CircleAngle<S>>& th
     const auto& parameters = detail::lifted<typename Directed::D>(p);
     const int n = theta.size() + x.size();
     LocalArray<typename Directed::D> values(n);
+    Directed at(theta, x);
     for (int first = 0; first < n; first += Directed::directions) {
-        const Directed at(theta, x, first);
+        at.vary(first);
         equations_at(model, at.theta, at.x, parameters, values.begin());
         for (int r = 0; r < n; ++r) {
             f[r] = values[r].value;

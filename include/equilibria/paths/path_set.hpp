@@ -34,6 +34,11 @@ public:
     std::size_t tracked() const;
     /// Record k, valid until the next call but one.
     const Endpoint& operator[](std::size_t k);
+    /// The same, without its point.
+    EndpointRecord record(std::size_t k);
+    PathStatus status(std::size_t k) { return record(k).status; }
+    /// The point of record k, valid as long as the record.
+    PointView point(std::size_t k);
     /// False of a path that a cancelled run left.
     bool finished(std::size_t k) const;
     /// Whether mirror images under theta -> -theta count as the same endpoint.
@@ -53,6 +58,8 @@ public:
         double tracking_seconds = 0;  ///< of the trackers proper, as a share of the time that went by
     };
     Effort effort;
+    /// Whether the finite endpoints are known to be different from one another.
+    bool apart = false;
 
     detail::EndpointStore& ends() { return *ends_; }
     const std::vector<Endpoint>& resting() const { return resting_; }
@@ -64,9 +71,11 @@ private:
 };
 
 /// Where a path ended, as a root: whatever its status is.
-Root<RuntimeUnknowns> root_of(const Endpoint& end, std::uint64_t path);
+Root<RuntimeUnknowns> root_of(const PointView& at, const EndpointRecord& end, std::uint64_t path);
 
 namespace detail {
+/// The same but for its angles, which are left 0.
+Root<RuntimeUnknowns> root_without_angles(const PointView& at, const EndpointRecord& end, std::uint64_t path);
 /// theta -> -theta, of roots whose unknowns are angles alone.
 Root<RuntimeUnknowns> reflected(Root<RuntimeUnknowns> root, std::uint64_t path);
 }  // namespace detail

@@ -20,7 +20,8 @@ template <class M>
 struct Root {
     /// Angles in radians, real parts in (-pi, pi], imaginary parts any; then the plain coordinates.
     UnknownArray<M, std::complex<double>> q;
-    double residual = 0;     ///< max_i |F_i(q)| / (largest coefficient of F_i), F being the model's own function
+    /// max_i |F_i| / (largest coefficient of F_i), F being the model's own function, before the last correction
+    double residual = 0;
     double condition = 0;    ///< of the Jacobian: equations against their terms, coordinates against 1 + |x|
     std::uint64_t path = 0;  ///< the first path that ended here
     std::int32_t paths = 1;  ///< how many did: the multiplicity of an isolated root

@@ -24,46 +24,39 @@ class EndpointTable {
 public:
     EndpointTable(const RuntimeSizes& sizes, std::uint64_t size)
         : angles_(static_cast<std::size_t>(sizes.angles)), coordinates_(static_cast<std::size_t>(sizes.coordinates)),
-          points_(size * (2 * angles_ + coordinates_)), others_(size) {}
+          points_(std::make_unique_for_overwrite<Complex<double>[]>(size * (2 * angles_ + coordinates_))),
+          records_(size) {}
 
-    bool empty() const { return others_.empty(); }
+    bool empty() const { return records_.empty(); }
     void set(std::uint64_t k, const Endpoint& end) {
-        auto& other = others_[k];
-        const auto& [q, t, steps, arrival, status, reason, precision, winding_number, evidence] = end;
-        other = {t, evidence, steps, winding_number, arrival, status, reason, precision};
-        auto to = points_.begin() + static_cast<std::ptrdiff_t>(k * (2 * angles_ + coordinates_));
-        for (const auto& z : q.c) *to++ = z;
-        for (const auto& z : q.s) *to++ = z;
-        for (const auto& z : q.x) *to++ = z;
+        records_[k] = end;
+        Complex<double>* to = place(k);
+        for (const auto* part : {&end.q.c, &end.q.s, &end.q.x}) to = std::copy(part->begin(), part->end(), to);
     }
     void get(std::uint64_t k, Endpoint& end) const {
-        const auto& other = others_[k];
+        const auto& [t, evidence, steps, winding_number, arrival, status, reason, precision] = records_[k];
         if (unknowns(end.q) == 0)
             end.q =
                 point_of_zeros<RuntimeUnknowns, double>({static_cast<int>(angles_), static_cast<int>(coordinates_)});
-        auto& [q, t, steps, arrival, status, reason, precision, winding_number, evidence] = end;
-        t = other.t, evidence = other.evidence, steps = other.steps, winding_number = other.winding_number;
-        arrival = other.arrival, status = other.status, reason = other.reason, precision = other.precision;
-        auto from = points_.begin() + static_cast<std::ptrdiff_t>(k * (2 * angles_ + coordinates_));
-        for (auto& z : q.c) z = *from++;
-        for (auto& z : q.s) z = *from++;
-        for (auto& z : q.x) z = *from++;
+        end.t = t, end.evidence = evidence, end.steps = steps, end.winding_number = winding_number;
+        end.arrival = arrival, end.status = status, end.reason = reason, end.precision = precision;
+        const PointView from = point(k);
+        std::copy(from.c.begin(), from.c.end(), end.q.c.begin());
+        std::copy(from.s.begin(), from.s.end(), end.q.s.begin());
+        std::copy(from.x.begin(), from.x.end(), end.q.x.begin());
+    }
+    const EndpointRecord& record(std::uint64_t k) const { return records_[k]; }
+    PointView point(std::uint64_t k) const {
+        const Complex<double>* const at = place(k);
+        return {{at, angles_}, {at + angles_, angles_}, {at + 2 * angles_, coordinates_}};
     }
 
 private:
-    struct Other {
-        double t;
-        PolishedEvidence evidence;
-        std::int32_t steps;
-        std::int16_t winding_number;
-        Arrival arrival;
-        PathStatus status;
-        FailureReason reason;
-        Precision precision;
-    };
+    Complex<double>* place(std::uint64_t k) const { return &points_[k * (2 * angles_ + coordinates_)]; }
+
     std::size_t angles_, coordinates_;
-    std::vector<Complex<double>> points_;
-    std::vector<Other> others_;
+    std::unique_ptr<Complex<double>[]> points_;  // written before they are read: no zeros
+    std::vector<EndpointRecord> records_;
 };
 
 class EndpointStore {
@@ -129,6 +122,9 @@ public:
         last_ = w.first + w.ends.size() - 1;
         return w.ends[k - w.first];
     }
+    EndpointRecord record(std::uint64_t k) { return ends_.empty() ? EndpointRecord((*this)[k]) : ends_.record(k); }
+    /// Its point; valid as an endpoint is.
+    PointView point(std::uint64_t k) { return ends_.empty() ? PointView((*this)[k].q) : ends_.point(k); }
     /// Another endpoint for a path. Not written to the checkpoint: it follows from what is there.
     void replace(std::uint64_t k, const Endpoint& end) {
         if (!ends_.empty())

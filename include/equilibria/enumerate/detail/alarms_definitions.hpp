@@ -1,6 +1,7 @@
 /// \file
-/// See enumerate/alarms.hpp. Partners are looked for by a key that conjugation and theta -> -theta leave as it is, so
-/// that one pass over the roots in the order of their keys finds images and duplicates, n log n in all.
+/// See enumerate/alarms.hpp. Each root goes by three numbers: a key that conjugation and theta -> -theta leave as it
+/// is, and two sums that change their signs with them. In the order of the keys a root's images and duplicates are next
+/// to it, and are told by the sums, so that all that is compared lies in one piece: n log n in all.
 #pragma once
 
 #include <algorithm>
@@ -10,19 +11,19 @@
 #include <string>
 #include <utility>
 
+#include <equilibria/core/random.hpp>
 #include <equilibria/enumerate/alarms.hpp>
 
 namespace equilibria::detail {
 
-/// Whether a and image(b) differ by at most `most`: angles modulo 2 pi, coordinates against 1 + |x|.
-EQUILIBRIA_INLINE bool close_roots(const RuntimeSizes& sizes, const RootView& a, const RootView& b, bool conjugated,
-                                   bool reflected, double most) {
+/// Whether two roots differ by at most `most`: angles modulo 2 pi, coordinates against 1 + |x|.
+EQUILIBRIA_INLINE bool close_roots(const RuntimeSizes& sizes, const RootView& a, const RootView& b, double most) {
     for (int u = 0; u < sizes.unknowns; ++u) {
-        const double sign = reflected ? -1 : 1;
-        double re = std::abs(a.q[u].real() - sign * b.q[u].real());
-        const double im = a.q[u].imag() - (conjugated ? -sign : sign) * b.q[u].imag();
+        const std::complex<double>&x = a.q[static_cast<std::size_t>(u)], &y = b.q[static_cast<std::size_t>(u)];
+        double re = std::abs(x.real() - y.real());
+        const double im = x.imag() - y.imag();
         if (u < sizes.angles && re > std::numbers::pi) re = 2 * std::numbers::pi - re;
-        const double size = u < sizes.angles ? 1 : 1 + std::abs(a.q[u]);
+        const double size = u < sizes.angles ? 1 : 1 + std::abs(x);
         if (!(re * re + im * im <= most * most * size * size)) return false;
     }
     return true;
@@ -33,12 +34,16 @@ public:
     RootPartners found;
 
     PartnerFinder(const RuntimeSizes& sizes, const std::vector<RootView>& roots, const Executor& executor)
-        : sizes_(sizes), roots_(&roots), entries_(roots.size()) {
+        : sizes_(sizes), roots_(&roots), weight_(3 * sizes.unknowns), entries_(roots.size()) {
+        Generator generator(0xa1a2);  // any numbers without relations
+        for (double& w : weight_) w = uniform(generator, 0.5, 1);
         executor.for_blocks(roots.size(), 4096, [&](std::size_t first, std::size_t last) {
-            for (std::size_t k = first; k < last; ++k) entries_[k] = entry(roots[k], k);
+            for (std::size_t k = first; k < last; ++k) {
+                if (k + soon < roots.size()) fetch(roots[k + soon]);
+                entries_[k] = entry(roots[k], k);
+            }
         });
-        std::sort(entries_.begin(), entries_.end(),
-                  [](const Entry& a, const Entry& b) { return std::pair(a.key, a.root) < std::pair(b.key, b.root); });
+        std::sort(entries_.begin(), entries_.end(), [](const Entry& a, const Entry& b) { return a.key < b.key; });
         std::vector<std::array<std::uint8_t, 3>> images(roots.size());
         executor.for_blocks(roots.size(), 4096, [&](std::size_t first, std::size_t last) {
             for (std::size_t e = first; e < last; ++e) images[e] = partners(e);
@@ -49,28 +54,40 @@ public:
 
 private:
     struct Entry {
-        double key, size;  ///< size: how much the key changes at most for a change of 1 in the root
+        double key, re, im;  ///< conjugation changes the sign of im, theta -> -theta those of both sums
+        float near, same;    ///< by how much they may differ from an image's, and from a duplicate's
         std::size_t root;
     };
 
-    /// Conjugation and reflection change the signs of all imaginary parts, or of all parts.
     Entry entry(const RootView& root, std::size_t k) const {
-        // fixed numbers without relations: 1/sqrt of primes
-        static constexpr double weights[] = {0.70710678, 0.57735027, 0.44721360, 0.37796447,
-                                             0.30151134, 0.27735010, 0.24253563, 0.22941573};
-        Entry e{0, 2.0 * sizes_.unknowns, k};
-        for (int u = 0; u < sizes_.unknowns; ++u) {
-            const double w = weights[u % 8] / (1 + u / 8);
+        Entry e{0, 0, 0, 0, 0, k};
+        double reach = 0;  // how much the numbers change at most for a change of 1 in the root
+        const double* w = weight_.begin();
+        for (int u = 0; u < sizes_.unknowns; ++u, w += 3) {
+            const auto& z = root.q[static_cast<std::size_t>(u)];
             if (u < sizes_.angles) {
-                e.key += w * std::cos(root.q[u].real()) + (1 - w) * std::abs(root.q[u].imag());
+                const double re = std::abs(z.real());  // up to pi it has no jump on the circle
+                e.key += w[0] * re + w[1] * std::abs(z.imag());
+                e.re += w[2] * z.real() * (std::numbers::pi - re);
+                reach += 4;
             } else {
-                e.key += w * root.q[u].real();
-                e.size += 2 * std::abs(root.q[u]);
+                e.key += w[0] * z.real() + w[1] * std::abs(z.imag());
+                e.re += w[2] * z.real();
+                reach += 2 * (1 + std::abs(z));
             }
+            e.im += w[0] * z.imag();
         }
+        e.near = static_cast<float>(accuracy(root) * reach);
+        e.same = static_cast<float>(duplicate_distance(root) * reach);
         return e;
     }
 
+    /// Roots lie anywhere in memory: those that come soon are asked for early.
+    static constexpr std::size_t soon = 8;
+    static void fetch(const RootView& root) {
+        constexpr std::size_t line = 64 / sizeof(root.q[0]);
+        for (std::size_t u = 0; u < root.q.size(); u += line) __builtin_prefetch(&root.q[u]);
+    }
     /// How far the computed root may be from the true one.
     static double accuracy(const RootView& root) { return root.singular ? 1e-4 : 1e-9 + 1e-13 * root.condition; }
     /// Two regular roots have a distance of the order of 1 / condition.
@@ -80,23 +97,28 @@ private:
 
     /// Whether entry e has a conjugate, a mirror image, a duplicate.
     std::array<std::uint8_t, 3> partners(std::size_t e) const {
-        const RootView& root = (*roots_)[entries_[e].root];
-        const double near = accuracy(root), same = duplicate_distance(root);
+        const Entry& own = entries_[e];
         std::array<std::uint8_t, 3> has{};
-        const auto look = [&](std::size_t other) {
-            const RootView& partner = (*roots_)[entries_[other].root];
-            if (!has[0]) has[0] = close_roots(sizes_, root, partner, true, false, near);
-            if (!has[1]) has[1] = close_roots(sizes_, root, partner, false, true, near);
-            if (!has[2]) has[2] = other != e && close_roots(sizes_, root, partner, false, false, same);
+        const auto look = [&](std::size_t k) {
+            const Entry& other = entries_[k];
+            const double re = std::abs(own.re - other.re), re_turned = std::abs(own.re + other.re);
+            const double im = std::abs(own.im - other.im), im_turned = std::abs(own.im + other.im);
+            has[0] |= re <= own.near && im_turned <= own.near;
+            has[1] |= re_turned <= own.near && im_turned <= own.near;
+            if (k != e && re <= own.same && im <= own.same) {
+                const RootView& root = (*roots_)[own.root];
+                has[2] |= close_roots(sizes_, root, (*roots_)[other.root], duplicate_distance(root));
+            }
         };
-        const double reach = std::max(near, same) * entries_[e].size;
-        for (std::size_t k = e; k < entries_.size() && entries_[k].key - entries_[e].key <= reach; ++k) look(k);
-        for (std::size_t k = e; k-- > 0 && entries_[e].key - entries_[k].key <= reach;) look(k);
+        const double most = std::max(own.near, own.same);
+        for (std::size_t k = e; k < entries_.size() && entries_[k].key - own.key <= most; ++k) look(k);
+        for (std::size_t k = e; k-- > 0 && own.key - entries_[k].key <= most;) look(k);
         return has;
     }
 
     RuntimeSizes sizes_;
     const std::vector<RootView>* roots_;
+    SizedArray<double, at_run_time> weight_;  // three an unknown
     std::vector<Entry> entries_;
 };
 

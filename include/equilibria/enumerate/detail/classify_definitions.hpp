@@ -7,6 +7,7 @@
 #include <cmath>
 #include <complex>
 #include <cstdint>
+#include <iterator>
 #include <numbers>
 #include <utility>
 
@@ -16,9 +17,13 @@
 #include <equilibria/core/eigenvalues.hpp>
 #include <equilibria/core/sorted_order.hpp>
 #include <equilibria/enumerate/classify.hpp>
+#include <equilibria/enumerate/detail/mirror_images.hpp>
 #include <equilibria/stability/inertia.hpp>
 
 namespace equilibria::detail {
+
+/// No root with a larger imaginary part is real.
+inline constexpr double nearly_real = 1e-5;
 
 struct RootClassifier::Workspace {
     RuntimeArray<double> step;
@@ -38,8 +43,9 @@ EQUILIBRIA_INLINE bool RootClassifier::is_real(const RootView& root, std::span<d
     const auto n = q.size(), angles = static_cast<std::size_t>(equations_->sizes.angles);
     double imaginary = 0;
     for (const auto& z : root.q) imaginary = std::max(imaginary, std::abs(z.imag()));
-    if (!(imaginary < 1e-5)) return false;
+    if (!(imaginary < nearly_real)) return false;
     for (std::size_t u = 0; u < n; ++u) q[u] = root.q[u].real();
+    linearized_ = false;
     if (root.singular) return true;
     double moved = 0;
     for (int round = 0; round < 3; ++round) {
@@ -55,7 +61,10 @@ EQUILIBRIA_INLINE bool RootClassifier::is_real(const RootView& root, std::span<d
         for (std::size_t u = 0; u < n; ++u) q[u] -= step[static_cast<int>(u)];
         moved += size;
         if (moved > 1e-4) return false;
-        if (size < 1e-15) break;
+        if (size < 1e-10) {  // what Newton's method would still change is its square
+            linearized_ = true;
+            break;
+        }
     }
     for (std::size_t u = 0; u < angles; ++u) {
         q[u] = std::remainder(q[u], 2 * std::numbers::pi);
@@ -68,7 +77,8 @@ EQUILIBRIA_INLINE bool RootClassifier::is_real(const RootView& root, std::span<d
 
 EQUILIBRIA_INLINE Classification RootClassifier::classify(std::span<const double> q) {
     const int n = with_->step.size();
-    equations_->linearize(q.data(), &with_->step[0], with_->entries());
+    if (!linearized_) equations_->linearize(q.data(), &with_->step[0], with_->entries());
+    linearized_ = false;  // the matrix is overwritten
     Eigen::Map<Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>> jacobian(with_->entries(), n, n);
     Classification y;
     y.energy = equations_->energy(q.data());
@@ -118,30 +128,47 @@ EQUILIBRIA_INLINE Equilibrium<RuntimeUnknowns> equilibrium_of(const Root<Runtime
     return e;
 }
 
+EQUILIBRIA_INLINE RuntimeArray<double> mirrored(RuntimeArray<double> angles) {
+    for (double& angle : angles) angle = angle == std::numbers::pi ? angle : 0 - angle;
+    return angles;
+}
+
 EQUILIBRIA_INLINE RealRoots classify(const std::vector<Root<RuntimeUnknowns>>& roots, const RealEquations& equations,
-                                     const Executor& executor) {
-    std::vector<std::uint8_t> real(roots.size());
-    std::vector<RuntimeArray<double>> at(roots.size());
-    executor.for_blocks(roots.size(), 4096, [&](std::size_t first, std::size_t last) {
+                                     bool odd, const Executor& executor) {
+    RealRoots y;
+    std::vector<const Root<RuntimeUnknowns>*> near;  // the real points
+    for (const auto& root : roots)
+        if (const double imaginary = largest_imaginary(root); imaginary < nearly_real)
+            near.push_back(&root);
+        else
+            y.smallest_nonreal_imaginary = std::min(y.smallest_nonreal_imaginary, imaginary);
+    MirrorImages mirror;
+    if (odd) mirror = MirrorImages(near.size(), [&](std::size_t k) { return view(*near[k]).q; });
+    constexpr std::size_t block = 256;
+    std::vector<RealRoots> found((near.size() + block - 1) / block);
+    executor.for_blocks(near.size(), block, [&](std::size_t first, std::size_t last) {
         RootClassifier classifier(equations);
         RuntimeArray<double> q(equations.sizes.unknowns);
+        RealRoots& here = found[first / block];
         for (std::size_t k = first; k < last; ++k) {
-            real[k] = classifier.is_real(view(roots[k]), {q.begin(), q.end()});
-            if (real[k]) at[k] = q;
+            if (odd && mirror.is_image[k]) continue;
+            const auto& root = *near[k];
+            const double imaginary = largest_imaginary(root);
+            if (!classifier.is_real(view(root), {q.begin(), q.end()})) {
+                here.smallest_nonreal_imaginary = std::min(here.smallest_nonreal_imaginary, imaginary);
+                continue;
+            }
+            here.largest_real_imaginary = std::max(here.largest_real_imaginary, imaginary);
+            const Classification classification = classifier.classify({q.begin(), q.end()});
+            here.equilibria.push_back(equilibrium_of(root, q, classification));
+            if (!odd || mirror.image[k] == MirrorImages::none) continue;
+            here.equilibria.push_back(equilibrium_of(*near[mirror.image[k]], mirrored(q), classification));
         }
     });
-    RootClassifier classifier(equations);
-    RealRoots y;
-    y.equilibria.reserve(static_cast<std::size_t>(std::count(real.begin(), real.end(), 1)));
-    for (std::size_t k = 0; k < roots.size(); ++k) {
-        const double imaginary = largest_imaginary(roots[k]);
-        if (real[k]) {
-            const Classification found = classifier.classify({at[k].begin(), at[k].end()});
-            y.equilibria.push_back(equilibrium_of(roots[k], std::move(at[k]), found));
-            y.largest_real_imaginary = std::max(y.largest_real_imaginary, imaginary);
-        } else {
-            y.smallest_nonreal_imaginary = std::min(y.smallest_nonreal_imaginary, imaginary);
-        }
+    for (RealRoots& here : found) {
+        std::move(here.equilibria.begin(), here.equilibria.end(), std::back_inserter(y.equilibria));
+        y.largest_real_imaginary = std::max(y.largest_real_imaginary, here.largest_real_imaginary);
+        y.smallest_nonreal_imaginary = std::min(y.smallest_nonreal_imaginary, here.smallest_nonreal_imaginary);
     }
     std::vector<std::array<std::int64_t, 3>> keys;
     keys.reserve(y.equilibria.size());

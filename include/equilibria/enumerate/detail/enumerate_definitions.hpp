@@ -24,7 +24,7 @@ EQUILIBRIA_INLINE RootSet<RuntimeUnknowns> root_set_of(PathSet paths, const Runt
         roots = merge(done);
     }
     auto [isolated, families, regular_paths] = split_families(std::move(roots), homotopy, run.executor);
-    auto real = classify(isolated, equations, run.executor);
+    auto real = classify(isolated, equations, model.reflection_symmetric, run.executor);
     RootSet<RuntimeUnknowns> set{.parameters = p,
                                  .seed = run.seed,
                                  .paths = counts.with_singular(regular_paths),

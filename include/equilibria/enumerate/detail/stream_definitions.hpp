@@ -6,6 +6,7 @@
 #include <utility>
 
 #include <equilibria/enumerate/alarms.hpp>
+#include <equilibria/enumerate/detail/mirror_images.hpp>
 #include <equilibria/enumerate/stream.hpp>
 #include <equilibria/paths/merge.hpp>
 
@@ -25,18 +26,31 @@ EQUILIBRIA_INLINE StreamedRoots<RuntimeUnknowns> stream_roots(PathSet paths, con
     set.tracking_seconds = paths.effort.tracking_seconds;
     set.model = model;
     RootClassifier classifier(equations);
+    struct Last {  // the image of a root comes next
+        Root<RuntimeUnknowns> root;
+        bool real = false;
+        RuntimeArray<double> q;
+        Classification found;
+    } last;
     if (!set.cancelled())
         merge(paths, [&](const Root<RuntimeUnknowns>& root) {
             ++set.distinct;
             const double imaginary = largest_imaginary(root);
-            RuntimeArray<double> q(model.sizes.unknowns);
-            if (!classifier.is_real(view(root), {q.begin(), q.end()})) {
+            if (model.reflection_symmetric && last.root.q.size() > 0 &&
+                MirrorImages::are_images(view(last.root).q, view(root).q)) {
+                if (last.real) last.q = mirrored(std::move(last.q));
+            } else {
+                last.q.resize(model.sizes.unknowns);
+                last.real = classifier.is_real(view(root), {last.q.begin(), last.q.end()});
+                if (last.real) last.found = classifier.classify({last.q.begin(), last.q.end()});
+            }
+            last.root = root;
+            if (!last.real) {
                 set.smallest_nonreal_imaginary = std::min(set.smallest_nonreal_imaginary, imaginary);
                 take(root, nullptr);
                 return;
             }
-            const Classification found = classifier.classify({q.begin(), q.end()});
-            const auto e = equilibrium_of(root, std::move(q), found);
+            const auto e = equilibrium_of(root, last.q, last.found);
             ++set.real;
             set.degenerate += e.degenerate();
             if (!e.degenerate()) ++set.by_index[static_cast<std::size_t>(e.index)];

@@ -11,7 +11,8 @@ EQUILIBRIA_INLINE std::vector<std::vector<std::size_t>> coincident(std::span<con
                                                                    double tolerance) {
     if (points.empty()) return {};
     const RuntimeSizes sizes(points.front().c.size(), points.front().x.size());
-    return CoincidenceFinder(false, sizes).groups(points.size(), [&](std::size_t k) { return &points[k]; }, tolerance);
+    return CoincidenceFinder(false, sizes)
+        .groups(points.size(), [&](std::size_t k) { return PointView(points[k]); }, tolerance);
 }
 
 }  // namespace equilibria::detail

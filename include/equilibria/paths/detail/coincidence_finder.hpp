@@ -30,8 +30,8 @@ public:
     }
 
     /// Groups of two or more numbers k < size whose points are within `tolerance` of each other, relative to their
-    /// size; point(k) gives a point, valid until the next call but one, or nullptr to leave k out. Each group is
-    /// sorted, and so are the groups.
+    /// size; point(k) gives a PointView, valid until the next call but one, an empty one to leave k out. Each group
+    /// is sorted, and so are the groups.
     template <class PointOf>
     std::vector<std::vector<std::size_t>> groups(std::size_t size, PointOf&& point, double tolerance) const {
         struct Entry {
@@ -40,8 +40,8 @@ public:
         };
         std::vector<Entry> entries;
         for (std::size_t k = 0; k < size; ++k)
-            if (const RuntimePoint<double>* q = point(k)) {
-                const auto [key, magnitude] = key_of(*q);
+            if (const PointView q = point(k); !q.empty()) {
+                const auto [key, magnitude] = key_of(q);
                 entries.push_back({key, magnitude, k});
             }
         std::sort(entries.begin(), entries.end(),
@@ -51,7 +51,7 @@ public:
         for (std::size_t i = 0; i < entries.size(); ++i)
             for (std::size_t j = i + 1;
                  j < entries.size() && entries[j].key - entries[i].key <= 8 * tolerance * entries[i].size; ++j)
-                if (same(*point(entries[i].k), *point(entries[j].k), tolerance)) {
+                if (same(point(entries[i].k), point(entries[j].k), tolerance)) {
                     groups.union_set(i, j);
                     joined[i] = joined[j] = 1;
                 }
@@ -70,34 +70,34 @@ public:
         return found;
     }
 
-    bool same(const RuntimePoint<double>& a, const RuntimePoint<double>& b, double tolerance) const {
+    bool same(const PointView& a, const PointView& b, double tolerance) const {
         return close(a, b, 1, tolerance) || (reflected_ && close(a, b, -1, tolerance));
     }
 
 private:
     /// A combination of the cosines and coordinates, and of the sines: squared, where the mirror image is the same.
-    std::pair<double, double> key_of(const RuntimePoint<double>& q) const {
+    std::pair<double, double> key_of(const PointView& q) const {
         Complex<double> even{0, 0}, odd{0, 0};
         double size = 1;
-        for (int i = 0; i < q.c.size(); ++i) {
-            even += cosine_[static_cast<std::size_t>(i)] * q.c[i];
-            odd += sine_[static_cast<std::size_t>(i)] * q.s[i];
+        for (std::size_t i = 0; i < q.c.size(); ++i) {
+            even += cosine_[i] * q.c[i];
+            odd += sine_[i] * q.s[i];
             size += 2 * std::sqrt(norm2(q.c[i]) + norm2(q.s[i]));
         }
-        for (int j = 0; j < q.x.size(); ++j) {
-            even += coordinate_[static_cast<std::size_t>(j)] * q.x[j];
+        for (std::size_t j = 0; j < q.x.size(); ++j) {
+            even += coordinate_[j] * q.x[j];
             size += 2 * std::sqrt(norm2(q.x[j]));
         }
         if (!reflected_) return {even.re + 0.7 * even.im + 1.3 * odd.re + 0.6 * odd.im, size};
         const Complex<double> square = odd * odd;
         return {even.re + 0.7 * even.im + square.re + 0.6 * square.im, size * size};
     }
-    static bool close(const RuntimePoint<double>& a, const RuntimePoint<double>& b, double sign, double tolerance) {
+    static bool close(const PointView& a, const PointView& b, double sign, double tolerance) {
         const double most = tolerance * tolerance;
-        for (int i = 0; i < a.c.size(); ++i)
+        for (std::size_t i = 0; i < a.c.size(); ++i)
             if (!(norm2(a.c[i] - b.c[i]) + norm2(a.s[i] - sign * b.s[i]) <= most * (norm2(a.c[i]) + norm2(a.s[i]))))
                 return false;
-        for (int j = 0; j < a.x.size(); ++j)
+        for (std::size_t j = 0; j < a.x.size(); ++j)
             if (!(norm2(a.x[j] - b.x[j]) <= most * (1 + norm2(a.x[j])))) return false;
         return true;
     }

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <utility>
 
+#include <equilibria/evaluation/angles.hpp>
 #include <equilibria/paths/path_set.hpp>
 #include <equilibria/storage/endpoint_store.hpp>
 
@@ -23,19 +24,37 @@ EQUILIBRIA_INLINE std::size_t PathSet::tracked() const { return static_cast<std:
 EQUILIBRIA_INLINE const Endpoint& PathSet::operator[](std::size_t k) {
     return k < tracked() ? (*ends_)[k] : resting_[k - tracked()];
 }
+EQUILIBRIA_INLINE EndpointRecord PathSet::record(std::size_t k) {
+    return k < tracked() ? ends_->record(k) : EndpointRecord(resting_[k - tracked()]);
+}
+EQUILIBRIA_INLINE PointView PathSet::point(std::size_t k) {
+    return k < tracked() ? ends_->point(k) : PointView(resting_[k - tracked()].q);
+}
 EQUILIBRIA_INLINE bool PathSet::finished(std::size_t k) const { return k >= tracked() || ends_->finished(k); }
 
-EQUILIBRIA_INLINE Root<RuntimeUnknowns> root_of(const Endpoint& end, std::uint64_t path) {
+namespace detail {
+EQUILIBRIA_INLINE Root<RuntimeUnknowns> root_without_angles(const PointView& at, const EndpointRecord& end,
+                                                            std::uint64_t path) {
     Root<RuntimeUnknowns> root;
-    const int angles = end.q.c.size(), coordinates = end.q.x.size();
-    root.q.resize(angles + coordinates);
-    for (int i = 0; i < angles; ++i) root.q[i] = angle_of(end.q.c[i], end.q.s[i]);
-    for (int j = 0; j < coordinates; ++j) root.q[angles + j] = {end.q.x[j].re, end.q.x[j].im};
+    const auto angles = static_cast<int>(at.c.size());
+    root.q.resize(angles + static_cast<int>(at.x.size()));
+    std::transform(at.x.begin(), at.x.end(), root.q.begin() + angles,
+                   [](const Complex<double>& x) { return std::complex<double>(x.re, x.im); });
     root.residual = end.evidence.residual;
     root.condition = end.evidence.condition;
     root.path = path;
     root.winding_number = end.winding_number;
     root.status = end.status;
+    return root;
+}
+}  // namespace detail
+
+EQUILIBRIA_INLINE Root<RuntimeUnknowns> root_of(const PointView& at, const EndpointRecord& end, std::uint64_t path) {
+    auto root = detail::root_without_angles(at, end, path);
+    for (std::size_t i = 0; i < at.c.size(); ++i) {
+        const Complex<double> angle = angle_of(at.c[i], at.s[i]);
+        root.q[static_cast<int>(i)] = {angle.re, angle.im};
+    }
     return root;
 }
 
@@ -66,7 +85,7 @@ EQUILIBRIA_INLINE PathAccount account_for(PathSet& paths) {
             counts.cancelled += weight;
             continue;
         }
-        const Endpoint& end = paths[k];
+        const EndpointRecord end = paths.record(k);
         counts.in_double += end.precision == Precision::in_double;
         counts.steps += static_cast<std::uint64_t>(end.steps);
         switch (end.status) {
@@ -75,7 +94,7 @@ EQUILIBRIA_INLINE PathAccount account_for(PathSet& paths) {
             case PathStatus::singular: counts.singular += weight; break;
             case PathStatus::failed: {
                 counts.failed += weight;
-                const auto at = root_of(end, paths.path(k));
+                const auto at = root_of(paths.point(k), end, paths.path(k));
                 y.failures.push_back({at.path, end.reason, at.q});
                 if (weight == 2) {
                     const auto image = detail::reflected(at, paths.mirror(at.path));

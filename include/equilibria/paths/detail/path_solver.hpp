@@ -54,8 +54,8 @@ public:
         track_unfinished(paths);
         if (paths.ends().complete()) {
             track_with_more_digits(paths);
-            uncross(paths);
-            track_with_more_digits(paths);
+            const bool apart = uncross(paths);
+            paths.apart = track_with_more_digits(paths) == 0 && apart;
         }
         return paths;
     }
@@ -232,15 +232,16 @@ private:
         return ends;
     }
 
-    /// The failed paths, each once.
-    void track_with_more_digits(PathSet& paths) const {
-        if (!more_digits_) return;
+    /// The failed paths, each once; returns how many.
+    std::size_t track_with_more_digits(PathSet& paths) const {
+        if (!more_digits_) return 0;
         EndpointStore& ends = paths.ends();
         std::vector<std::pair<std::uint64_t, Endpoint>> failed;
-        for (std::uint64_t k = 0; k < ends.size(); ++k)
-            if (const Endpoint& end = ends[k];
-                end.status == PathStatus::failed && end.precision != Precision::more_digits)
-                failed.emplace_back(k, end);
+        for (std::uint64_t k = 0; k < ends.size(); ++k) {
+            const EndpointRecord end = ends.record(k);
+            if (end.status == PathStatus::failed && end.precision != Precision::more_digits)
+                failed.emplace_back(k, ends[k]);
+        }
         TrackerOptions careful = options_.tightened();
         careful.most_steps = std::max(careful.most_steps, 20000);
         run_->executor.for_blocks(failed.size(), 1, [&](std::size_t at, std::size_t) {
@@ -250,20 +251,21 @@ private:
         });
         for (const auto& [k, end] : failed) ends.replace(k, end);
         paths.effort.more_digits += failed.size();
+        return failed.size();
     }
 
-    /// Two paths cannot end at one regular solution: where they seem to, one of them jumped.
-    void uncross(PathSet& paths) const {
+    /// Two paths cannot end at one regular solution: where they seem to, one of them jumped, and they are tracked
+    /// again. Returns whether no two do any more.
+    bool uncross(PathSet& paths) const {
         EndpointStore& ends = paths.ends();
         const CoincidenceFinder finder(paths.symmetric(), paths.sizes());
-        const auto point = [&](std::size_t k) -> const RuntimePoint<double>* {
-            const Endpoint& end = paths[k];
-            return end.status == PathStatus::finite ? &end.q : nullptr;
+        const auto point = [&](std::size_t k) {
+            return paths.status(k) == PathStatus::finite ? paths.point(k) : PointView();
         };
         TrackerOptions careful = options_;
         for (int round = 0; round < 3; ++round) {
             const auto groups = finder.groups(paths.size(), point, 1e-9);
-            if (groups.empty()) return;
+            if (groups.empty()) return true;
             careful = careful.tightened();
             std::vector<std::uint64_t> crossed;
             for (const auto& group : groups)
@@ -284,8 +286,9 @@ private:
                 paths.effort.crossed += end.status != PathStatus::finite || !finder.same(before.q, end.q, 1e-9);
                 ends.replace(crossed[m], end);
             }
-            if (!ends.complete()) return;
+            if (!ends.complete()) return false;
         }
+        return false;
     }
 
     const H* homotopy_;

@@ -79,3 +79,41 @@ TEST_CASE("an enclosure over doubles contains the one over more digits") {
     CHECK(sqrt(norm2(d)) + fine.off <= S(rounded.off));
     CHECK(rounded.off < 1e-14);
 }
+
+TEST_CASE("the intervals of proofs in lanes are those of their enclosures, mirrored or not") {
+    using Pack = Lanes<native_lanes>;
+    const RuntimeSizes sizes(3, 0);
+    Generator generator(5);
+    const EnclosureForm form(3);
+    for (int trial = 0; trial < 100; ++trial) {
+        KrawczykResult<Pack> proof(sizes);
+        const auto fill = [&](auto& numbers) {
+            for (auto& z : numbers)
+                for (int k = 0; k < native_lanes; ++k)
+                    set_lane(z.re, k, uniform(generator, -3, 3)), set_lane(z.im, k, uniform(generator, -1, 1));
+        };
+        fill(proof.center.c), fill(proof.center.s), fill(proof.center.x);
+        for (Pack& off : proof.off)
+            for (int k = 0; k < native_lanes; ++k) set_lane(off, k, uniform(generator, 0, 0.9));
+        EnclosureInterval own[native_lanes], mirrored[native_lanes];
+        form.intervals(proof, false, own);
+        form.intervals(proof, true, mirrored);
+        const auto excluded = excludes_real_points(proof);
+        for (int k = 0; k < native_lanes; ++k) {
+            auto box = Box::of(proof, k);
+            CHECK(mask_lane(excluded, k) == box.excludes_real_points());
+            CHECK(form(box).low == Approx(own[k].low));
+            CHECK(form(box).high == Approx(own[k].high));
+            for (auto& at : box.unknowns) at.sine = -at.sine;
+            CHECK(form(box).low == Approx(mirrored[k].low));
+            CHECK(form(box).high == Approx(mirrored[k].high));
+        }
+    }
+}
+
+TEST_CASE("intervals that meet are told, those without an end meet none") {
+    const EnclosureInterval a{0, 1}, b{1, 2}, c{3, 4}, d{3.5, 3.6}, e{}, f{5, 6};
+    CHECK(meeting({a, c, e, b, f, d}) == std::vector<std::size_t>{0, 1, 3, 5});
+    CHECK(meeting({a, c, f, e}).empty());
+    CHECK(meeting({}).empty());
+}

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include <equilibria/certify/exact_system.hpp>
+#include <equilibria/mechanisms/rotating_chain.hpp>
 
 #include "support/catch.hpp"
 #include "support/models.hpp"
@@ -66,4 +67,12 @@ TEST_CASE("systems over an interval hold each one of them, and the derivative by
     REQUIRE(systems.derivative[0].terms.size() == 2);
     CHECK(holds(coefficient(systems.derivative[0], 0, -1, 1), 1));
     CHECK(holds(coefficient(systems.derivative[0], 1, 1, 0), -1));
+}
+
+TEST_CASE("equations are odd where each term has an odd number of sines") {
+    using Chain = mechanisms::RotatingChain<3>;
+    using Pendulum = models::Pendulum;
+    CHECK(ExactTerms(ExactSystem<Chain>::at(Parameters<Chain>{{1, 2, 3, 1, 1, 1, 2, 1}})).odd());
+    CHECK_FALSE(ExactTerms(ExactSystem<Pendulum>::at(Parameters<Pendulum>{0.5})).odd());  // sin theta - 0.5
+    CHECK(ExactTerms(ExactSystem<Pendulum>::at(Parameters<Pendulum>{0.0})).odd());
 }

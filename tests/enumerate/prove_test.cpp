@@ -1,3 +1,4 @@
+#include <cmath>
 #include <sstream>
 
 #include <equilibria/enumerate/prove.hpp>
@@ -161,4 +162,35 @@ TEST_CASE("the threads change nothing, and options out of range are refused") {
         CHECK(one.certificates[k].radius == two.certificates[k].radius);
     CHECK_THROWS_WITH(threads(2000), "threads = 2000: must be 0 (all) to 1024");
     CHECK_THROWS_WITH(prove(set, {}, {.most_digits = 20}), "most_digits = 20: must be 15, 34 or 68");
+}
+
+TEST_CASE("mirror images that share a proof are proved alone as well, with the same certificate") {
+    const auto set = enumerate<Chain<4>>(benchmark_chain<4>());
+    auto alone = set;  // an image that is off by a bit is no image
+    for (auto& root : alone.roots)
+        for (auto& q : root.q) q = {std::nextafter(q.real(), 0.0), q.imag() + 1e-16};
+    const auto together = prove(set), apart = prove(alone);
+    REQUIRE(together.certificates.size() == apart.certificates.size());
+    CHECK(together.complete);
+    CHECK(apart.complete);
+    CHECK(together.by_index == apart.by_index);
+    for (std::size_t k = 0; k < apart.certificates.size(); ++k) {
+        const Certificate &a = together.certificates[k], &b = apart.certificates[k];
+        CHECK(a.path == b.path);
+        CHECK(a.exists == b.exists);
+        CHECK(a.distinct == b.distinct);
+        CHECK(a.reality == b.reality);
+        CHECK(a.index == b.index);
+        CHECK(a.radius < b.radius + 1e-12);
+    }
+}
+
+TEST_CASE("a root that is given twice is a duplicate beside its mirror image too") {
+    auto set = enumerate<Chain<3>>(benchmark_chain<3>());
+    const auto count = set.roots.size();
+    for (const std::size_t k : {std::size_t{5}, std::size_t{20}, std::size_t{63}}) set.roots.push_back(set.roots[k]);
+    const auto proof = prove(set);
+    check_counts(set, proof);
+    CHECK(proof.duplicates == 3);
+    CHECK(proof.distinct == count);
 }

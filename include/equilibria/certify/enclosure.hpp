@@ -4,12 +4,36 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 #include <equilibria/certify/krawczyk.hpp>
 #include <equilibria/core/compiled.hpp>
 
 namespace equilibria {
+
+namespace detail {
+
+/// Whether the disc of this radius around z holds no real number.
+template <class R>
+auto without_real_points(const Complex<R>& z, const R& radius) {
+    return lane_max(z.im, R(-z.im)) > radius;
+}
+
+}  // namespace detail
+
+/// Whether the enclosure that a proof gives holds no real point, for each lane.
+template <class R>
+typename LaneTraits<R>::Mask excludes_real_points(const KrawczykResult<R>& proof) {
+    auto some = R{} > R{} + 1.0;  // none
+    const auto note = [&](const Complex<R>& z, const R& off) {
+        some = mask_not(mask_and(mask_not(some), mask_not(detail::without_real_points(z, off))));
+    };
+    const int angles = proof.center.c.size();
+    for (int i = 0; i < angles; ++i) note(proof.center.c[i], proof.off[i]), note(proof.center.s[i], proof.off[i]);
+    for (int j = 0; j < proof.center.x.size(); ++j) note(proof.center.x[j], proof.off[angles + j]);
+    return some;
+}
 
 /// All points with |cos - value_u| <= off_u and |sin - sine_u| <= off_u of each angle, |x - value_u| <= off_u of each
 /// coordinate.
@@ -61,10 +85,10 @@ struct Enclosure {
 
     /// Whether no point in it is real.
     bool excludes_real_points() const {
-        const auto outside = [](const Complex<S>& z, const S& rad) { return z.im > rad || -z.im > rad; };
+        bool y = false;
         for (const Unknown& at : unknowns)
-            if (outside(at.value, at.off) || outside(at.sine, at.off)) return true;
-        return false;
+            y |= detail::without_real_points(at.value, at.off) || detail::without_real_points(at.sine, at.off);
+        return y;
     }
     friend bool disjoint(const Enclosure& a, const Enclosure& b) {
         for (int u = 0; u < a.unknowns.size(); ++u) {
@@ -82,10 +106,66 @@ struct Enclosure {
     }
 };
 
+/// What a linear form takes an enclosure to: enclosures with disjoint intervals are disjoint. NaN: there is none.
+struct EnclosureInterval {
+    double low = std::numeric_limits<double>::quiet_NaN(), high = low;
+};
+
+/// A linear form of the coordinates of enclosures, the same each time for as many unknowns.
+class EnclosureForm {
+public:
+    explicit EnclosureForm(int unknowns);
+
+    EnclosureInterval operator()(const Enclosure<double>& e) const {
+        Sum<double> sum;
+        for (int u = 0; u < e.unknowns.size(); ++u) {
+            add(sum, e.unknowns[u].value, e.unknowns[u].off, 4 * u, 1.0);
+            add(sum, e.unknowns[u].sine, e.unknowns[u].off, 4 * u + 2, 1.0);
+        }
+        const double reach = sum.error(e.unknowns.size());
+        return {sum.key - reach, sum.key + reach};
+    }
+    /// Of the enclosures that a proof gives, a lane each; mirrored: of their images under theta -> -theta.
+    template <class R>
+    void intervals(const KrawczykResult<R>& proof, bool mirrored, EnclosureInterval* to) const {
+        Sum<R> sum;
+        const int angles = proof.center.c.size();
+        for (int i = 0; i < angles; ++i) {
+            add(sum, proof.center.c[i], proof.off[i], 4 * i, 1.0);
+            add(sum, proof.center.s[i], proof.off[i], 4 * i + 2, mirrored ? -1.0 : 1.0);
+        }
+        for (int j = 0; j < proof.center.x.size(); ++j)
+            add(sum, proof.center.x[j], proof.off[angles + j], 4 * (angles + j), 1.0);
+        const R reach = sum.error(proof.off.size()), low = sum.key - reach, high = sum.key + reach;
+        for (int k = 0; k < LaneTraits<R>::width; ++k) to[k] = {lane(low, k), lane(high, k)};
+    }
+
+private:
+    template <class R>
+    struct Sum {
+        R key{}, size{}, reach{};
+
+        R error(int n) const {
+            const double unit = rounding_unit<double>;
+            return rounded_up<R>(reach * (1 + 4 * n * unit)) + rounded_up<R>(8 * n * unit * size);
+        }
+    };
+    template <class R>
+    void add(Sum<R>& sum, const Complex<R>& z, const R& radius, int w, double sign) const {
+        sum.key = sum.key + sign * (weight_[w] * z.re + weight_[w + 1] * z.im);
+        sum.size = sum.size + 3.0 * magnitude_bound(z);
+        sum.reach = sum.reach + 3.0 * radius;  // the weights of the real and imaginary part together
+    }
+
+    SizedArray<double, at_run_time> weight_;
+};
+
+/// The numbers of the enclosures whose interval meets another one's, ascending.
+std::vector<std::size_t> meeting(const std::vector<EnclosureInterval>& intervals);
+
 /// Groups enclosures that could not be shown to be disjoint, directly or through others: two from different groups
 /// share no point. Returns for each the number of the first of its group; one of no unknowns is a group by itself. No
-/// all-pairs comparison: a linear form of the coordinates maps each enclosure to an interval, and only those with
-/// intersecting intervals are compared.
+/// all-pairs comparison: those whose intervals meet are compared.
 std::vector<std::size_t> groups_of_enclosures(const std::vector<Enclosure<double>>& enclosures);
 
 }  // namespace equilibria

@@ -103,6 +103,15 @@ struct ExactTerms {
         return y;
     }
 
+    /// Whether F(-theta) = -F(theta) exactly: the unknowns are angles, and each term has an odd number of sines.
+    bool odd() const {
+        return sizes.coordinates == 0 && std::all_of(terms.begin(), terms.end(), [this](const Term& t) {
+                   int sines = 0;
+                   for (int k = t.first; k < t.last; ++k) sines += factors[static_cast<std::size_t>(k)].code < 0;
+                   return sines % 2 == 1;
+               });
+    }
+
     ExactTerms() = default;
     template <class M>
     ExactTerms(const ExactSystem<M>& system) : sizes(Sizes<M>()), symmetric(PotentialModel<M>) {

@@ -44,17 +44,6 @@ struct KrawczykResult {
 // What follows is for matrices and vectors of any type that is indexed by [row][column] and [u], of n unknowns.
 namespace detail {
 
-/// y becomes close to j^-1; lu and e are room.
-template <class R>
-void approximate_inverse(int n, PivotedFactorization<R>& lu, const auto& j, auto& e, auto& y) {
-    lu.factor(j);
-    for (int c = 0; c < n; ++c) {
-        for (int r = 0; r < n; ++r) e[r] = Complex<R>(r == c ? 1.0 : 0.0);
-        lu.solve(e);
-        for (int r = 0; r < n; ++r) y[r][c] = e[r];
-    }
-}
-
 /// E >= |1 - Y J| for all J in the balls: a midpoint product with its a priori bound, and |Y| times the radii.
 /// The radii of j become their spread, with the rounding of the midpoints' products.
 template <class R>
@@ -123,8 +112,8 @@ public:
     using S = typename LaneTraits<R>::Scalar;
 
     explicit KrawczykTest(const BallSystem<S>& system)
-        : system_(&system), n_(system.sizes.unknowns), at_(system), wide_(system), out_(system.sizes), lu_(n_),
-          column_(n_), f_(n_), j_(n_), size_y_(n_), e_(n_), newton_(n_), r_(n_), reach_(n_) {
+        : system_(&system), n_(system.sizes.unknowns), at_(system), wide_(system), out_(system.sizes), lu_(n_), f_(n_),
+          j_(n_), size_y_(n_), e_(n_), newton_(n_), r_(n_), reach_(n_) {
         for (int u = 0; u < n_; ++u)
             for (int k = 0; k < n_; ++k) out_.basis[u][k] = Complex<R>(u == k ? 1.0 : 0.0);
     }
@@ -134,13 +123,14 @@ public:
     template <class M>
     const KrawczykResult<R>& operator()(const Point<M, R>& q, bool real) {
         const int n = n_;
-        precondition(q, real);
         const R unit = R{} + (n + 4) * rounding_unit<R>;
-        for (int u = 0; u < n; ++u) r_[u] = rounded_up<R>(2.0 * newton_[u] + rounding_unit<R> * (R{} + 1e-3));
+        precondition(q, real);
         out_.proved = R{} > R{} + 1.0;
-        for (int round = 0; round < 6; ++round) {
-            wide_.widen(at_, r_);
-            ball_jacobian(*system_, wide_, j_);
+        for (int round = 0; round < 7; ++round) {
+            if (round > 0) {
+                wide_.widen(at_, r_);
+                ball_jacobian(*system_, wide_, j_);
+            }
             detail::contraction<R>(n, out_.inverse, size_y_, j_, e_);
             Mask holds = R{} < R{} + 1.0;
             for (int u = 0; u < n; ++u) {
@@ -161,7 +151,10 @@ public:
                 for (int k = 0; k < n; ++k) best[k] = select(fresh, row[k], best[k]);
             }
             if (all_lanes(out_.proved)) break;
-            for (int u = 0; u < n; ++u) r_[u] = select(out_.proved, r_[u], R(1.3 * reach_[u]));
+            for (int u = 0; u < n; ++u) {
+                const R smallest = rounded_up<R>(2.0 * newton_[u] + rounding_unit<R> * (R{} + 1e-3));
+                r_[u] = select(out_.proved, r_[u], round == 0 ? smallest : R(1.3 * reach_[u]));
+            }
         }
         wide_.widen(at_, out_.radius);
         detail::enclose(system_->sizes, wide_, out_);
@@ -176,18 +169,23 @@ private:
     template <class T>
     using Matrix = RuntimeMatrix<T>;
 
-    /// J and Y at the points, |Y F|; nothing is proved yet.
+    /// J and Y at the points, |Y F|; nothing is proved yet. J is evaluated over the first polydisc at once, whose balls
+    /// have the same midpoints: a radius far above |Y F| of most roots, and far below their distances.
     template <class M>
     void precondition(const Point<M, R>& q, bool real) {
         const int n = n_;
         at_.enclose(q, real);
         ball_values(*system_, at_, f_);
-        ball_jacobian(*system_, at_, j_);
+        using std::sqrt;
+        for (int u = 0; u < n; ++u) r_[u] = R{} + sqrt(rounding_unit<R>) / 64;
+        wide_.widen(at_, r_);
+        ball_jacobian(*system_, wide_, j_);
         for (int r = 0; r < n; ++r) {
             out_.radius[r] = out_.weight[r] = R{} + 0.0;
             for (int c = 0; c < n; ++c) out_.jacobian[r][c] = j_[r][c].mid, out_.contraction[r][c] = R{} + 0.0;
         }
-        detail::approximate_inverse(n, lu_, out_.jacobian, column_, out_.inverse);
+        lu_.factor(out_.jacobian);
+        lu_.inverse_into(out_.inverse);
         for (int u = 0; u < n; ++u)
             for (int k = 0; k < n; ++k) size_y_[u][k] = rounded_up<R>(magnitude_bound(out_.inverse[u][k]));
         detail::product_bound<R>(n, out_.inverse, size_y_, f_, newton_);
@@ -198,7 +196,6 @@ private:
     FactorBalls<R> at_, wide_;
     KrawczykResult<R> out_;
     PivotedFactorization<R> lu_;
-    Numbers<Complex<R>> column_;
     Numbers<Ball<R>> f_;
     Matrix<Ball<R>> j_;
     Matrix<R> size_y_, e_;  // |Y|, E

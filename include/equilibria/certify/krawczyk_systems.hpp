@@ -84,9 +84,9 @@ public:
 
     explicit KrawczykSystemsTest(const BallSystems<S>& systems)
         : systems_(systems), n_(systems.all.sizes.unknowns), varied_(systems.varied()), at_(systems.center),
-          wide_(systems.center), out_(systems.center.sizes), lu_(n_), column_(n_), y_(n_), middle_(n_), j_(n_), jb_(n_),
-          f_(n_), ball_column_(n_), size_y_(n_), size_b_(n_), fixed_e_(n_), e_(n_), fixed_(n_), along_(n_), s_(n_),
-          best_(n_), second_(n_), reach_(n_), d_(n_), part_(n_), x_(static_cast<std::size_t>(varied_), Column(n_)),
+          wide_(systems.center), out_(systems.center.sizes), lu_(n_), y_(n_), middle_(n_), j_(n_), jb_(n_), f_(n_),
+          ball_column_(n_), size_y_(n_), size_b_(n_), fixed_e_(n_), e_(n_), fixed_(n_), along_(n_), s_(n_), best_(n_),
+          second_(n_), reach_(n_), d_(n_), part_(n_), x_(static_cast<std::size_t>(varied_), Column(n_)),
           by_unknown_(static_cast<std::size_t>(n_), BallMatrix(n_)), along_basis_(by_unknown_), g_(n_),
           along_center_(static_cast<std::size_t>(varied_), BallMatrix(n_)), own_(along_center_) {
         for (const S& width : systems.half_width) width_.push_back(broadcast<R>(width));
@@ -143,12 +143,14 @@ private:
         ball_jacobian(systems_.center, at_, j_);
         for (int r = 0; r < n_; ++r)
             for (int c = 0; c < n_; ++c) out_.jacobian[r][c] = j_[r][c].mid;
-        detail::approximate_inverse(n_, lu_, out_.jacobian, column_, y_);
+        lu_.factor(out_.jacobian);
+        lu_.inverse_into(y_);
         detail::weak_directions<R>(n_, y_, out_.basis);
         detail::multiply<R>(n_, j_, out_.basis, jb_);
         for (int r = 0; r < n_; ++r)
             for (int c = 0; c < n_; ++c) middle_[r][c] = jb_[r][c].mid;
-        detail::approximate_inverse(n_, lu_, middle_, column_, out_.inverse);
+        lu_.factor(middle_);
+        lu_.inverse_into(out_.inverse);
         for (int u = 0; u < n_; ++u)
             for (int k = 0; k < n_; ++k) {
                 size_y_[u][k] = rounded_up<R>(magnitude_bound(out_.inverse[u][k]));
@@ -268,7 +270,6 @@ private:
     std::vector<R> width_;
     KrawczykResult<R> out_;
     PivotedFactorization<R> lu_;
-    Column column_;
     RuntimeMatrix<Complex<R>> y_, middle_;
     BallMatrix j_, jb_;
     RuntimeArray<Ball<R>> f_, ball_column_;

@@ -16,18 +16,22 @@ namespace equilibria {
 template <class M, class S>
 using ComplexUnknowns = UnknownArray<M, Complex<S>>;
 
+/// c and s: the cosine and sine of a complex angle.
+template <class S>
+void set_circle_point(const S& re, const S& im, Complex<S>& c, Complex<S>& s) {
+    using std::cos, std::exp, std::sin;
+    const S co = cos(re), si = sin(re), e = exp(im);
+    const S ch = (e + 1 / e) / 2, sh = (e - 1 / e) / 2;
+    c = Complex<S>(S(co * ch), S(-(si * sh)));
+    s = Complex<S>(S(si * ch), S(co * sh));
+}
+
 /// The point of these unknowns: cos and sin of the angles, and the coordinates as they are. Angles far off the real
 /// axis overflow from |imaginary part| of about 700 in double.
 template <class M, class S>
 Point<M, S> point_of(const ComplexUnknowns<M, S>& q, const Sizes<M>& sizes = {}) {
-    using std::cos, std::exp, std::sin;
     auto y = point_of_zeros<M, S>(sizes);
-    for (int i = 0; i < sizes.angles; ++i) {
-        const S c = cos(q[i].re), s = sin(q[i].re), e = exp(q[i].im);
-        const S ch = (e + 1 / e) / 2, sh = (e - 1 / e) / 2;
-        y.c[i] = Complex<S>(S(c * ch), S(-(s * sh)));
-        y.s[i] = Complex<S>(S(s * ch), S(c * sh));
-    }
+    for (int i = 0; i < sizes.angles; ++i) set_circle_point(q[i].re, q[i].im, y.c[i], y.s[i]);
     for (int j = 0; j < sizes.coordinates; ++j) y.x[j] = q[sizes.angles + j];
     return y;
 }

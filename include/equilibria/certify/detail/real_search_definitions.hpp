@@ -49,8 +49,7 @@ public:
           sum_unit_((2 * n_ + 2 * systems.varied() + 4) * std::numeric_limits<double>::epsilon()),
           q_(point_of_zeros<RuntimeUnknowns, Pack>(systems.all.sizes)), at_(systems.center), wide_(systems.center),
           f_(n_), j_(n_), g_(static_cast<std::size_t>(systems.varied()), RuntimeArray<Ball<Pack>>(n_)), r_(n_),
-          share_(n_), part_(n_), by_parameter_(n_), slope_(n_), size_y_(n_), e_(n_), middle_(n_), y_(n_), column_(n_),
-          lu_(n_) {}
+          share_(n_), part_(n_), by_parameter_(n_), slope_(n_), size_y_(n_), e_(n_), middle_(n_), y_(n_), lu_(n_) {}
 
     /// The boxes from number `first` on, as many as there are, at most a pack.
     void examine(const BoxStack& boxes, std::size_t first) {
@@ -118,7 +117,8 @@ private:
         const Pack zero = Pack{} + 0.0;
         for (int r = 0; r < n_; ++r)
             for (int c = 0; c < n_; ++c) middle_[r][c] = j_[r][c].mid;
-        approximate_inverse(n_, lu_, middle_, column_, y_);
+        lu_.factor(middle_);
+        lu_.inverse_into(y_);
         for (int r = 0; r < n_; ++r)
             for (int c = 0; c < n_; ++c) size_y_[r][c] = rounded_up<Pack>(magnitude_bound(y_[r][c]));
         contraction<Pack>(n_, y_, size_y_, j_, e_);
@@ -158,7 +158,6 @@ private:
     Numbers<Pack> r_, share_, part_, by_parameter_;
     Matrix<Pack> slope_, size_y_, e_;
     Matrix<Complex<Pack>> middle_, y_;
-    Numbers<Complex<Pack>> column_;
     PivotedFactorization<Pack> lu_;
     Mask excluded_, hopeless_, injective_;
 };

@@ -3,17 +3,20 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <complex>
 #include <cstddef>
 #include <cstdint>
 #include <map>
 #include <mutex>
+#include <numbers>
 #include <optional>
 #include <ostream>
 #include <span>
 #include <string>
 #include <type_traits>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -22,6 +25,7 @@
 #include <equilibria/certify/newton.hpp>
 #include <equilibria/certify/proved_index.hpp>
 #include <equilibria/core/multiprecision.hpp>
+#include <equilibria/enumerate/detail/mirror_images.hpp>
 #include <equilibria/enumerate/prove.hpp>
 #include <equilibria/evaluation/point_of.hpp>
 #include <equilibria/run/elapsed.hpp>
@@ -43,17 +47,23 @@ public:
     using Most = Multiprecision<most_digits>;
 
     Prover(const RootsToProve& set, const RunOptions& run, const ProveOptions& options)
-        : set_(set), sizes_(set.equations.sizes), run_(run), options_(options), system_(set.equations) {}
+        : set_(set), sizes_(set.equations.sizes), run_(run), options_(options), system_(set.equations),
+          form_(sizes_.unknowns) {}
 
     ProofOfRoots run() {
         const Stopwatch begin;
         const std::size_t size = set_.roots.size();
         proof_.certificates.resize(size);
-        enclosures_.resize(size);
+        intervals_.resize(size);
         for (std::size_t k = 0; k < size; ++k) proof_.certificates[k].path = set_.roots[k].path;
+        // where F is odd the image of a root is a root, as its own proof shows, turned round
+        if (set_.equations.odd())
+            mirror_.emplace(size, [this](std::size_t k) {
+                return set_.roots[k].singular ? MirrorImages::Unknowns() : set_.roots[k].q;
+            });
         std::vector<std::size_t> real, other;
         for (std::size_t k = 0; k < size; ++k) {
-            if (set_.roots[k].singular) continue;
+            if (set_.roots[k].singular || is_image(k)) continue;
             (largest_imaginary(set_.roots[k].q) < 1e-8 ? real : other).push_back(k);
         }
         in_packs(real, true);
@@ -62,8 +72,9 @@ public:
         in_packs(other, false);
         std::vector<std::size_t> hard;
         for (std::size_t k = 0; k < size; ++k)
-            if (!set_.roots[k].singular && !settled(k)) hard.push_back(k);
+            if (!set_.roots[k].singular && !is_image(k) && !settled(k)) hard.push_back(k);
         with_more_digits(hard);
+        certify_images();
         tell_apart();
         count();
         conclude();
@@ -78,6 +89,8 @@ private:
         return y;
     }
     bool has_index() const { return set_.equations.symmetric; }
+    bool is_image(std::size_t k) const { return mirror_ && mirror_->is_image[k]; }
+    bool has_image(std::size_t k) const { return mirror_ && mirror_->image[k] != MirrorImages::none; }
     /// Nothing is left that more digits could decide.
     bool settled(std::size_t k) const {
         const Certificate& c = proof_.certificates[k];
@@ -85,56 +98,64 @@ private:
         return !has_index() || c.reality == Reality::non_real || c.index_proved;
     }
 
+    /// What lane `l` of a proof says of root k; excluded: its enclosure holds no real point.
     template <class R>
-    void record(std::size_t k, const KrawczykResult<R>& proof, int lane_of, bool real, int digits) {
-        using S = typename LaneTraits<R>::Scalar;
-        if (!mask_lane(proof.proved, lane_of)) return;
+    void record(std::size_t k, const KrawczykResult<R>& proof, int l, bool real, bool excluded, int digits) {
         Certificate& c = proof_.certificates[k];
         c.exists = true;
         c.digits = digits;
         c.radius = 0;
-        for (const R& radius : proof.radius) c.radius = std::max(c.radius, static_cast<double>(lane(radius, lane_of)));
-        auto enclosure = Enclosure<S>::of(proof, lane_of);
+        for (const R& radius : proof.radius) c.radius = std::max(c.radius, static_cast<double>(lane(radius, l)));
         if (real) {
             c.reality = Reality::real;
-            const auto index = has_index() ? proved_index(proof, lane_of) : std::nullopt;
+            const auto index = has_index() ? proved_index(proof, l) : std::nullopt;
             if (index) {
                 c.index_proved = true;
                 c.index = *index;
             }
         } else {
-            c.reality = enclosure.excludes_real_points() ? Reality::non_real : Reality::undecided;
+            c.reality = excluded ? Reality::non_real : Reality::undecided;
         }
-        if constexpr (std::is_same_v<S, Most>) {
-            const std::lock_guard lock(guard_);
-            sharp_.insert_or_assign(k, enclosure);
-        }
-        if constexpr (std::is_same_v<S, double>)
-            enclosures_[k] = std::move(enclosure);
-        else
-            enclosures_[k] = enclosure.template to<double>();
     }
 
-    /// The test in doubles, a root a lane.
-    void in_packs(const std::vector<std::size_t>& members, bool real) {
+    /// The test in doubles, a root a lane. keep: the enclosures as well, not only their intervals.
+    void in_packs(const std::vector<std::size_t>& members, bool real, bool keep = false) {
         run_.executor.for_blocks(members.size(), 64 * native_lanes, [&](std::size_t first, std::size_t last) {
             KrawczykTest<Pack> test(system_);
             auto q = point_of_zeros<RuntimeUnknowns, Pack>(sizes_);
             for (std::size_t at = first; at < last; at += native_lanes) {
-                for (int l = 0; l < native_lanes; ++l) {
-                    const auto* root =
-                        set_.roots[members[std::min(at + static_cast<std::size_t>(l), last - 1)]].q.data();
-                    for (int i = 0; i < sizes_.angles; ++i) {
-                        set_lane(q.c[i], l, real ? std::cos(root[i].real()) : std::cos(root[i]));
-                        set_lane(q.s[i], l, real ? std::sin(root[i].real()) : std::sin(root[i]));
-                    }
-                    for (int j = 0; j < sizes_.coordinates; ++j) set_lane(q.x[j], l, root[sizes_.angles + j]);
-                }
+                for (int l = 0; l < native_lanes; ++l)
+                    set_point(set_.roots[members[std::min(at + static_cast<std::size_t>(l), last - 1)]].q, real, q, l);
                 const auto& proof = test(q, real);
-                for (int l = 0; l < native_lanes && at + static_cast<std::size_t>(l) < last; ++l)
-                    record(members[at + static_cast<std::size_t>(l)], proof, l, real, 15);
+                const auto excluded = excludes_real_points(proof);
+                std::array<EnclosureInterval, native_lanes> intervals, images;
+                form_.intervals(proof, false, intervals.data());
+                if (mirror_) form_.intervals(proof, true, images.data());
+                for (int l = 0; l < native_lanes && at + static_cast<std::size_t>(l) < last; ++l) {
+                    if (!mask_lane(proof.proved, l)) continue;
+                    const std::size_t k = members[at + static_cast<std::size_t>(l)];
+                    record(k, proof, l, real, mask_lane(excluded, l), 15);
+                    intervals_[k] = intervals[static_cast<std::size_t>(l)];
+                    if (has_image(k)) intervals_[mirror_->image[k]] = images[static_cast<std::size_t>(l)];
+                    if (keep) keep_enclosure(k, Enclosure<double>::of(proof, l));
+                }
             }
         });
+    }
+    void set_point(std::span<const std::complex<double>> root, bool real, RuntimePoint<Pack>& q, int l) const {
+        for (int i = 0; i < sizes_.angles; ++i) {
+            const auto& angle = root[static_cast<std::size_t>(i)];
+            Complex<double> c(std::cos(angle.real())), s(std::sin(angle.real()));
+            if (!real) set_circle_point(angle.real(), angle.imag(), c, s);
+            set_lane(q.c[i].re, l, c.re), set_lane(q.c[i].im, l, c.im);
+            set_lane(q.s[i].re, l, s.re), set_lane(q.s[i].im, l, s.im);
+        }
+        for (int j = 0; j < sizes_.coordinates; ++j)
+            set_lane(q.x[j], l, root[static_cast<std::size_t>(sizes_.angles + j)]);
+    }
+    void keep_enclosure(std::size_t k, Enclosure<double> enclosure) {
+        const std::lock_guard lock(guard_);
+        enclosures_.insert_or_assign(k, std::move(enclosure));
     }
 
     void with_more_digits(const std::vector<std::size_t>& members) {
@@ -161,21 +182,61 @@ private:
         const auto point = point_of<RuntimeUnknowns, S>(q, sizes_);
         KrawczykTest<S> test(system);
         // a root nearer to the real points than Newton's method can tell is tried as a real one first
-        if (size <= sqrt(rounding_unit<S>)) record(k, test(point, true), 0, true, Digits);
+        if (size <= sqrt(rounding_unit<S>)) record_alone(k, test(point, true), true, Digits);
         if (!settled(k) && proof_.certificates[k].reality != Reality::real)
-            record(k, test(point, false), 0, false, Digits);
+            record_alone(k, test(point, false), false, Digits);
+    }
+    template <class S>
+    void record_alone(std::size_t k, const KrawczykResult<S>& proof, bool real, int digits) {
+        if (!proof.proved) return;
+        record(k, proof, 0, real, excludes_real_points(proof), digits);
+        const auto enclosure = Enclosure<S>::of(proof, 0);
+        auto rounded = enclosure.template to<double>();
+        intervals_[k] = form_(rounded);
+        if (has_image(k)) {
+            auto image = rounded;
+            for (auto& at : image.unknowns) at.sine = -at.sine;
+            intervals_[mirror_->image[k]] = form_(image);
+        }
+        keep_enclosure(k, std::move(rounded));
+        if constexpr (std::is_same_v<S, Most>) {
+            const std::lock_guard lock(guard_);
+            sharp_.insert_or_assign(k, enclosure);
+        }
+    }
+
+    /// What is proved of a root holds of its image.
+    void certify_images() {
+        if (!mirror_) return;
+        for (std::size_t k = 0; k < set_.roots.size(); ++k) {
+            if (!has_image(k)) continue;
+            const std::size_t image = mirror_->image[k];
+            Certificate& c = proof_.certificates[image];
+            const auto path = c.path;
+            c = proof_.certificates[k];
+            c.path = path;
+            // the image of the double next to pi is not that double, but as far from it as 2 pi from twice that
+            const auto turned = [](const auto& z) { return z.real() == std::numbers::pi; };
+            if (c.exists && std::any_of(set_.roots[k].q.begin(), set_.roots[k].q.end(), turned))
+                c.radius = rounded_up(c.radius + 2 * rounding_unit<double>);
+        }
     }
 
     /// Marks the roots that differ from all before them.
     void tell_apart() {
-        const std::vector<std::size_t> first = groups_of_enclosures(enclosures_);
+        for (Certificate& c : proof_.certificates) c.distinct = c.exists;
+        const std::vector<std::size_t> members = meeting(intervals_);
+        if (members.empty()) return;
+        prove_again(members);
+        std::vector<Enclosure<double>> enclosures;
+        for (const std::size_t k : members) enclosures.push_back(enclosures_.at(k));
+        const std::vector<std::size_t> first = groups_of_enclosures(enclosures);
         std::map<std::size_t, std::vector<std::size_t>> groups;  // of two or more, by their first
-        for (std::size_t k = 0; k < first.size(); ++k) {
-            proof_.certificates[k].distinct = proof_.certificates[k].exists;
-            if (first[k] == k) continue;
-            auto& group = groups[first[k]];
-            if (group.empty()) group.push_back(first[k]);
-            group.push_back(k);
+        for (std::size_t m = 0; m < first.size(); ++m) {
+            if (first[m] == m) continue;
+            auto& group = groups[members[first[m]]];
+            if (group.empty()) group.push_back(members[first[m]]);
+            group.push_back(members[m]);
         }
         std::vector<std::size_t> close;
         for (const auto& [_, group] : groups) close.insert(close.end(), group.begin(), group.end());
@@ -191,10 +252,31 @@ private:
                 proof_.certificates[group[a]].distinct = apart;
             }
     }
+    /// Those that may be the same, for their enclosures.
+    void prove_again(const std::vector<std::size_t>& members) {
+        std::vector<std::size_t> real, other;
+        std::optional<BallSystem<Multiprecision<34>>> twice;
+        std::optional<BallSystem<Most>> most;
+        for (const std::size_t k : members) {
+            if (enclosures_.contains(k)) continue;
+            const Certificate& c = proof_.certificates[k];
+            if (c.digits == 15) {
+                (c.reality == Reality::real ? real : other).push_back(k);
+            } else if (c.digits == 34) {  // images
+                if (!twice) twice.emplace(set_.equations);
+                with_digits<34>(*twice, k);
+            } else {
+                if (!most) most.emplace(set_.equations);
+                with_digits<most_digits>(*most, k);
+            }
+        }
+        in_packs(real, true, true);
+        in_packs(other, false, true);
+    }
     bool differ(std::size_t a, std::size_t b) const {
         const auto i = sharp_.find(a), j = sharp_.find(b);
         return i != sharp_.end() && j != sharp_.end() ? disjoint(i->second, j->second)
-                                                      : disjoint(enclosures_[a], enclosures_[b]);
+                                                      : disjoint(enclosures_.at(a), enclosures_.at(b));
     }
 
     void count() {
@@ -216,7 +298,7 @@ private:
             if (c.index_proved) ++proof_.by_index[static_cast<std::size_t>(c.index)];
         }
         // the classification's own view
-        std::map<std::uint64_t, const RootsToProve::Classified*> equilibrium;
+        std::unordered_map<std::uint64_t, const RootsToProve::Classified*> equilibrium(2 * set_.equilibria.size());
         for (const auto& e : set_.equilibria) equilibrium.emplace(e.path, &e);
         for (const Certificate& c : proof_.certificates) {
             const auto at = equilibrium.find(c.path);
@@ -253,9 +335,12 @@ private:
     RunOptions run_;
     ProveOptions options_;
     BallSystem<double> system_;
+    EnclosureForm form_;
+    std::optional<MirrorImages> mirror_;
     ProofOfRoots proof_;
-    std::vector<Enclosure<double>> enclosures_;
-    std::map<std::size_t, Enclosure<Most>> sharp_;  // those that took the most digits
+    std::vector<EnclosureInterval> intervals_;
+    std::map<std::size_t, Enclosure<double>> enclosures_;  // of those that may be others, or took more digits
+    std::map<std::size_t, Enclosure<Most>> sharp_;         // those that took the most digits
     std::mutex guard_;
 };
 

@@ -1,12 +1,13 @@
 // What single precision costs and saves: each system solved with it and in double alone, in turns, on one thread.
 //
-//   single_precision [--only REGEX] [--runs N] [--json]
+//   single_precision [--only REGEX] [--runs N] [--seed S] [--json]
 //
-// A line a system: paths tracked; with single precision the share that went on in double, paths that crossed, were
-// tracked again, failed; steps a path with it and without; the times of tracking and of the whole solution with it over
-// those without, the least of N runs (7) or more, until a fifth of a second has gone; distinct roots with it and
-// without; and `same` where every path count but those of effort and every root agree, or what differs. Small systems
-// have too few paths for lanes of floats: there both ways are one. Exits with 1 where a system differs.
+// A line a system: paths tracked; with single precision the share that went on in double; with it/in double alone the
+// paths that crossed, were tracked again, failed, and the steps a path; the times of tracking and of the whole solution
+// with it over those in double, the least of N runs (7) or more, until a fifth of a second has gone; distinct roots;
+// and `same` where each kind of end has as many paths and each root of the one is a root of the other, or what differs.
+// Small systems have too few paths for lanes of floats: there both ways are one. The seed draws starts and random
+// systems. Exits with 1 where a system differs.
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -51,7 +52,7 @@ struct Solution {
 struct System {
     std::string name;
     int angles;  ///< of its unknowns; the others are plain coordinates
-    std::function<Solution(const TrackerOptions&)> solve;
+    std::function<Solution(const RunOptions&, const TrackerOptions&)> solve;
 };
 
 // --- the systems -----------------------------------------------------------------------------------------------------
@@ -72,20 +73,23 @@ Solution solution(const RootSet<M>& set) {
 
 template <RuntimeModel T>
 System enumerated(std::string name, const T& model, RuntimeArray<double> p) {
-    return {std::move(name), model.angles(),
-            [=](const TrackerOptions& tracker) { return solution(enumerate(model, p, {}, tracker)); }};
+    return {std::move(name), model.angles(), [=](const RunOptions& run, const TrackerOptions& tracker) {
+                return solution(enumerate(model, p, run, tracker));
+            }};
 }
 template <Model M, class Start = NaturalStart<M>>
 System enumerated(std::string name, const Parameters<M>& p) {
-    return {std::move(name), n_angles<M>,
-            [=](const TrackerOptions& tracker) { return solution(enumerate<M, Start>(p, {}, tracker)); }};
+    return {std::move(name), n_angles<M>, [=](const RunOptions& run, const TrackerOptions& tracker) {
+                return solution(enumerate<M, Start>(p, run, tracker));
+            }};
 }
 /// By a parameter homotopy from the roots at p0.
 template <Model M, class Start = NaturalStart<M>>
 System followed(std::string name, const Parameters<M>& p0, const Parameters<M>& p) {
-    return {std::move(name), n_angles<M>, [=, solved = RootSet<M>{}](const TrackerOptions& tracker) mutable {
-                if (solved.roots.empty()) solved = enumerate<M, Start>(p0, {}, {.single_precision = false});
-                return solution(enumerate<M>(solved, p, {}, tracker));
+    return {std::move(name), n_angles<M>,
+            [=, solved = RootSet<M>{}](const RunOptions& run, const TrackerOptions& tracker) mutable {
+                if (solved.roots.empty()) solved = enumerate<M, Start>(p0, run, {.single_precision = false});
+                return solution(enumerate<M>(solved, p, run, tracker));
             }};
 }
 
@@ -98,8 +102,8 @@ Solution tracked(const SparseSystem& system, const Start& start, const RunOption
     return {found.paths, std::move(found.roots), seconds};
 }
 /// From a linear product, as solve_multihomogeneous does, which gives no time of tracking.
-Solution multihomogeneous(const SparseSystem& system, const std::vector<int>& grouping, const TrackerOptions& tracker) {
-    const RunOptions run;
+Solution multihomogeneous(const SparseSystem& system, const std::vector<int>& grouping, const RunOptions& run,
+                          const TrackerOptions& tracker) {
     Generator generator(run.seed), forms(run.seed);
     return tracked(system, LinearProduct(system, grouping, unit_complex(generator), forms), run, tracker);
 }
@@ -119,6 +123,16 @@ System chain(int links) {
     return enumerated("chain " + std::to_string(links), model, numbers(p));
 }
 
+/// Lengths, masses and speed at random, as the tests draw them.
+System random_chain(int links, std::uint64_t seed) {
+    Generator generator(seed);
+    std::vector<double> p;
+    for (int i = 0; i < links; ++i) p.push_back(uniform(generator, 0.4, 2.5));
+    for (int i = 0; i < links; ++i) p.push_back(uniform(generator, 0.1, 2));
+    p.insert(p.end(), {uniform(generator, 0.2, 4), 1});
+    return enumerated("random chain " + std::to_string(links), mechanisms::RuntimeRotatingChain{links}, numbers(p));
+}
+
 /// Angles with couplings p[n i + j] and loads on cosines and sines, as CoupledAngles of the tests: most paths go to
 /// infinity.
 struct CoupledAngles {
@@ -136,8 +150,8 @@ struct CoupledAngles {
         return f;
     }
 };
-System coupled_angles(int n, bool neighbours) {
-    Generator generator(50 + static_cast<std::uint64_t>(n));
+System coupled_angles(int n, bool neighbours, std::uint64_t seed) {
+    Generator generator(seed);
     const CoupledAngles model{n};
     RuntimeArray<double> p(model.parameters());
     for (double& x : p) x = uniform(generator, 0.3, 1.3);
@@ -146,6 +160,21 @@ System coupled_angles(int n, bool neighbours) {
             if (std::abs(i - j) > 1) p[n * i + j] = 0;
     return enumerated("coupled angles " + std::to_string(n) + (neighbours ? ", neighbours" : ""), model, p);
 }
+
+/// Equal angles, all coupled alike, with a load: most of their equilibria lie on families.
+struct EqualAngles {
+    int n;
+    int angles() const { return n; }
+    int parameters() const { return 2; }
+    auto potential(const auto& theta, const auto& p) const {
+        scalar_of<decltype(theta)> v{};
+        for (int i = 0; i < n; ++i) {
+            v -= p[1] * cos(theta[i]);
+            for (int j = 0; j < i; ++j) v -= p[0] * cos(theta[i] - theta[j]);
+        }
+        return v;
+    }
+};
 
 /// Phase-locked states of Kuramoto's oscillators, all coupled alike, against the last one: p_i = (K/n) sum_j
 /// sin(theta_i - theta_j).
@@ -238,8 +267,8 @@ Parameters<Beam> body_beam(double speed) {
     p[Beam::Base::second_axis] = 1;
     return p;
 }
-Parameters<Beam> generic_body_beam() {
-    Generator generator(1);
+Parameters<Beam> generic_body_beam(std::uint64_t seed) {
+    Generator generator(seed);
     return Beam::generic(body_beam(6), generator);
 }
 
@@ -248,15 +277,17 @@ Parameters<Beam> generic_body_beam() {
 template <Model M>
 class Critical {
 public:
-    Critical(std::string name, const Parameters<M>& p, std::vector<int> active, std::vector<double> scales)
+    Critical(std::string name, const Parameters<M>& p, std::vector<int> active, std::vector<double> scales,
+             std::uint64_t seed)
         : name_(std::move(name)), system_(polynomials_of<M>(), active), p_(runtime_array(p)),
-          scales_(std::move(scales)) {}
+          scales_(std::move(scales)), seed_(seed) {}
 
     /// weigh(numbers): sets the weights of the last equation.
     System solved_for(const std::string& what, const auto& weigh) const {
         return {name_ + what, n_angles<M>,
-                [system = system(weigh), grouping = system_.grouping()](const TrackerOptions& tracker) {
-                    return multihomogeneous(system, grouping, tracker);
+                [system = system(weigh), grouping = system_.grouping()](const RunOptions& run,
+                                                                        const TrackerOptions& tracker) {
+                    return multihomogeneous(system, grouping, run, tracker);
                 }};
     }
     System events() const {
@@ -272,16 +303,16 @@ public:
     }
     /// The line at the value `to` from the folds of that at `from`.
     System next_line(double from, double to) const {
-        return {name_ + ", next line", n_angles<M>,
-                [from = system(slice(from)), to = system(slice(to)), grouping = system_.grouping(),
-                 points = SolvedInstance::Points()](const TrackerOptions& tracker) mutable {
-                    if (points.empty())
-                        for (const auto& root : multihomogeneous(from, grouping, {.single_precision = false}).roots)
-                            if (root.status == PathStatus::finite && root.paths == 1) points.push_back(root.q);
-                    const RunOptions run;
-                    Generator generator(run.seed);
-                    return tracked(to, SolvedInstance(from, to, unit_complex(generator), points), run, tracker);
-                }};
+        return {
+            name_ + ", next line", n_angles<M>,
+            [from = system(slice(from)), to = system(slice(to)), grouping = system_.grouping(),
+             points = SolvedInstance::Points()](const RunOptions& run, const TrackerOptions& tracker) mutable {
+                if (points.empty())
+                    for (const auto& root : multihomogeneous(from, grouping, run, {.single_precision = false}).roots)
+                        if (root.status == PathStatus::finite && root.paths == 1) points.push_back(root.q);
+                Generator generator(run.seed);
+                return tracked(to, SolvedInstance(from, to, unit_complex(generator), points), run, tracker);
+            }};
     }
 
 private:
@@ -289,7 +320,7 @@ private:
         return [value](auto& numbers) { numbers.slice = {1, 0, -value}; };
     }
     SparseSystem system(const auto& weigh) const {
-        Generator generator(1);
+        Generator generator(seed_);
         auto numbers = system_.numbers(p_, scales_, generator);
         weigh(numbers);
         return system_.system(numbers);
@@ -299,14 +330,16 @@ private:
     CriticalSystem system_;
     RuntimeArray<double> p_;
     std::vector<double> scales_;
+    std::uint64_t seed_;
 };
 
-std::vector<System> systems() {
+std::vector<System> systems(std::uint64_t seed) {
     using Two = mechanisms::TwoLinkChain;
     using Three = mechanisms::RotatingChain<3>;
     using Mechanism = mechanisms::HolonomicMechanism;
     std::vector<System> y;
     for (int n = 2; n <= 9; ++n) y.push_back(chain(n));
+    for (int n = 4; n <= 7; ++n) y.push_back(random_chain(n, seed));
     for (const int links : {4, 6}) {
         auto p = [&]<int N>(std::integral_constant<int, N>) {
             auto moved = benchmark_chain<N>();
@@ -316,28 +349,30 @@ std::vector<System> systems() {
         links == 4 ? p(std::integral_constant<int, 4>()) : p(std::integral_constant<int, 6>());
     }
     for (const bool neighbours : {false, true})
-        for (int n = 3; n <= 5; ++n) y.push_back(coupled_angles(n, neighbours));
+        for (int n = 3; n <= 5; ++n) y.push_back(coupled_angles(n, neighbours, seed));
+    for (int n = 3; n <= 4; ++n)
+        y.push_back(enumerated("equal angles " + std::to_string(n), EqualAngles{n}, numbers({1, 0.7})));
     for (int n = 3; n <= 6; ++n) y.push_back(kuramoto(n));
     y.push_back(enumerated<Mechanism>("mechanism", Mechanism::paper_parameters(100)));
     for (int n = 5; n <= 8; ++n) y.push_back(polynomials<Katsura>("katsura-" + std::to_string(n), n + 1));
     for (int n = 5; n <= 6; ++n) y.push_back(polynomials<Cyclic>("cyclic-" + std::to_string(n), n));
     for (int n = 6; n <= 8; ++n) y.push_back(polynomials<Economy>("eco-" + std::to_string(n), n));
-    y.push_back(enumerated<Beam, TotalDegree<Beam>>("body and beam, generic", generic_body_beam()));
-    y.push_back(followed<Beam, TotalDegree<Beam>>("body and beam, followed", generic_body_beam(), body_beam(6)));
+    y.push_back(enumerated<Beam, TotalDegree<Beam>>("body and beam, generic", generic_body_beam(seed)));
+    y.push_back(followed<Beam, TotalDegree<Beam>>("body and beam, followed", generic_body_beam(seed), body_beam(6)));
 
     // those of bench/locus
     const Parameters<Three> three{1, 1.1, 1.2, 1, 1.05, 1.2, 1, 1};
-    y.push_back(Critical<Two>("events of 2 links", {0.33, 1.5, 1}, {Two::omega}, {10}).events());
-    y.push_back(Critical<Three>("events of 3 links", three, {Three::omega}, {10}).events());
+    y.push_back(Critical<Two>("events of 2 links", {0.33, 1.5, 1}, {Two::omega}, {10}, seed).events());
+    y.push_back(Critical<Three>("events of 3 links", three, {Three::omega}, {10}, seed).events());
     const auto plane = [&](const auto& critical) {
         for (auto system : {critical.line(0.4), critical.next_line(0.4, 0.7), critical.cusps(), critical.extremal(0),
                             critical.extremal(1)})
             y.push_back(std::move(system));
     };
-    plane(Critical<Two>("plane of 2 links", {0.5, 1.5, 1}, {Two::alpha, Two::omega}, {1, 5}));
+    plane(Critical<Two>("plane of 2 links", {0.5, 1.5, 1}, {Two::alpha, Two::omega}, {1, 5}, seed));
     plane(Critical<Mechanism>("plane of the mechanism", Mechanism::paper_parameters(0),
-                              {Mechanism::stiffness_2, Mechanism::force}, {600, 300}));
-    plane(Critical<Three>("plane of 3 links", three, {Three::mass + 2, Three::omega}, {2, 5}));
+                              {Mechanism::stiffness_2, Mechanism::force}, {600, 300}, seed));
+    plane(Critical<Three>("plane of 3 links", three, {Three::mass + 2, Three::omega}, {2, 5}, seed));
     return y;
 }
 
@@ -386,58 +421,73 @@ std::string difference(const Solution& single, const Solution& twofold, int angl
 struct Least {
     double tracking = std::numeric_limits<double>::infinity(), whole = tracking;
 };
-Solution timed(const System& system, const TrackerOptions& tracker, Least& least) {
+Solution timed(const System& system, const RunOptions& run, const TrackerOptions& tracker, Least& least) {
     const equilibria::detail::Stopwatch watch;
-    Solution found = system.solve(tracker);
+    Solution found = system.solve(run, tracker);
     least.whole = std::min(least.whole, watch.seconds());
     least.tracking = std::min(least.tracking, found.tracking_seconds);
     return found;
 }
 
-json compared(const System& system, int runs) {
+json compared(const System& system, const RunOptions& run, int runs) {
     constexpr TrackerOptions with{}, without{.single_precision = false};
-    Solution single = system.solve(with), twofold = system.solve(without);
+    const Solution single = system.solve(run, with), twofold = system.solve(run, without);
     Least of_single, of_double;
     const equilibria::detail::Stopwatch watch;
     for (int k = 0; k < runs || watch.seconds() < 0.2; ++k) {
-        timed(system, k % 2 == 0 ? with : without, k % 2 == 0 ? of_single : of_double);
-        timed(system, k % 2 == 0 ? without : with, k % 2 == 0 ? of_double : of_single);
+        if (k % 2 == 0) timed(system, run, with, of_single);
+        timed(system, run, without, of_double);
+        if (k % 2 == 1) timed(system, run, with, of_single);
     }
     const PathCounts &a = single.paths, &b = twofold.paths;
-    const auto per_path = [](std::uint64_t n, const PathCounts& p) {
-        return static_cast<double>(n) / static_cast<double>(p.tracked);
-    };
+    const auto per_path = [&](std::uint64_t n) { return static_cast<double>(n) / static_cast<double>(a.tracked); };
+    const auto of = [&](std::uint64_t PathCounts::* count) { return json{{"single", a.*count}, {"double", b.*count}}; };
     return {{"system", system.name},
             {"paths", a.tracked},
-            {"in_double", per_path(a.in_double, a)},
-            {"crossed", a.crossed},
-            {"retracked", a.retracked},
-            {"failed", a.failed},
-            {"steps_single", per_path(a.steps, a)},
-            {"steps_double", per_path(b.steps, b)},
-            {"double_tracking_seconds", of_double.tracking},
-            {"double_seconds", of_double.whole},
-            {"tracking_ratio", of_single.tracking / of_double.tracking},
-            {"ratio", of_single.whole / of_double.whole},
-            {"roots_single", single.roots.size()},
-            {"roots_double", twofold.roots.size()},
+            {"in_double", per_path(a.in_double)},
+            {"crossed", of(&PathCounts::crossed)},
+            {"retracked", of(&PathCounts::retracked)},
+            {"failed", of(&PathCounts::failed)},
+            {"steps_per_path", {{"single", per_path(a.steps)}, {"double", per_path(b.steps)}}},
+            {"tracking_seconds", {{"single", of_single.tracking}, {"double", of_double.tracking}}},
+            {"seconds", {{"single", of_single.whole}, {"double", of_double.whole}}},
+            {"roots", {{"single", single.roots.size()}, {"double", twofold.roots.size()}}},
             {"verdict", difference(single, twofold, system.angles)}};
 }
 
+/// Single precision's number and double's, with so many digits after the point.
+std::string both(const json& pair, int digits) {
+    const auto text = [digits](double x) {
+        char y[32];
+        std::snprintf(y, sizeof y, "%.*f", digits, x);
+        return std::string(y);
+    };
+    return text(pair["single"]) + "/" + text(pair["double"]);
+}
 void print(const json& row) {
-    const auto number = [&](const char* key) { return row[key].get<double>(); };
-    const auto count = [&](const char* key) { return row[key].get<unsigned long long>(); };
-    std::printf("%-30s %7llu %9.4f %7llu %9llu %6llu %7.1f %7.1f %11.3f %11.3f %8.2f %6.2f %7llu %7llu  %s\n",
-                row["system"].get<std::string>().c_str(), count("paths"), number("in_double"), count("crossed"),
-                count("retracked"), count("failed"), number("steps_single"), number("steps_double"),
-                1e3 * number("double_tracking_seconds"), 1e3 * number("double_seconds"), number("tracking_ratio"),
-                number("ratio"), count("roots_single"), count("roots_double"),
-                row["verdict"].get<std::string>().c_str());
+    const auto milliseconds = [&](const char* key) { return 1e3 * row[key]["double"].get<double>(); };
+    const auto ratio = [&](const char* key) {
+        return row[key]["single"].get<double>() / row[key]["double"].get<double>();
+    };
+    std::printf("%-34s %6llu %9.4f %7s %9s %7s %13s %9.3f %9.3f %8.2f %6.2f %13s  %s\n",
+                row["system"].get<std::string>().c_str(), row["paths"].get<unsigned long long>(),
+                row["in_double"].get<double>(), both(row["crossed"], 0).c_str(), both(row["retracked"], 0).c_str(),
+                both(row["failed"], 0).c_str(), both(row["steps_per_path"], 1).c_str(),
+                milliseconds("tracking_seconds"), milliseconds("seconds"), ratio("tracking_seconds"), ratio("seconds"),
+                both(row["roots"], 0).c_str(), row["verdict"].get<std::string>().c_str());
     std::fflush(stdout);
+}
+void print_head() {
+    std::printf("%d doubles a register\n", native_lanes);
+    std::printf("%-34s %6s %9s %7s %9s %7s %13s %19s %15s %13s\n", "", "", "", "", "", "", "", "ms in double",
+                "single/double", "");
+    std::printf("%-34s %6s %9s %7s %9s %7s %13s %9s %9s %8s %6s %13s\n", "system", "paths", "in_double", "crossed",
+                "retracked", "failed", "steps a path", "tracking", "whole", "tracking", "whole", "roots");
 }
 
 int usage(const char* message) {
-    std::fprintf(stderr, "single_precision: %s\nsingle_precision [--only REGEX] [--runs N] [--json]\n", message);
+    std::fprintf(stderr, "single_precision: %s\nsingle_precision [--only REGEX] [--runs N] [--seed S] [--json]\n",
+                 message);
     return 2;
 }
 
@@ -446,6 +496,7 @@ int usage(const char* message) {
 int main(int argc, char** argv) {
     std::regex only(".*");
     int runs = 7;
+    RunOptions run;
     bool as_json = false;
     for (int k = 1; k < argc; ++k) {
         const std::string_view option = argv[k];
@@ -455,25 +506,21 @@ int main(int argc, char** argv) {
             only = argv[++k];
         else if (option == "--runs" && k + 1 < argc && std::atoi(argv[k + 1]) > 0)
             runs = std::atoi(argv[++k]);
+        else if (option == "--seed" && k + 1 < argc && std::atoi(argv[k + 1]) > 0)
+            run.seed = static_cast<std::uint64_t>(std::atoi(argv[++k]));
         else
             return usage("needs known options with their values");
     }
-    if (!as_json) {
-        std::printf("%d doubles a register\n", native_lanes);
-        std::printf("%-30s %7s %9s %7s %9s %6s %15s %23s %15s %15s\n", "", "", "", "", "", "", "steps a path",
-                    "ms in double", "single/double", "roots");
-        std::printf("%-30s %7s %9s %7s %9s %6s %7s %7s %11s %11s %8s %6s %7s %7s\n", "system", "paths", "in_double",
-                    "crossed", "retracked", "failed", "single", "double", "tracking", "whole", "tracking", "whole",
-                    "single", "double");
-    }
+    if (!as_json) print_head();
     json rows = json::array();
     bool all_same = true;
-    for (const auto& system : systems()) {
+    for (const auto& system : systems(run.seed)) {
         if (!std::regex_search(system.name, only)) continue;
-        rows.push_back(compared(system, runs));
+        rows.push_back(compared(system, run, runs));
         all_same = all_same && rows.back()["verdict"] == "same";
         if (!as_json) print(rows.back());
     }
-    if (as_json) std::puts(json{{"doubles_a_register", native_lanes}, {"systems", rows}}.dump(2).c_str());
+    if (as_json)
+        std::puts(json{{"doubles_a_register", native_lanes}, {"seed", run.seed}, {"systems", rows}}.dump(2).c_str());
     return all_same ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -1,11 +1,15 @@
 // Paths in single precision: the same roots as in double, each path accounted for.
+#include <equilibria/core/lanes.hpp>
 #include <equilibria/enumerate/enumerate.hpp>
+#include <equilibria/paths/complex_roots.hpp>
+#include <equilibria/start/linear_product.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <complex>
 #include <cstdint>
 #include <map>
+#include <string_view>
 
 #include "support/catch.hpp"
 #include "support/enumeration.hpp"
@@ -33,6 +37,16 @@ double difference(const RootSet<M>& a, const RootSet<M>& b) {
     }
     return largest;
 }
+
+/// The first paths of a start.
+struct FirstPaths {
+    const LinearProduct* start;
+    std::uint64_t paths;
+
+    static constexpr std::string_view name() { return "first paths"; }
+    PathNumbering numbering() const { return PathNumbering::all(paths); }
+    RuntimePoint<double> point(std::uint64_t k) const { return start->point(k); }
+};
 
 }  // namespace
 
@@ -87,4 +101,24 @@ TEST_CASE("What single precision cannot carry goes on in double from where it is
     bool same = true;
     for (std::size_t k = 0; k < set.roots.size(); ++k) same = same && again.roots[k].q == set.roots[k].q;
     CHECK(same);
+}
+
+TEST_CASE("Paths that fill three packs of doubles are tracked in single precision, fewer are not") {
+    using M = models::CoupledAngles<3>;  // most of its paths go to infinity, in double at last
+    Generator generator(11);
+    Parameters<M> p;
+    for (double& x : p) x = uniform(generator, 0.3, 1.3);
+    const auto system = sparse_system<M>(p);
+    const LinearProduct start(system, Array<int, 3>{}, unit_complex(generator), generator);
+    const PolynomialHomotopy homotopy(system, start);
+    REQUIRE(start.solutions().size() == 64);
+    const std::uint64_t least = 3 * native_lanes;
+    const auto solved = [&](std::uint64_t paths, const TrackerOptions& options) {
+        return complex_roots(homotopy, FirstPaths{&start, paths}, {}, options);
+    };
+    CHECK(solved(least, {}).paths.in_double > 0);
+    const auto few = solved(least - 1, {}), twofold = solved(least - 1, in_double);
+    CHECK(few.paths.in_double == 0);
+    CHECK(few.paths.steps == twofold.paths.steps);
+    CHECK(few.paths.at_infinity > 0);
 }

@@ -36,8 +36,8 @@ public:
     using SinglePack = FloatLanes<2 * native_lanes>;
     /// What brings its own law of time, predictor or step control is tracked in double.
     static constexpr bool may_be_single = std::is_same_v<H, PolynomialHomotopy>;
-    /// Fewer paths fill the lanes of floats too badly.
-    static constexpr std::uint64_t least_in_single = 4 * LaneTraits<SinglePack>::width;
+    /// Three packs of doubles: fewer paths fill the lanes of floats too badly.
+    static constexpr std::uint64_t least_in_single = 3 * LaneTraits<Pack>::width;
 
     PathSolver(const H& homotopy, PathProblem problem, const RunOptions& run, const TrackerOptions& options,
                MoreDigits<H> resort)

@@ -43,3 +43,14 @@ TEST_CASE("Equal eigenvalues and a diagonal matrix stay as they are") {
     CHECK(eigen.values == Eigen::Vector3d(3, -1, 3));
     CHECK(eigen.vectors == identity);
 }
+
+TEST_CASE("Entries whose squares no double holds") {
+    Eigen::Matrix2d a;
+    a << 2, 1, 1, 2;
+    for (const double size : {1e-250, 1e-120, 1e120, 1e250}) {
+        Eigen::Vector2d values = symmetric_eigenvalues(Eigen::Matrix2d(size * a));
+        std::sort(values.begin(), values.end());
+        CHECK(values(0) == Approx(size).epsilon(1e-14));
+        CHECK(values(1) == Approx(3 * size).epsilon(1e-14));
+    }
+}

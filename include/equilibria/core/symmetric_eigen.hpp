@@ -18,19 +18,22 @@ template <class Matrix>
 void diagonalize(Matrix& a, Matrix* vectors) {
     using std::abs, std::sqrt;
     using Scalar = typename Matrix::Scalar;
+    // squares of entries must neither overflow nor vanish
+    const Scalar size = a.rows() > 0 ? a.cwiseAbs().maxCoeff() : Scalar(0);
+    const bool extreme =
+        (size > 1e100 && size < std::numeric_limits<Scalar>::infinity()) || (size > 0 && size < 1e-100);
+    if (extreme) a /= size;
     const Scalar negligible = std::numeric_limits<Scalar>::epsilon();
     const auto n = a.rows();
     for (int sweep = 0; sweep < 50; ++sweep) {
         bool rotated = false;
         for (Eigen::Index i = 0; i < n; ++i) {
             for (Eigen::Index j = i + 1; j < n; ++j) {
-                if (abs(a(i, j)) <= negligible * sqrt(abs(a(i, i))) * sqrt(abs(a(j, j)))) continue;
+                const Scalar square = a(i, j) * a(i, j);
+                if (square <= negligible * negligible * abs(a(i, i) * a(j, j))) continue;
                 rotated = true;
                 const Scalar difference = (a(j, j) - a(i, i)) / 2;
-                // sqrt(x^2 + y^2) without overflow; std::hypot, exact to the last digit, takes longer than the rest
-                const Scalar leg = abs(difference), other = abs(a(i, j)), most = leg > other ? leg : other;
-                const Scalar share = (leg > other ? other : leg) / most;
-                const Scalar longer = leg + most * sqrt(1 + share * share);
+                const Scalar longer = abs(difference) + sqrt(difference * difference + square);
                 const Scalar t =
                     difference < 0 ? Scalar(-a(i, j) / longer) : Scalar(a(i, j) / longer);  // tan, |t| <= 1
                 const Scalar c = 1 / sqrt(1 + t * t), s = t * c;
@@ -54,6 +57,7 @@ void diagonalize(Matrix& a, Matrix* vectors) {
         }
         if (!rotated) break;
     }
+    if (extreme) a *= size;
 }
 
 }  // namespace detail

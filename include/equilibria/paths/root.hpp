@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include <equilibria/core/huge_pages.hpp>
 #include <equilibria/homotopy/path_status.hpp>
 #include <equilibria/model/sizes.hpp>
 
@@ -65,10 +66,12 @@ FailedPath<M> typed(const FailedPath<RuntimeUnknowns>& failed) {
 /// All of these, each let go when it has been taken over.
 template <class M, template <class> class Thing>
 std::vector<Thing<M>> typed(std::vector<Thing<RuntimeUnknowns>>&& things) {
-    std::vector<Thing<M>> y(things.size());
-    for (std::size_t k = 0; k < y.size(); ++k) {
-        const Thing<RuntimeUnknowns> thing = std::move(things[k]);
-        y[k] = typed<M>(thing);
+    std::vector<Thing<M>> y;
+    y.reserve(things.size());
+    prefer_huge_pages(y.data(), y.capacity() * sizeof(y[0]));
+    for (auto& given : things) {
+        const Thing<RuntimeUnknowns> thing = std::move(given);
+        y.push_back(typed<M>(thing));
     }
     return y;
 }

@@ -15,6 +15,7 @@
 #include <utility>
 #include <vector>
 
+#include <equilibria/core/huge_pages.hpp>
 #include <equilibria/storage/checkpoint.hpp>
 
 namespace equilibria::detail {
@@ -25,7 +26,9 @@ public:
     EndpointTable(const RuntimeSizes& sizes, std::uint64_t size)
         : angles_(static_cast<std::size_t>(sizes.angles)), coordinates_(static_cast<std::size_t>(sizes.coordinates)),
           points_(std::make_unique_for_overwrite<Complex<double>[]>(size * (2 * angles_ + coordinates_))),
-          records_(size) {}
+          records_(size) {
+        prefer_huge_pages(points_.get(), size * (2 * angles_ + coordinates_) * sizeof(Complex<double>));
+    }
 
     bool empty() const { return records_.empty(); }
     void set(std::uint64_t k, const Endpoint& end) {

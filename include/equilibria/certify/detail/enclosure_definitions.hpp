@@ -12,6 +12,7 @@
 #include <boost/pending/disjoint_sets.hpp>
 
 #include <equilibria/certify/enclosure.hpp>
+#include <equilibria/core/key_sort.hpp>
 #include <equilibria/core/random.hpp>
 
 namespace equilibria {
@@ -27,17 +28,16 @@ namespace detail {
 EQUILIBRIA_INLINE void for_each_meeting(const std::vector<EnclosureInterval>& intervals,
                                         const std::function<void(std::size_t, std::size_t)>& meet) {
     struct Entry {
-        double low, high;
+        double key, high;  // the interval, from its low end on
         std::size_t k;
     };
     std::vector<Entry> entries;
     entries.reserve(intervals.size());
     for (std::size_t k = 0; k < intervals.size(); ++k)
         if (intervals[k].low <= intervals[k].high) entries.push_back({intervals[k].low, intervals[k].high, k});
-    std::sort(entries.begin(), entries.end(),
-              [](const Entry& a, const Entry& b) { return std::pair(a.low, a.k) < std::pair(b.low, b.k); });
+    sort_by_key(entries);
     for (std::size_t i = 0; i < entries.size(); ++i)
-        for (std::size_t j = i + 1; j < entries.size() && entries[j].low <= entries[i].high; ++j)
+        for (std::size_t j = i + 1; j < entries.size() && entries[j].key <= entries[i].high; ++j)
             meet(entries[i].k, entries[j].k);
 }
 

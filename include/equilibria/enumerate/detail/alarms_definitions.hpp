@@ -11,6 +11,7 @@
 #include <string>
 #include <utility>
 
+#include <equilibria/core/key_sort.hpp>
 #include <equilibria/core/random.hpp>
 #include <equilibria/enumerate/alarms.hpp>
 
@@ -43,7 +44,7 @@ public:
                 entries_[k] = entry(roots[k], k);
             }
         });
-        std::sort(entries_.begin(), entries_.end(), [](const Entry& a, const Entry& b) { return a.key < b.key; });
+        sort_by_key(entries_);
         std::vector<std::array<std::uint8_t, 3>> images(roots.size());
         executor.for_blocks(roots.size(), 4096, [&](std::size_t first, std::size_t last) {
             for (std::size_t e = first; e < last; ++e) images[e] = partners(e);

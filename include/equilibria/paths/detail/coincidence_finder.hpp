@@ -13,6 +13,7 @@
 
 #include <boost/pending/disjoint_sets.hpp>
 
+#include <equilibria/core/key_sort.hpp>
 #include <equilibria/evaluation/point.hpp>
 
 namespace equilibria::detail {
@@ -44,8 +45,7 @@ public:
                 const auto [key, magnitude] = key_of(q);
                 entries.push_back({key, magnitude, k});
             }
-        std::sort(entries.begin(), entries.end(),
-                  [](const Entry& a, const Entry& b) { return std::pair(a.key, a.k) < std::pair(b.key, b.k); });
+        sort_by_key(entries);
         boost::disjoint_sets_with_storage<> groups(entries.size());
         std::vector<std::uint8_t> joined(entries.size());
         for (std::size_t i = 0; i < entries.size(); ++i)

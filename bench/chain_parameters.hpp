@@ -1,4 +1,4 @@
-// The chain of the speed tables (support.hpp), of so many links: l_i = 1 + i/10, m_i = 1 + i^2/20, g = 1, omega = 1.7.
+// The chain of the speed tables, of so many links: l_i = 1 + i/10, m_i = 1 + i^2/20, g = 1, omega = 1.7.
 #pragma once
 
 #include <equilibria/core/sized_array.hpp>

@@ -68,6 +68,14 @@ TEST_CASE("each lost root is counted by the symmetries that miss it") {
     CHECK(a.sentences() == "1 roots lack their complex conjugate; 1 roots lack their image under theta -> -theta");
 }
 
+TEST_CASE("an image is as near in each unknown as roots are exact, not only in sums") {
+    auto set = symmetric_set(100);
+    set.roots[40].q[1] += 3e-9;  // roots are exact to 1e-9 and 1e-13 times their condition
+    const Alarms a = check_alarms(set);
+    CHECK(a.conjugates.value == 2);
+    CHECK(a.mirror.value == 2);
+}
+
 TEST_CASE("angles are compared modulo 2 pi") {
     constexpr double pi = std::numbers::pi;
     RootSet<M> set;

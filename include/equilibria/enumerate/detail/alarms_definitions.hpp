@@ -1,7 +1,7 @@
 /// \file
 /// See enumerate/alarms.hpp. Each root goes by three numbers: a key that conjugation and theta -> -theta leave as it
 /// is, and two sums that change their signs with them. In the order of the keys a root's images and duplicates are next
-/// to it, and are told by the sums, so that all that is compared lies in one piece: n log n in all.
+/// to it, and the sums, which lie in one piece, leave hardly any other to be compared: n log n in all.
 #pragma once
 
 #include <algorithm>
@@ -17,12 +17,14 @@
 
 namespace equilibria::detail {
 
-/// Whether two roots differ by at most `most`: angles modulo 2 pi, coordinates against 1 + |x|.
-EQUILIBRIA_INLINE bool close_roots(const RuntimeSizes& sizes, const RootView& a, const RootView& b, double most) {
+/// Whether a differs from b with these signs of its real and imaginary parts by at most `most`: angles modulo 2 pi,
+/// coordinates against 1 + |x|.
+EQUILIBRIA_INLINE bool close_roots(const RuntimeSizes& sizes, const RootView& a, const RootView& b, double real_sign,
+                                   double imaginary_sign, double most) {
     for (int u = 0; u < sizes.unknowns; ++u) {
         const std::complex<double>&x = a.q[static_cast<std::size_t>(u)], &y = b.q[static_cast<std::size_t>(u)];
-        double re = std::abs(x.real() - y.real());
-        const double im = x.imag() - y.imag();
+        double re = std::abs(x.real() - real_sign * y.real());
+        const double im = x.imag() - imaginary_sign * y.imag();
         if (u < sizes.angles && re > std::numbers::pi) re = 2 * std::numbers::pi - re;
         const double size = u < sizes.angles ? 1 : 1 + std::abs(x);
         if (!(re * re + im * im <= most * most * size * size)) return false;
@@ -47,7 +49,11 @@ public:
         sort_by_key(entries_);
         std::vector<std::array<std::uint8_t, 3>> images(roots.size());
         executor.for_blocks(roots.size(), 4096, [&](std::size_t first, std::size_t last) {
-            for (std::size_t e = first; e < last; ++e) images[e] = partners(e);
+            for (std::size_t e = first; e < last; ++e) {
+                if (e + 2 * soon < roots.size()) __builtin_prefetch(&roots[entries_[e + 2 * soon].root]);
+                if (e + soon < roots.size()) fetch(roots[entries_[e + soon].root]);
+                images[e] = partners(e);
+            }
         });
         for (const auto& f : images)
             found.without_conjugate += !f[0], found.without_mirror_image += !f[1], found.doubled += f[2];
@@ -99,17 +105,18 @@ private:
     /// Whether entry e has a conjugate, a mirror image, a duplicate.
     std::array<std::uint8_t, 3> partners(std::size_t e) const {
         const Entry& own = entries_[e];
+        const RootView& root = (*roots_)[own.root];
         std::array<std::uint8_t, 3> has{};
         const auto look = [&](std::size_t k) {
             const Entry& other = entries_[k];
             const double re = std::abs(own.re - other.re), re_turned = std::abs(own.re + other.re);
             const double im = std::abs(own.im - other.im), im_turned = std::abs(own.im + other.im);
-            has[0] |= re <= own.near && im_turned <= own.near;
-            has[1] |= re_turned <= own.near && im_turned <= own.near;
-            if (k != e && re <= own.same && im <= own.same) {
-                const RootView& root = (*roots_)[own.root];
-                has[2] |= close_roots(sizes_, root, (*roots_)[other.root], duplicate_distance(root));
-            }
+            const auto close = [&](double real_sign, double imaginary_sign, double most) {
+                return close_roots(sizes_, root, (*roots_)[other.root], real_sign, imaginary_sign, most);
+            };
+            if (!has[0] && re <= own.near && im_turned <= own.near) has[0] = close(1, -1, accuracy(root));
+            if (!has[1] && re_turned <= own.near && im_turned <= own.near) has[1] = close(-1, -1, accuracy(root));
+            if (!has[2] && k != e && re <= own.same && im <= own.same) has[2] = close(1, 1, duplicate_distance(root));
         };
         const double most = std::max(own.near, own.same);
         for (std::size_t k = e; k < entries_.size() && entries_[k].key - own.key <= most; ++k) look(k);

@@ -152,6 +152,7 @@ TEST_CASE("mixed volumes of families are those of gfan_mixedvolume") {
     for (int n = 3; n <= 10; ++n) CHECK(volume(nearest_neighbour(n)) == neighbours[n - 3]);
     CHECK(volume(kuramoto_grid(3, 3, false)) == 1280);
     CHECK(volume(kuramoto_grid(3, 3, true)) == 5220);
+    CHECK(volume(power_flow_9()) == 768);
 }
 
 TEST_CASE("a mixed volume of two small polygons, its cells and their volumes") {
@@ -224,7 +225,7 @@ TEST_CASE("mixed volumes and cells do not depend on the order of the equations, 
             for (std::size_t i = 0; i < n; ++i) other.order[i] = static_cast<int>(n - 1 - i);
         CHECK(mixed_volume(supports, other).value == volume);
         CHECK(mixed_volume(supports, other).order == other.order);
-        for (const std::uint64_t seed : {1, 2}) {
+        for (const std::uint64_t seed : {1u, 2u}) {
             const auto lifting = drawn_lifting(supports, seed);
             auto cells = kept_cells(supports, lifting), same = kept_cells(supports, lifting, other);
             std::uint64_t sum = 0;

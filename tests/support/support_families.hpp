@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdlib>
 #include <string>
 #include <utility>
 #include <vector>
@@ -182,6 +183,41 @@ inline Supports kuramoto_grid(int rows, int columns, bool periodic) {
             if (r + 1 < rows || periodic) bonds.emplace_back(node(r, c), node(r + 1, c));
         }
     return kuramoto(rows * columns, bonds);
+}
+
+// Power flow in voltages v_i and u_i for their conjugates, x_2i and x_2i+1; bus 0 is the slack. A bus with a load has
+// its complex power given, of the other buses active power and v_i u_i.
+inline Supports power_flow(int buses, const std::vector<int>& generators, const Bonds& lines) {
+    const int n = 2 * (buses - 1);
+    Equations y;
+    for (int i = 1; i < buses; ++i) {
+        std::vector<Supports::Point> own[2];  // v_i times currents, u_i times their conjugates
+        for (const int end : {0, 1}) {
+            const int mine = 2 * (i - 1) + end;
+            own[end] = {point(n, {}), point(n, {{mine, 1}, {2 * (i - 1) + 1 - end, 1}})};
+            for (const auto& [a, b] : lines) {
+                if (i != a && i != b) continue;
+                const int other = i == a ? b : a;
+                own[end].push_back(other == 0 ? point(n, {{mine, 1}})
+                                              : point(n, {{mine, 1}, {2 * (other - 1) + 1 - end, 1}}));
+            }
+        }
+        if (std::find(generators.begin(), generators.end(), i) != generators.end()) {
+            own[0].insert(own[0].end(), own[1].begin(), own[1].end());
+            own[1] = {point(n, {}), point(n, {{2 * (i - 1), 1}, {2 * (i - 1) + 1, 1}})};
+        }
+        y.push_back(own[0]);
+        y.push_back(own[1]);
+    }
+    return without_copies(n, std::move(y));
+}
+inline Supports power_flow_9() {
+    return power_flow(9, {1, 2}, {{0, 3}, {3, 4}, {4, 5}, {2, 5}, {5, 6}, {6, 7}, {7, 1}, {7, 8}, {8, 3}});
+}
+inline Supports power_flow_14() {
+    return power_flow(14, {1, 2, 5, 7},
+                      {{0, 1},  {0, 4},  {1, 2},  {1, 3}, {1, 4}, {2, 3}, {3, 4},  {3, 6},  {3, 8},   {4, 5},
+                       {5, 10}, {5, 11}, {5, 12}, {6, 7}, {6, 8}, {8, 9}, {8, 13}, {9, 10}, {11, 12}, {12, 13}});
 }
 
 // A system as gfan_mixedvolume --vectorinput reads it.

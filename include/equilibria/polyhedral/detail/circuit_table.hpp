@@ -178,22 +178,22 @@ private:
         return b <= most && static_cast<Bound>(volume) <= most - b;
     }
 
-    /// Whether no entry can exceed the limit in magnitude after this exchange, by bounds of the rows, which are
-    /// measured where those known do not say so; then they are those after it. No intermediate sum exceeds the
-    /// products' type then.
+    /// Whether no entry for either end can exceed the limit in magnitude after this exchange, by bounds of the rows,
+    /// which are measured where those known do not say so; then they are those after it. Products and their sums fit
+    /// then.
     bool fits(int i, int column, int leaving, const Integer& limit) {
         using Wide = typename TableInteger<Integer>::UnsignedProduct;
         if (!in_range(bound(i), limit)) measure(i);
         if (!in_range(bound(i), limit)) return false;
         const Integer at_column = at(i, column);
-        const Bound p = static_cast<Bound>(magnitude(leaving == 0 ? at_column : Integer(volume - at_column)));
+        const auto p = static_cast<Bound>(magnitude(leaving == 0 ? at_column : Integer(volume - at_column)));
+        const auto most = static_cast<Bound>(limit);
         const auto after = [&](int j) {
             const auto r = static_cast<Bound>(magnitude(at(j, column)));
             const Wide sum = (Wide(p) * bound(j) + Wide(r) * bound(i)) / static_cast<Bound>(volume);
             return leaving == 0 ? sum : sum + r;
         };
         after_.resize(rows_);
-        const auto most = static_cast<Bound>(limit);
         for (int j = 0; j < rows(); ++j) {
             if (j == i) continue;
             auto& y = after_[static_cast<std::size_t>(j)];
@@ -201,16 +201,16 @@ private:
                 y = bound(j);
                 continue;
             }
-            if (bound(j) > most || after(j) > most) {
+            if (bound(j) > most || after(j) + p > most) {
                 measure(j);
                 measure(i);
-                if (bound(j) > most || after(j) > most) return false;
+                if (bound(j) > most || after(j) + p > most) return false;
             }
             y = static_cast<Bound>(after(j));
         }
         const Bound more = leaving == 0 ? p : static_cast<Bound>(magnitude(at_column));
-        if (more > most - bound(i)) measure(i);
-        if (more > most - bound(i)) return false;
+        if (Wide(bound(i)) + more + p > most) measure(i);
+        if (Wide(bound(i)) + more + p > most) return false;
         after_[static_cast<std::size_t>(i)] = bound(i) + more;
         bounds_.swap(after_);
         return true;

@@ -3,9 +3,6 @@
 /// L and the support of equation k together, and simplices L for those after it; the artificial points sink until no
 /// cell has one. A last stage, where there is a lifting, leads from the lexicographic one to it.
 ///
-/// The support of equation k lies within d_k L, so that a cell of the stage before, whose table is scaled, is a cell of
-/// stage k, and its new columns are combinations of those of the simplex: the table of one cell alone has to be known.
-///
 /// Source: A. N. Jensen, Tropical homotopy continuation, arXiv:1601.02818 (2016), in particular its section on
 /// regeneration.
 #pragma once
@@ -102,85 +99,6 @@ struct RegenerationPlan {
             }
         }
         return y;
-    }
-
-    /// The table of stage k, of a cell of the stage before (k = 0: of simplices) whose layout and table these are and
-    /// which has no artificial point. The entries must fit: their magnitudes grow by d_k squared at most.
-    template <class Integer>
-    void enter_stage(int k, const ColumnLayout& from, const CircuitTable<Integer>& old,
-                     CircuitTable<Integer>& y) const {
-        const auto& to = layouts[static_cast<std::size_t>(k)];
-        const Integer d = k < unknowns ? Integer(degree[static_cast<std::size_t>(k)]) : Integer(1);
-        const auto first_old = [&](int i) {
-            return from.first[static_cast<std::size_t>(i)] + (i == from.stage ? from.artificial : 0);
-        };
-        y.reset(to);
-        y.volume = d * old.volume;
-        for (int i = 0; i < unknowns; ++i) {
-            const int shift = to.first[static_cast<std::size_t>(i)] - first_old(i);
-            for (std::size_t end = 0; end < 2; ++end)
-                y.edges[static_cast<std::size_t>(i)][end] = old.edges[static_cast<std::size_t>(i)][end] + shift;
-        }
-        for (int j = 0; j < unknowns; ++j) {
-            const Integer scale = j == k ? Integer(1) : d;
-            const Integer* const x = old.row(j);
-            Integer* const row = y.row(j);
-            for (int i = 0; i < unknowns; ++i) {
-                const int begin = first_old(i), size = from.first[static_cast<std::size_t>(i) + 1] - begin;
-                Integer* const out = row + to.first[static_cast<std::size_t>(i)];
-                const Integer factor = i == k ? Integer(scale * d) : scale;
-                for (int c = 0; c < size; ++c) out[c] = factor * x[begin + c];
-                if (i != k) continue;
-                for (const auto& point : points[static_cast<std::size_t>(k)]) {
-                    Integer rest = d, sum = 0;
-                    for (int l = 0; l < unknowns; ++l) {
-                        const std::int64_t exponent = point[static_cast<std::size_t>(l)];
-                        if (exponent == 0) continue;
-                        rest -= Integer(exponent);
-                        sum += Integer(exponent) * x[begin + l + 1];
-                    }
-                    sum += rest * x[begin];
-                    out[size + (&point - points[static_cast<std::size_t>(k)].data())] = scale * sum;
-                }
-            }
-        }
-    }
-};
-
-/// A cell in a stage, in a table of one of the kinds of integers.
-struct RegenerationNode {
-    int stage = 0;
-    int width = 0;
-    CircuitTable<std::int32_t> narrow;
-    CircuitTable<std::int64_t> wide;
-    CircuitTable<UnlimitedInteger> unlimited;
-
-    template <class Integer>
-    CircuitTable<Integer>& table() {
-        if constexpr (is_unlimited<Integer>)
-            return unlimited;
-        else if constexpr (sizeof(Integer) == 8)
-            return wide;
-        else
-            return narrow;
-    }
-    /// To the next kind of integers.
-    void widen() {
-        if (width++ == 0)
-            wide.assign(narrow);
-        else
-            unlimited.assign(wide);
-    }
-    /// The table and place of another node.
-    void copy(const RegenerationNode& other) {
-        stage = other.stage;
-        width = other.width;
-        if (width == 0)
-            narrow = other.narrow;
-        else if (width == 1)
-            wide = other.wide;
-        else
-            unlimited = other.unlimited;
     }
 };
 

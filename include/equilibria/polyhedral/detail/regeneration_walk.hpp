@@ -6,6 +6,7 @@
 /// Source: A. N. Jensen, Tropical homotopy continuation, arXiv:1601.02818 (2016).
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -14,47 +15,12 @@
 #include <vector>
 
 #include <equilibria/polyhedral/detail/circuit_table.hpp>
+#include <equilibria/polyhedral/detail/first_wall.hpp>
+#include <equilibria/polyhedral/detail/regeneration_node.hpp>
 #include <equilibria/polyhedral/detail/regeneration_plan.hpp>
 #include <equilibria/polyhedral/detail/table_integers.hpp>
 
 namespace equilibria::detail {
-
-/// Of the candidates, in ascending order and not empty, the column whose inequality c_k . omega >= 0 fails first, where
-/// omega is infinitesimal and lexicographic: the smallest c_k / weight(k). The others are lost.
-template <class Product, class Integer, class Weight>
-int first_wall(const ColumnLayout& layout, const CircuitTable<Integer>& table, std::vector<int>& candidates,
-               Weight&& weight) {
-    // the entries of c_k that are not 0: those of D^-1, and minus the volume at k
-    for (int j = 0; j < layout.configurations(); ++j) {
-        const auto& edge = table.edges[static_cast<std::size_t>(j)];
-        const int lower = edge[0] < edge[1] ? 0 : 1;
-        for (const int end : {lower, 1 - lower}) {
-            if (candidates.size() == 1 || candidates[0] < edge[static_cast<std::size_t>(end)]) return candidates[0];
-            std::size_t kept = 1;
-            Integer best = table.entry(layout, j, end, candidates[0]);
-            auto best_weight = weight(candidates[0]);
-            for (std::size_t c = 1; c < candidates.size(); ++c) {
-                const int k = candidates[c];
-                const Integer value = table.entry(layout, j, end, k);
-                if (value == 0 && best == 0) {
-                    candidates[kept++] = k;
-                    continue;
-                }
-                const auto mine = weight(k);
-                const Product left = Product(value) * Product(best_weight), right = Product(best) * Product(mine);
-                if (right < left) continue;
-                if (left < right) {
-                    kept = 0;
-                    best = value;
-                    best_weight = mine;
-                }
-                candidates[kept++] = k;
-            }
-            candidates.resize(kept);
-        }
-    }
-    return candidates[0];
-}
 
 /// Follows nodes until they divide or end. One a thread.
 class RegenerationWalk {
@@ -68,7 +34,7 @@ public:
         RegenerationNode y;
         const auto layout = plan_.simplices();
         y.narrow = plan_.simplices_table(layout);
-        enter(y, 0, layout);
+        enter_stage(plan_, y, scratch_, 0, layout);
         return y;
     }
 
@@ -129,7 +95,7 @@ private:
                 const auto edge = table.edges[static_cast<std::size_t>(stage)];
                 const bool first = layout.is_artificial(edge[0]), second = layout.is_artificial(edge[1]);
                 if (!first && !second) {
-                    enter(node, stage + 1, layout);
+                    enter_stage(plan_, node, scratch_, stage + 1, layout);
                     return {};
                 }
                 if (!first && !table.swap_ends(layout, stage, plan_.limit<Integer>())) {
@@ -244,49 +210,6 @@ private:
             return void(++exchanges[1]);
         node.unlimited.exchange(layout, column, leaving, 0);
         ++exchanges[2];
-    }
-
-    /// From a cell without artificial points, of this layout, to the next stage.
-    void enter(RegenerationNode& node, int stage, const ColumnLayout& from) {
-        if (node.width == 0)
-            enter_from<std::int32_t>(node, stage, from);
-        else if (node.width == 1)
-            enter_from<std::int64_t>(node, stage, from);
-        else
-            enter_from<UnlimitedInteger>(node, stage, from);
-    }
-    template <class Integer>
-    void enter_from(RegenerationNode& node, int stage, const ColumnLayout& from) {
-        const auto& table = node.table<Integer>();
-        UnlimitedInteger largest = table.volume;
-        UnlimitedInteger d = stage < plan_.unknowns ? plan_.degree[static_cast<std::size_t>(stage)] : 1;
-        for (int j = 0; j < table.rows(); ++j) {
-            if constexpr (is_unlimited<Integer>) {
-                for (int k = 0; k < table.columns(); ++k)
-                    if (magnitude(table.at(j, k)) > largest) largest = magnitude(table.at(j, k));
-            } else if (table.largest(j) > largest) {
-                largest = table.largest(j);
-            }
-        }
-        largest *= d * d;
-        const int width = largest <= plan_.largest_narrow ? 0 : largest <= plan_.largest_wide ? 1 : 2;
-        if (width == 0)
-            enter_in<std::int32_t>(node, table, stage, from);
-        else if (width == 1)
-            enter_in<std::int64_t>(node, table, stage, from);
-        else
-            enter_in<UnlimitedInteger>(node, table, stage, from);
-        node.stage = stage;
-        node.width = width;
-    }
-    template <class To, class From>
-    void enter_in(RegenerationNode& node, const CircuitTable<From>& table, int stage, const ColumnLayout& from) {
-        auto& old = scratch_.table<To>();
-        if constexpr (std::is_same_v<To, From>)
-            std::swap(old, node.table<To>());
-        else
-            old.assign(table);
-        plan_.enter_stage(stage, from, old, node.table<To>());
     }
 
     template <class Integer>

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <numeric>
 #include <string>
 #include <utility>
 #include <vector>
@@ -20,20 +21,37 @@ namespace equilibria {
 
 namespace detail {
 
-/// By the number of points times the degree: the partial mixed volumes grow with the degrees, and what a support with
-/// few points has less than its simplex it has for all later stages.
+/// One after another: that with the least product of its degree, by which a partial mixed volume grows at most, and of
+/// 1 more than the unknowns that no equation before it has, so that neighbours in a network follow one another.
 inline std::vector<int> chosen_order(const Supports& supports) {
-    std::vector<int> given;
-    for (int i = 0; i < supports.unknowns(); ++i) given.push_back(i);
-    const RegenerationPlan plan(supports, given);
-    std::stable_sort(given.begin(), given.end(), [&](int a, int b) {
-        const auto size = [&](int i) {
-            return static_cast<double>(plan.points[static_cast<std::size_t>(i)].size()) *
-                   static_cast<double>(plan.degree[static_cast<std::size_t>(i)]);
-        };
-        return size(a) < size(b);
-    });
-    return given;
+    const auto n = static_cast<std::size_t>(supports.unknowns());
+    std::vector<int> left(n), order;
+    std::iota(left.begin(), left.end(), 0);
+    const RegenerationPlan plan(supports, left);
+    std::vector<char> has(n, 0);
+    const auto new_unknowns = [&](std::size_t equation) {
+        std::vector<std::size_t> y;
+        for (std::size_t l = 0; l < n; ++l)
+            if (!has[l] && std::any_of(plan.points[equation].begin(), plan.points[equation].end(),
+                                       [l](const auto& point) { return point[l] != 0; }))
+                y.push_back(l);
+        return y;
+    };
+    while (!left.empty()) {
+        auto best = left.begin();
+        double least = std::numeric_limits<double>::infinity();
+        for (auto it = left.begin(); it != left.end(); ++it) {
+            const auto i = static_cast<std::size_t>(*it);
+            const double cost = static_cast<double>(plan.degree[i]) * (1 + static_cast<double>(new_unknowns(i).size()));
+            if (cost >= least) continue;
+            least = cost;
+            best = it;
+        }
+        for (const auto l : new_unknowns(static_cast<std::size_t>(*best))) has[l] = 1;
+        order.push_back(*best);
+        left.erase(best);
+    }
+    return order;
 }
 
 inline RegenerationPlan plan_of(const Supports& supports, const MixedCellOptions& options) {

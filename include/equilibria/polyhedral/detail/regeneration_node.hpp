@@ -9,6 +9,7 @@
 /// regeneration.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <type_traits>
@@ -84,18 +85,16 @@ void scale_into_stage(const RegenerationPlan& plan, int k, const ColumnLayout& f
             const int begin = first_old(i), size = from.first[static_cast<std::size_t>(i) + 1] - begin;
             Integer* const out = row + to.first[static_cast<std::size_t>(i)];
             const Integer factor = i == k ? Integer(scale * d) : scale;
-            for (int c = 0; c < size; ++c) out[c] = factor * x[begin + c];
+            if (factor == 1)
+                std::copy(x + begin, x + begin + size, out);
+            else
+                for (int c = 0; c < size; ++c) out[c] = factor * x[begin + c];
             if (i != k) continue;
-            for (const auto& point : plan.points[static_cast<std::size_t>(k)]) {
-                Integer rest = d, sum = 0;
-                for (int l = 0; l < n; ++l) {
-                    const std::int64_t exponent = point[static_cast<std::size_t>(l)];
-                    if (exponent == 0) continue;
-                    rest -= Integer(exponent);
-                    sum += Integer(exponent) * x[begin + l + 1];
-                }
-                sum += rest * x[begin];
-                out[size + (&point - plan.points[static_cast<std::size_t>(k)].data())] = scale * sum;
+            Integer* next = out + size;
+            for (const auto& terms : plan.sums[static_cast<std::size_t>(k)]) {
+                Integer sum = 0;
+                for (const auto& [l, c] : terms) sum += Integer(c) * x[begin + l];
+                *next++ = scale * sum;
             }
         }
     }

@@ -28,6 +28,8 @@ struct RegenerationPlan {
     /// Of each stage: its equation's points, moved so that the least coordinates are 0, and their largest degree d_k.
     std::vector<std::vector<std::vector<std::int64_t>>> points;
     std::vector<std::int64_t> degree;
+    /// Of each stage and point d_k times it as a sum of the points of d_k L: their numbers and factors, not 0.
+    std::vector<std::vector<std::vector<std::pair<int, std::int64_t>>>> sums;
     /// The layout of each stage, and of the equations' supports alone.
     std::vector<ColumnLayout> layouts;
     /// Heights to go to at last, larger ones above, of each column of the last layout; empty: there is no last stage.
@@ -51,6 +53,18 @@ struct RegenerationPlan {
                 std::int64_t sum = 0;
                 for (std::size_t l = 0; l < n; ++l) sum += moved[l] = a[l] - least[l];
                 most = std::max(most, sum);
+            }
+        }
+        for (std::size_t stage = 0; stage < n; ++stage) {
+            auto& its = sums.emplace_back();
+            for (const auto& point : points[stage]) {
+                auto& sum = its.emplace_back();
+                std::int64_t rest = degree[stage];
+                for (std::size_t l = 0; l < n; ++l) {
+                    if (point[l] != 0) sum.emplace_back(static_cast<int>(l) + 1, point[l]);
+                    rest -= point[l];
+                }
+                if (rest != 0) sum.emplace_back(0, rest);
             }
         }
         for (int stage = 0; stage <= unknowns; ++stage) {

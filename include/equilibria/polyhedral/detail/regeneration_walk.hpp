@@ -146,21 +146,18 @@ private:
         const int columns = layout.columns(), begin = layout.first[static_cast<std::size_t>(layout.stage)],
                   end = begin + layout.artificial;
         candidates_.resize(static_cast<std::size_t>(columns));
-        std::size_t count = 0;
-        for (int k = 0; k < begin; ++k) {
-            candidates_[count] = k;
-            count += row[k] > 0;
-        }
-        for (int k = begin; k < end; ++k) {
-            candidates_[count] = k;
-            count += row[k] > table.volume;
-        }
-        for (int k = end; k < columns; ++k) {
-            candidates_[count] = k;
-            count += row[k] > 0;
-        }
-        candidates_.resize(count);
-        if (count == 0) return -1;
+        int* next = candidates_.data();
+        const auto add = [&](int from, int to, const Integer& above) {
+            for (int k = from; k < to; ++k) {  // without a branch, which would be guessed wrong
+                *next = k;
+                next += row[k] > above;
+            }
+        };
+        add(0, begin, 0);
+        add(begin, end, table.volume);
+        add(end, columns, 0);
+        candidates_.resize(static_cast<std::size_t>(next - candidates_.data()));
+        if (candidates_.empty()) return -1;
         return first_wall<typename TableInteger<Integer>::Product>(layout, table, candidates_, [&](int k) {
             return k >= begin && k < end ? Integer(row[k] - table.volume) : row[k];
         });

@@ -1,9 +1,10 @@
 /// \file
-/// The factors of a system's terms, cos k theta, sin k theta and x^k, and their products: values at a point, Taylor
-/// coefficients along a path, and slopes.
+/// The factors of a system's terms, cos k theta, sin k theta (or exp(i k theta), exp(-i k theta)) and x^k, and their
+/// products: values at a point, Taylor coefficients along a path, and slopes.
 #pragma once
 
 #include <cstddef>
+#include <tuple>
 
 #include <equilibria/core/aligned_vector.hpp>
 #include <equilibria/core/complex.hpp>
@@ -38,7 +39,10 @@ public:
     void begin(const RuntimePoint<R>& q) {
         for (int u = 0; u < tables_->sizes.unknowns; ++u) {
             const int first = tables_->offset[index(u)], highest = tables_->highest[index(u)];
-            if (u < tables_->sizes.angles) {
+            if (u < tables_->sizes.angles && tables_->laurent) {
+                std::tie(at(0, first), at(0, first + 1)) = exponentials(q.c[u], q.s[u]);
+                for (int k = 2; k < 2 * highest; ++k) at(0, first + k) = at(0, first + k - 2) * at(0, first + k % 2);
+            } else if (u < tables_->sizes.angles) {
                 at(0, first) = q.c[u];
                 at(0, first + 1) = q.s[u];
                 for (int k = 1; k < highest; ++k) {
@@ -53,7 +57,7 @@ public:
         }
         multiply_nodes(0);
     }
-    /// (cos k)' = -k sin k, (sin k)' = k cos k, (x^k)' = k x^(k-1).
+    /// (cos k)' = -k sin k, (sin k)' = k cos k, (exp(i k))' = i k exp(i k), (x^k)' = k x^(k-1).
     void begin_slopes() {
         for (int u = 0; u < tables_->sizes.unknowns; ++u) {
             const int first = tables_->offset[index(u)];
@@ -61,6 +65,11 @@ public:
                 const double multiple = k;
                 if (u < tables_->sizes.angles) {
                     const int c = first + 2 * (k - 1), s = c + 1;
+                    if (tables_->laurent) {
+                        slope_[static_cast<std::size_t>(c)] = turned(multiple * at(0, c));
+                        slope_[static_cast<std::size_t>(s)] = turned(-multiple * at(0, s));
+                        continue;
+                    }
                     slope_[static_cast<std::size_t>(c)] = -multiple * at(0, s);
                     slope_[static_cast<std::size_t>(s)] = multiple * at(0, c);
                 } else {
@@ -84,6 +93,11 @@ public:
                 Z cosine{broadcast<R>(0.0), broadcast<R>(0.0)}, sine = cosine;
                 for (int l = 1; l < k; ++l) {
                     const double weight = m * fraction[k][l];
+                    if (tables_->laurent) {
+                        cosine += turned(weight * (path(l, u) * at(k - l, c)));
+                        sine -= turned(weight * (path(l, u) * at(k - l, s)));
+                        continue;
+                    }
                     cosine -= weight * (path(l, u) * at(k - l, s));
                     sine += weight * (path(l, u) * at(k - l, c));
                 }
@@ -104,6 +118,11 @@ public:
             for (int m = 1; m <= tables_->highest[index(u)]; ++m) {
                 const int c = tables_->offset[index(u)] + 2 * (m - 1), s = c + 1;
                 const Z step = static_cast<double>(m) * d[u];
+                if (tables_->laurent) {
+                    at(k, c) += turned(step * at(0, c));
+                    at(k, s) -= turned(step * at(0, s));
+                    continue;
+                }
                 at(k, c) -= step * at(0, s);
                 at(k, s) += step * at(0, c);
             }
@@ -114,6 +133,9 @@ public:
 private:
     static constexpr double fraction[order + 1][order + 1] = {
         {}, {0, 1}, {0, 1 / 2., 1}, {0, 1 / 3., 2 / 3., 1}};  // l / k
+
+    /// i z.
+    static Z turned(const Z& z) { return Z(-z.im, z.re); }
 
     static constexpr std::size_t index(int u) { return static_cast<std::size_t>(u); }
     Z& at(int k, int operand) {

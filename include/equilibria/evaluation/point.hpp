@@ -114,15 +114,36 @@ R farthest2(const Point<M, R>& q) {
 
 namespace detail {
 
-/// Turns (c, s) by the angle whose cosine and sine are nearly (co, si), and goes back onto the circle by one Newton
-/// step; not where |c| is large (an angle on its way to infinity), since 1 - c^2 - s^2 is all rounding there.
+/// exp(i theta) = c + i s and exp(-i theta) = c - i s: the larger one, and its reciprocal, so that both have all their
+/// digits however far out the angle is.
+template <class R>
+std::pair<Complex<R>, Complex<R>> exponentials(const Complex<R>& c, const Complex<R>& s) {
+    const Complex<R> plus(c.re - s.im, c.im + s.re), minus(c.re + s.im, c.im - s.re);
+    const auto outside = norm2(plus) > norm2(minus);
+    const Complex<R> larger = select(outside, plus, minus), smaller = inverse(larger);
+    return {select(outside, larger, smaller), select(outside, smaller, larger)};
+}
+
+/// (c, s) on the circle.
+template <class R>
+void onto_circle(Complex<R>& c, Complex<R>& s) {
+    const auto [z, reciprocal] = exponentials(c, s);
+    const Complex<R> half = 0.5 * (z - reciprocal);
+    c = 0.5 * (z + reciprocal);
+    s = Complex<R>(half.im, -half.re);
+}
+
+/// Turns (c, s) by the angle whose cosine and sine are nearly (co, si), and goes back onto the circle: by one Newton
+/// step, or, where |c| is large and 1 - c^2 - s^2 all rounding, by its exponentials.
 template <class R>
 void turn(Complex<R>& c, Complex<R>& s, const Complex<R>& co, const Complex<R>& si) {
     const Complex<R> cosine = c * co - s * si, sine = s * co + c * si;
     const Complex<R> back = 1.5 - 0.5 * (cosine * cosine + sine * sine);
     const auto near = norm2(cosine) < R{} + 1e4;
-    c = select(near, cosine * back, cosine);
-    s = select(near, sine * back, sine);
+    Complex<R> far_cosine = cosine, far_sine = sine;
+    if (!all_lanes(near)) onto_circle(far_cosine, far_sine);
+    c = select(near, cosine * back, far_cosine);
+    s = select(near, sine * back, far_sine);
 }
 
 /// cos d and sin d by their series to d^8 and d^9 (|d| < 0.5: error below 1e-9, absorbed by the corrector): no

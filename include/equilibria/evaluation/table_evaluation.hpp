@@ -23,8 +23,9 @@
 
 namespace equilibria::detail {
 
-/// H: `tables()`, `forms()`, `symmetric()`, `target(term)` at t = 1, and where the coefficients are `moving()`
-/// `law<l>(term, t)`, the Taylor coefficient l in t of the term's coefficient, l up to H::law_order.
+/// H: `tables()`, `forms()`, `symmetric()`, `target(term)` at t = 1 (`complex_target(term)` of a Laurent system), and
+/// where the coefficients are `moving()`, as those of a Laurent system are, `law<l>(term, t)`, the Taylor coefficient l
+/// in t of the term's coefficient, l up to H::law_order.
 template <class H, class R, class Time>
 class TableEvaluation {
 public:
@@ -74,23 +75,23 @@ public:
 
     /// F(q), what H(q, 1) is; nothing along a path may follow.
     void target_value(const RuntimePoint<R>& q, auto& f) {
-        factors_.begin(q);
-        Z* const sum = kept_sums(0, 0);
-        for (int i = 0; i < n_; ++i) {
-            f[i] = zero();
-            for (int g = first_group(i); g < first_group(i + 1); ++g) {
-                sum[g] = total(group(g), factors_.values(0), target());
-                if (group(g).constant >= 0)
-                    sum[g] = sum[g] + number(static_cast<Constant>(h_->target(group(g).constant)));
-                f[i] += with_own_factor(group(g), sum[g]);
-            }
-        }
+        if (!tables_->laurent)
+            return target_value(q, f, target(),
+                                [this](int term) { return number(static_cast<Constant>(h_->target(term))); });
+        for (std::size_t k = 0; k < current_.size(); ++k)
+            current_[k] = broadcast_complex<R>(h_->complex_target(static_cast<int>(k)));
+        target_value(q, f, current(),
+                     [this](int term) -> const Z& { return current_[static_cast<std::size_t>(term)]; });
     }
     /// And its Jacobian, as of `jacobian`.
     void target_jacobian(const RuntimePoint<R>& q, auto& f, auto& j) {
         target_value(q, f);
         factors_.begin_slopes();
-        set_slopes(kept_sums(0, 0), target(), [](const Z& z) -> const Z& { return z; }, j);
+        const auto as_it_is = [](const Z& z) -> const Z& { return z; };
+        if (tables_->laurent)
+            set_slopes(kept_sums(0, 0), current(), as_it_is, j);
+        else
+            set_slopes(kept_sums(0, 0), target(), as_it_is, j);
     }
 
     /// The Taylor coefficient k of -H(q(t), t), given those of q(t) below k and taking its k-th as zero: the
@@ -173,6 +174,19 @@ private:
         if (form_.empty()) return;
         form_.series(0, factors_, products_[0]);
         for (int i = 0; i < n_; ++i) f[i] += (1.0 - time_) * products_[0][i];
+    }
+
+    void target_value(const RuntimePoint<R>& q, auto& f, const auto& of_share, const auto& of_term) {
+        factors_.begin(q);
+        Z* const sum = kept_sums(0, 0);
+        for (int i = 0; i < n_; ++i) {
+            f[i] = zero();
+            for (int g = first_group(i); g < first_group(i + 1); ++g) {
+                sum[g] = total(group(g), factors_.values(0), of_share);
+                if (group(g).constant >= 0) sum[g] = sum[g] + of_term(group(g).constant);
+                f[i] += with_own_factor(group(g), sum[g]);
+            }
+        }
     }
 
     /// The sums of each group, by law and order.

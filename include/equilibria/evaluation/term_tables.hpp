@@ -1,8 +1,9 @@
 /// \file
 /// How the terms of a system are evaluated by loops, worked out once.
 ///
-/// The values cos k theta_u, sin k theta_u, x_u^k that the terms need are the factors; products of two or more of them
-/// are nodes, each computed once. The terms of equation i are grouped by their factor in unknown i, its own one.
+/// The values cos k theta_u, sin k theta_u, x_u^k that the terms need are the factors, or, of a Laurent system, exp(i k
+/// theta_u), exp(-i k theta_u), x_u^k; products of two or more of them are nodes, each computed once. The terms of
+/// equation i are grouped by their factor in unknown i, its own one.
 #pragma once
 
 #include <algorithm>
@@ -52,9 +53,10 @@ public:
 
     /// terms: sorted by equation, then by the code of the equation's own unknown. degrees: of each unknown, at least,
     /// for what a start adds. more: own factors of which there are to be groups, without terms perhaps.
+    /// in_exponentials: codes of angles are powers of exp(i theta).
     TermTables(const RuntimeSizes& numbers, const std::vector<SparseTerm>& terms, const std::vector<int>& degrees,
-               const std::vector<OwnFactor>& more = {})
-        : sizes(numbers), highest(degrees), offset(at(numbers.unknowns + 1)) {
+               const std::vector<OwnFactor>& more = {}, bool in_exponentials = false)
+        : sizes(numbers), laurent(in_exponentials), highest(degrees), offset(at(numbers.unknowns + 1)) {
         for (int& degree : highest) degree = std::max(1, degree);
         for (const auto& t : terms)
             for (int u = 0; u < sizes.unknowns; ++u) highest[at(u)] = std::max(highest[at(u)], t.monomial.degree(u));
@@ -91,6 +93,7 @@ public:
     int slope_places() const { return factors + static_cast<int>(nodes.size()) * sizes.unknowns; }
 
     RuntimeSizes sizes;
+    bool laurent = false;      ///< factors of angles are exponentials
     std::vector<int> highest;  ///< multiple or power of each unknown
     std::vector<int> offset;   ///< of each unknown's factors
     int factors = 0;

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <vector>
 
 #include <equilibria/homotopy/endpoint.hpp>
 #include <equilibria/homotopy/tracker.hpp>
@@ -56,7 +57,9 @@ private:
         const Endpoint& end = ends_[static_cast<std::size_t>(path_[k])];
         set_lane(t_, k, static_cast<Scalar>(end.t));
         steps_[k] = end.steps;
-        copy_lane(end.t > 0 ? end.q : (*start_)(paths_[static_cast<std::size_t>(path_[k])]), 0, q_, k);
+        const std::uint64_t path = paths_[static_cast<std::size_t>(path_[k])];
+        stepper_.enter(k, path);
+        copy_lane(end.t > 0 ? end.q : (*start_)(path), 0, q_, k);
         fresh_[k] = any_fresh_ = true;
     }
     /// Idle lanes go with a lane that runs. On their own they would rest at a solution, where what Newton's method
@@ -67,6 +70,7 @@ private:
         const int from = static_cast<int>(running);
         for (int k = 0; k < width; ++k) {
             if (path_[k] >= 0) continue;
+            stepper_.repeat(k, from);
             copy_lane(q_, from, q_, k);
             set_lane(t_, k, lane(t_, from));
             set_lane(h_, k, lane(h_, from));
@@ -150,6 +154,26 @@ template <class R, bool Pivoted, class H, class StartPoint>
 void track_lanes(const H& homotopy, const TrackerOptions& options, std::span<const std::uint64_t> paths,
                  const StartPoint& start, std::span<Endpoint> ends) {
     detail::LaneTracker<R, Pivoted, H, StartPoint>(homotopy, options, paths, start, ends).run();
+}
+
+/// The same in single precision, and in double from where single precision left them, of those that it did not bring to
+/// t = 1. scaled: the homotopy, in numbers that single precision can work with.
+template <class H, class StartPoint>
+void track_single_first(const H& scaled, const H& homotopy, const TrackerOptions& options,
+                        std::span<const std::uint64_t> paths, const StartPoint& start, std::span<Endpoint> ends) {
+    track_lanes<FloatLanes<2 * native_lanes>, false>(scaled, options, paths, start, ends);
+    std::vector<std::uint64_t> left;
+    std::vector<Endpoint> on;
+    for (std::size_t k = 0; k < ends.size(); ++k)
+        if (ends[k].arrival != Arrival::end) left.push_back(paths[k]), on.push_back(ends[k]);
+    if (left.empty()) return;
+    track_lanes<Lanes<native_lanes>, false>(homotopy, options, left, start, std::span(on));
+    auto next = on.begin();
+    for (Endpoint& end : ends) {
+        if (end.arrival == Arrival::end) continue;
+        end = *next++;
+        end.precision = Precision::in_double;
+    }
 }
 
 }  // namespace equilibria

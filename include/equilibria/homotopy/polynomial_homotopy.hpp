@@ -54,6 +54,10 @@ public:
         bool symmetric = false;                  ///< the Jacobian is: F is a gradient
         std::shared_ptr<const OwnEquations> own = nullptr;
         std::vector<int> degrees = {};  ///< of each unknown in G, where it is more than 1
+        /// The coefficients of F, where it is given as a Laurent system: codes of angles are powers of exp(i theta),
+        /// the coefficients move, and those of the terms are not read. Far off the real axis exponentials keep their
+        /// digits, which products of cosines and sines lose.
+        std::vector<std::complex<double>> laurent = {};
     };
     explicit PolynomialHomotopy(Parts parts);
     /// start: what SolvedInstance and LinearProduct have.
@@ -73,12 +77,15 @@ public:
 
     /// The coefficient of a term at t = 1.
     double target(int term) const { return target_[static_cast<std::size_t>(term)]; }
+    std::complex<double> complex_target(int term) const {
+        return laurent_.empty() ? target(term) : laurent_[static_cast<std::size_t>(term)];
+    }
     /// The Taylor coefficient in t, at the time t, of a term's coefficient where it moves.
     template <int Order, class R, class Time>
     auto law(int term, const Time& t) const {
-        const std::complex<double> difference = target(term) - from_[static_cast<std::size_t>(term)];
+        const std::complex<double> difference = complex_target(term) - from_[static_cast<std::size_t>(term)];
         if constexpr (Order == 0)
-            return Complex<R>(broadcast_complex<R>(std::complex<double>(target(term))) -
+            return Complex<R>(broadcast_complex<R>(complex_target(term)) -
                               broadcast_complex<R>(difference) * (1.0 - t));
         else
             return difference;
@@ -103,6 +110,7 @@ public:
     /// Calls take(number) for each number that a path depends on beside its start point.
     void for_each_number(const auto& take) const {
         for (const double a : target_) take(a);
+        for (const auto& a : laurent_) take(a);
         for (const auto& b : from_) take(b);
         for (const auto& term : forms_.terms) take(term.coefficient);
         for (const auto& product : forms_.products) {
@@ -117,7 +125,7 @@ public:
 private:
     RuntimeSizes sizes_;
     std::vector<double> target_;
-    std::vector<std::complex<double>> from_;
+    std::vector<std::complex<double>> laurent_, from_;
     StartForms forms_;
     std::vector<double> scale_;
     bool symmetric_;

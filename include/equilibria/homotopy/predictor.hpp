@@ -26,7 +26,9 @@ struct PadePredictor {
         const Z &q1 = taylor[0][u], &q2 = taylor[1][u], &q3 = taylor[2][u];
         const Z step3 = h * q3;
         const Z den = q2 - step3;
-        const auto pade = norm2(step3) < 0.5 * norm2(q2);
+        // of an unknown that all but rests the squares underflow
+        constexpr double rest = is_single<R> ? 1e-30 : 1e-60;
+        const auto pade = norm2(step3) + rest < 0.5 * norm2(q2);
         const Z tail = select(pade, q2 * q2 / den, q2 + step3);
         return h * (q1 + h * tail);
     }

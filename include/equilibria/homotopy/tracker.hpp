@@ -9,6 +9,7 @@
 /// Where it fails: at singular points of the path; t = 1 is left to the endgame.
 #pragma once
 
+#include <cstdint>
 #include <type_traits>
 #include <utility>
 
@@ -47,6 +48,15 @@ public:
     void set_segment(const Time& origin, const Time& direction) {
         origin_ = origin;
         direction_ = direction;
+    }
+
+    /// Lane k goes along this path from now on, or with another lane: of concern where paths have equations of their
+    /// own.
+    void enter(int k, std::uint64_t path) {
+        if constexpr (requires { evaluation_.enter(k, path); }) evaluation_.enter(k, path);
+    }
+    void repeat(int k, int other) {
+        if constexpr (requires { evaluation_.repeat(k, other); }) evaluation_.repeat(k, other);
     }
 
     /// Newton corrections up to this size are no cause for concern: they may be rounding.

@@ -15,12 +15,13 @@
 namespace equilibria {
 
 EQUILIBRIA_INLINE PolynomialHomotopy::PolynomialHomotopy(Parts parts)
-    : sizes_(parts.sizes), from_(std::move(parts.from)), forms_(std::move(parts.forms)), scale_(std::move(parts.scale)),
-      symmetric_(parts.symmetric), own_(std::move(parts.own)) {
+    : sizes_(parts.sizes), laurent_(std::move(parts.laurent)), from_(std::move(parts.from)),
+      forms_(std::move(parts.forms)), scale_(std::move(parts.scale)), symmetric_(parts.symmetric),
+      own_(std::move(parts.own)) {
     parts.degrees.resize(static_cast<std::size_t>(sizes_.unknowns));
     std::vector<detail::TermTables::OwnFactor> own_factors;
     for (const auto& t : forms_.terms) own_factors.push_back({t.equation, t.code});
-    tables_ = std::make_shared<detail::TermTables>(sizes_, parts.terms, parts.degrees, own_factors);
+    tables_ = std::make_shared<detail::TermTables>(sizes_, parts.terms, parts.degrees, own_factors, !laurent_.empty());
     for (const SparseTerm& t : parts.terms) target_.push_back(t.coefficient);
 }
 
@@ -32,6 +33,7 @@ EQUILIBRIA_INLINE PolynomialHomotopy PolynomialHomotopy::scaled() const {
     const auto of_term = [&](int term, double factor) {
         const auto at = static_cast<std::size_t>(term);
         y.target_[at] *= factor;
+        if (!laurent_.empty()) y.laurent_[at] *= factor;
         if (!from_.empty()) y.from_[at] *= factor;
     };
     for (std::size_t i = 0; i < by.size(); ++i) {

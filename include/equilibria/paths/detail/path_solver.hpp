@@ -33,7 +33,6 @@ template <class H>
 class PathSolver {
 public:
     using Pack = Lanes<native_lanes>;
-    using SinglePack = FloatLanes<2 * native_lanes>;
     /// What brings its own law of time, predictor or step control is tracked in double.
     static constexpr bool may_be_single = std::is_same_v<H, PolynomialHomotopy>;
     /// Three packs of doubles: fewer paths fill the lanes of floats too badly.
@@ -64,32 +63,9 @@ private:
     RuntimePoint<double> start_point(std::uint64_t k) const { return problem_.start.point(k); }
 
     void track_block(std::span<const std::uint64_t> paths, std::span<Endpoint> ends) const {
-        const auto in_double = [&](std::span<const std::uint64_t> which, std::span<Endpoint> on) {
-            track_lanes<Pack, false>(*homotopy_, options_, which, problem_.start.point, on);
-        };
-        if constexpr (may_be_single) {
-            if (single_) {
-                track_lanes<SinglePack, false>(*single_, options_, paths, problem_.start.point, ends);
-                go_on(paths, ends, in_double);
-                return;
-            }
-        }
-        in_double(paths, ends);
-    }
-    /// Tracks by track(paths, ends) what is not at its end, from where it is.
-    static void go_on(std::span<const std::uint64_t> paths, std::span<Endpoint> ends, const auto& track) {
-        std::vector<std::uint64_t> left;
-        std::vector<Endpoint> on;
-        for (std::size_t k = 0; k < ends.size(); ++k)
-            if (ends[k].arrival != Arrival::end) left.push_back(paths[k]), on.push_back(ends[k]);
-        if (left.empty()) return;
-        track(left, on);
-        auto next = on.begin();
-        for (Endpoint& end : ends) {
-            if (end.arrival == Arrival::end) continue;
-            end = *next++;
-            end.precision = Precision::in_double;
-        }
+        if constexpr (may_be_single)
+            if (single_) return track_single_first(*single_, *homotopy_, options_, paths, problem_.start.point, ends);
+        track_lanes<Pack, false>(*homotopy_, options_, paths, problem_.start.point, ends);
     }
 
     /// Solutions that rest at every t, and at which no other path may end.

@@ -1,0 +1,88 @@
+/// \file
+/// A system with generic coefficients on given supports, solved by a polyhedral homotopy, and every system within these
+/// supports from its roots: as many paths as the mixed volume, once for all of them.
+///
+/// Source: Huber, Sturmfels, A polyhedral method for solving sparse polynomial systems, Math. Comp. 64 (1995)
+/// (polyhedral homotopies); Morgan, Sommese, Coefficient-parameter polynomial continuation, Appl. Math. Comput. 29
+/// (1989) (from a generic member of a family to all others).
+#pragma once
+
+#include <complex>
+#include <cstdint>
+#include <memory>
+#include <string_view>
+#include <vector>
+
+#include <equilibria/core/compiled.hpp>
+#include <equilibria/evaluation/point_of.hpp>
+#include <equilibria/homotopy/polynomial_homotopy.hpp>
+#include <equilibria/paths/complex_roots.hpp>
+#include <equilibria/polyhedral/supports.hpp>
+#include <equilibria/start/path_numbering.hpp>
+#include <equilibria/system/laurent_terms.hpp>
+
+namespace equilibria {
+
+class GenericInstance {
+public:
+    using Unknowns = UnknownArray<RuntimeUnknowns, std::complex<double>>;
+
+    /// Solves a system with the exponents of `typical` (affine_supports) and coefficients of about its size, whose
+    /// phases are turned at random, by less than a right angle and a half: on the way to systems like it no coefficient
+    /// comes near 0. Throws InvalidArgument where the run names a checkpoint or options are out of range.
+    explicit GenericInstance(const SparseSystem& typical, const RunOptions& run = {},
+                             const TrackerOptions& options = {});
+
+    std::uint64_t mixed_volume() const { return mixed_volume_; }
+    const RuntimeSizes& sizes() const { return sizes_; }
+    /// Angles in complex radians, then coordinates, none of which is 0. Less than the mixed volume only where paths
+    /// failed, which every result then counts.
+    const std::vector<Unknowns>& roots() const { return roots_; }
+    std::uint64_t failed() const { return mixed_volume_ - roots_.size(); }
+    /// Its paths: how many cells they began in, what was tracked again, and the effort.
+    struct Effort {
+        std::uint64_t cells = 0, retracked = 0, crossed = 0, in_double = 0, steps = 0;
+        double weight_ratio = 0;  ///< of largest to smallest weight of a term, of 90 % of the paths
+        double cells_seconds = 0, tracking_seconds = 0;
+    };
+    const Effort& effort() const { return effort_; }
+
+    /// The way to a system whose exponents are among those of the typical one, from the generic roots. own: what is
+    /// polished, where the system has equations of its own beside its polynomials. Throws InvalidArgument where it has
+    /// other unknowns or exponents.
+    PolynomialHomotopy homotopy(const SparseSystem& target, std::shared_ptr<const OwnEquations> own = nullptr) const;
+    /// Where its paths begin.
+    class Start {
+    public:
+        explicit Start(const GenericInstance& instance) : instance_(&instance) {}
+        static constexpr std::string_view name() { return "polyhedral"; }
+        PathNumbering numbering() const { return PathNumbering::all(instance_->roots_.size()); }
+        RuntimePoint<double> point(std::uint64_t k) const {
+            return point_of<RuntimeUnknowns>(instance_->roots_[k], instance_->sizes_);
+        }
+
+    private:
+        const GenericInstance* instance_;
+    };
+    /// All its isolated solutions.
+    ComplexRoots<> solve(const SparseSystem& target, const RunOptions& run = {}, const TrackerOptions& options = {},
+                         MoreDigits<> resort = nullptr) const;
+
+private:
+    RuntimeSizes sizes_;
+    std::uint64_t mixed_volume_ = 0;
+    Supports supports_;
+    std::vector<std::complex<double>> coefficients_;  // a column of the supports each
+    std::vector<Unknowns> roots_;
+    Effort effort_;
+};
+
+/// Every isolated solution of the system, by as many paths as the mixed volume of its supports (affine_supports).
+ComplexRoots<> solve_polyhedral(const SparseSystem& system, const RunOptions& run = {},
+                                const TrackerOptions& options = {}, MoreDigits<> resort = nullptr);
+
+}  // namespace equilibria
+
+#ifndef EQUILIBRIA_COMPILED
+#include <equilibria/paths/detail/generic_instance_definitions.hpp>
+#endif

@@ -1,0 +1,3 @@
+#include <equilibria/paths/detail/generic_instance_definitions.hpp>
+#include <equilibria/start/detail/binomial_system_definitions.hpp>
+#include <equilibria/start/detail/polyhedral_start_definitions.hpp>

@@ -1,1 +1,2 @@
+#include <equilibria/enumerate/detail/prove_complex_roots_definitions.hpp>
 #include <equilibria/enumerate/detail/prove_definitions.hpp>

@@ -66,30 +66,30 @@ constexpr Grouping<M> one_group_each() {
 
 namespace detail {
 
+constexpr std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
 constexpr int n_groups(const auto& grouping) {
     int highest = 0;
     for (int g : grouping) highest = std::max(highest, g);
     return highest + 1;
 }
 
-/// The coefficient of prod_g a_g^size_g in prod_i sum_g degree[i][g] a_g; the sizes add up to N. One factor after the
-/// other; the state is how often each group was taken so far, a mixed-radix number.
-template <int N>
-constexpr PathCount bezout_coefficient(const Array<Array<int, N>, N>& degree, const Array<int, N>& size, int groups) {
-    Array<std::size_t, N + 1> stride;
-    stride[0] = 1;
-    for (int g = 0; g < groups; ++g) stride[g + 1] = stride[g] * static_cast<std::size_t>(size[g] + 1);
-    std::vector<PathCount> ways(stride[groups]), next(stride[groups]);
+/// The coefficient of prod_g a_g^size[g] in prod_i sum_g degree[i][g] a_g; the sizes add up to the number of factors.
+/// One factor after the other; the state is how often each group was taken so far, a mixed-radix number.
+constexpr PathCount bezout_coefficient(const auto& degree, const auto& size, int groups) {
+    std::vector<std::size_t> stride(at(groups + 1), 1);
+    for (int g = 0; g < groups; ++g) stride[at(g + 1)] = stride[at(g)] * static_cast<std::size_t>(size[at(g)] + 1);
+    std::vector<PathCount> ways(stride.back()), next(stride.back());
     ways[0] = {1, false};
-    for (int i = 0; i < N; ++i) {
+    for (const auto& factor : degree) {
         std::fill(next.begin(), next.end(), PathCount{});
         for (std::size_t state = 0; state < ways.size(); ++state) {
             if (ways[state] == PathCount{}) continue;
             for (int g = 0; g < groups; ++g) {
-                const int taken = static_cast<int>(state % stride[g + 1] / stride[g]);
-                if (taken == size[g] || degree[i][g] == 0) continue;
-                PathCount& sum = next[state + stride[g]];
-                sum = sum + ways[state] * PathCount{degree[i][g], false};
+                const int taken = static_cast<int>(state % stride[at(g + 1)] / stride[at(g)]);
+                if (taken == size[at(g)] || factor[at(g)] == 0) continue;
+                PathCount& sum = next[state + stride[at(g)]];
+                sum = sum + ways[state] * PathCount{factor[at(g)], false};
             }
         }
         std::swap(ways, next);
@@ -99,17 +99,44 @@ constexpr PathCount bezout_coefficient(const Array<Array<int, N>, N>& degree, co
 
 /// The next set partition as a restricted growth string (no entry exceeds the largest before it by more than 1); false
 /// after the last.
-template <int N>
-constexpr bool next_partition(Array<int, N>& g) {
-    for (int i = N - 1; i > 0; --i) {
+constexpr bool next_partition(auto& g) {
+    const int n = static_cast<int>(g.size());
+    for (int i = n - 1; i > 0; --i) {
         int highest = 0;
-        for (int j = 0; j < i; ++j) highest = std::max(highest, g[j]);
-        if (g[i] > highest) continue;
-        ++g[i];
-        for (int j = i + 1; j < N; ++j) g[j] = 0;
+        for (int j = 0; j < i; ++j) highest = std::max(highest, g[at(j)]);
+        if (g[at(i)] > highest) continue;
+        ++g[at(i)];
+        for (int j = i + 1; j < n; ++j) g[at(j)] = 0;
         return true;
     }
     return false;
+}
+
+/// The number for one grouping of the unknowns, the first `angles` of which are angles. support: entries with
+/// `equation` and `monomial.degree(unknown)`. Of zeros, to be counted in: size, an entry a group, and degree, an entry
+/// an equation of an entry a group, as many groups as unknowns.
+constexpr PathCount multihomogeneous_number(const auto& support, int angles, const auto& grouping, auto size,
+                                            auto degree) {
+    const int n = static_cast<int>(grouping.size());
+    for (int g : grouping) {
+        if (g < 0 || g >= n) throw InvalidArgument("grouping", to_text(g), "must number the groups from 0");
+        ++size[at(g)];
+    }
+    const int groups = n_groups(grouping);
+    double states = 1;
+    for (int g = 0; g < groups; ++g) states *= size[at(g)] + 1;
+    if (states > 1 << 22)
+        throw InvalidArgument("grouping", to_text(groups) + " groups", "must not be that many for so many unknowns");
+    for (const auto& t : support) {
+        auto d = size;
+        for (int g = 0; g < groups; ++g) d[at(g)] = 0;
+        for (int u = 0; u < n; ++u) d[at(grouping[at(u)])] += t.monomial.degree(u);
+        auto& most = degree[at(t.equation)];
+        for (int g = 0; g < groups; ++g) most[at(g)] = std::max(most[at(g)], d[at(g)]);
+    }
+    PathCount number = bezout_coefficient(degree, size, groups);
+    for (int i = 0; i < angles; ++i) number = number * PathCount{2, false};
+    return number;
 }
 
 }  // namespace detail
@@ -138,25 +165,8 @@ constexpr std::int64_t total_degree() {
 template <Model M>
 constexpr PathCount multihomogeneous_number(const Grouping<M>& grouping) {
     constexpr int n = n_unknowns<M>;
-    Array<int, n> size{};
-    for (int g : grouping) {
-        if (g < 0 || g >= n) throw InvalidArgument("grouping", to_text(g), "must number the groups from 0");
-        ++size[g];
-    }
-    const int groups = detail::n_groups(grouping);
-    double states = 1;
-    for (int g = 0; g < groups; ++g) states *= size[g] + 1;
-    if (states > 1 << 22)
-        throw InvalidArgument("grouping", to_text(groups) + " groups", "must not be that many for so many unknowns");
-    Array<Array<int, n>, n> degree{};
-    for (const auto& t : Formulation<M>::support) {
-        Array<int, n> d{};
-        for (int u = 0; u < n; ++u) d[grouping[u]] += t.monomial.degree(u);
-        for (int g = 0; g < groups; ++g) degree[t.equation][g] = std::max(degree[t.equation][g], d[g]);
-    }
-    PathCount number = detail::bezout_coefficient<n>(degree, size, groups);
-    for (int i = 0; i < n_angles<M>; ++i) number = number * PathCount{2, false};
-    return number;
+    return detail::multihomogeneous_number(Formulation<M>::support, n_angles<M>, grouping, Array<int, n>{},
+                                           Array<Array<int, n>, n>{});
 }
 
 /// Which groupings were compared for the smallest multihomogeneous number.
@@ -166,31 +176,45 @@ enum class ComparedGroupings {
     one           ///< one group of all, the total degree: above 20 unknowns
 };
 
-template <Model M>
-struct SmallestGrouping {
+/// The smallest number of those compared. G: a group for each unknown.
+template <class G>
+struct GroupingNumber {
     PathCount number;
-    Grouping<M> grouping;
+    G grouping;
     ComparedGroupings compared;
 };
+template <Model M>
+using SmallestGrouping = GroupingNumber<Grouping<M>>;
+
+namespace detail {
+
+/// Compares `best`, which is one group of all, with the other groupings.
+template <class G>
+constexpr void compare_groupings(GroupingNumber<G>& best, auto number_of) {
+    const int n = static_cast<int>(best.grouping.size());
+    const auto try_grouping = [&](const G& grouping) {
+        const PathCount number = number_of(grouping);
+        const bool simpler = number == best.number && n_groups(grouping) < n_groups(best.grouping);
+        if (number < best.number || simpler) best.number = number, best.grouping = grouping;
+    };
+    G grouping = best.grouping;
+    if (n <= 8) {
+        best.compared = ComparedGroupings::all;
+        while (next_partition(grouping)) try_grouping(grouping);
+    } else if (n <= 20) {
+        best.compared = ComparedGroupings::one_or_each;
+        for (int u = 0; u < n; ++u) grouping[at(u)] = u;
+        try_grouping(grouping);
+    }
+}
+
+}  // namespace detail
 
 /// The smallest multihomogeneous number, and the first grouping that has it; fewer groups come first.
 template <Model M>
 constexpr SmallestGrouping<M> smallest_multihomogeneous_number() {
-    constexpr int n = n_unknowns<M>;
     SmallestGrouping<M> best{total_degree_count<M>(), {}, ComparedGroupings::one};
-    const auto try_grouping = [&](const Grouping<M>& grouping) {
-        const PathCount number = multihomogeneous_number<M>(grouping);
-        const bool simpler = number == best.number && detail::n_groups(grouping) < detail::n_groups(best.grouping);
-        if (number < best.number || simpler) best.number = number, best.grouping = grouping;
-    };
-    if constexpr (n <= 8) {
-        best.compared = ComparedGroupings::all;
-        Grouping<M> grouping{};
-        while (detail::next_partition(grouping)) try_grouping(grouping);
-    } else if constexpr (n <= 20) {
-        best.compared = ComparedGroupings::one_or_each;
-        try_grouping(one_group_each<M>());
-    }
+    detail::compare_groupings(best, [](const Grouping<M>& grouping) { return multihomogeneous_number<M>(grouping); });
     return best;
 }
 

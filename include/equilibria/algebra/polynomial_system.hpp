@@ -118,51 +118,45 @@ inline std::vector<double> chebyshev(int k, bool first_kind) {
     return p;
 }
 
-}  // namespace detail
-
-/// The system of a model for the parameters p; terms come by falling degree, then by falling exponents. C: double,
-/// std::complex<double>, or wider. Errors: as `coefficients`.
-template <Model M, class C = double>
-PolynomialSystem<C> polynomial_system(const Parameters<M, C>& p) {
-    using F = Formulation<M>;
-    constexpr int angles = n_angles<M>;
-    constexpr std::size_t variables = 2 * angles + n_coordinates<M>;
+/// The system in (c, s) of the angles and the coordinates, with the circles. terms: entries with `equation` and
+/// `monomial.code(unknown)`; coefficient(k) is that of the k-th.
+template <class C>
+PolynomialSystem<C> polynomial_system_of(int angles, int coordinates, const auto& terms, auto coefficient) {
+    const auto variables = static_cast<std::size_t>(2 * angles + coordinates);
     PolynomialSystem<C> system;
     for (int i = 1; i <= angles; ++i) {
         system.variables.push_back("c" + std::to_string(i));
         system.variables.push_back("s" + std::to_string(i));
     }
-    for (int j = 1; j <= n_coordinates<M>; ++j) system.variables.push_back("x" + std::to_string(j));
+    for (int j = 1; j <= coordinates; ++j) system.variables.push_back("x" + std::to_string(j));
 
-    const auto coefficient = coefficients<M, C>(p);
-    for (int i = 0; i < n_unknowns<M>; ++i) {
-        detail::PolynomialSum<C> sum;
-        for (int k = F::first[i]; k < F::first[i + 1]; ++k) {
-            std::vector<PolynomialTerm<C>> product{{coefficient[k], std::vector<int>(variables)}};
-            for (int u = 0; u < n_unknowns<M>; ++u) {
-                const int code = F::support[k].monomial.code(u);
-                const std::size_t v = static_cast<std::size_t>(u < angles ? 2 * u : angles + u);
-                if (u >= angles || code == 0) {
-                    for (auto& t : product) t.exponents[v] = code;
-                    continue;
-                }
-                const auto cosines = detail::chebyshev(code > 0 ? code : -code - 1, code > 0);
-                std::vector<PolynomialTerm<C>> next;
-                for (const auto& t : product)
-                    for (std::size_t d = 0; d < cosines.size(); ++d) {
-                        if (cosines[d] == 0) continue;
-                        next.push_back({C(cosines[d] * t.coefficient), t.exponents});
-                        next.back().exponents[v] = static_cast<int>(d);
-                        next.back().exponents[v + 1] = code < 0;
-                    }
-                product = std::move(next);
+    std::vector<PolynomialSum<C>> sums(static_cast<std::size_t>(angles + coordinates));
+    int number = 0;
+    for (const auto& term : terms) {
+        std::vector<PolynomialTerm<C>> product{{coefficient(number++), std::vector<int>(variables)}};
+        for (int u = 0; u < angles + coordinates; ++u) {
+            const int code = term.monomial.code(u);
+            const std::size_t v = static_cast<std::size_t>(u < angles ? 2 * u : angles + u);
+            if (u >= angles || code == 0) {
+                for (auto& t : product) t.exponents[v] = code;
+                continue;
             }
-            for (const auto& t : product) sum.add(t.exponents, t.coefficient);
+            const auto cosines = chebyshev(code > 0 ? code : -code - 1, code > 0);
+            std::vector<PolynomialTerm<C>> next;
+            for (const auto& t : product)
+                for (std::size_t d = 0; d < cosines.size(); ++d) {
+                    if (cosines[d] == 0) continue;
+                    next.push_back({C(cosines[d] * t.coefficient), t.exponents});
+                    next.back().exponents[v] = static_cast<int>(d);
+                    next.back().exponents[v + 1] = code < 0;
+                }
+            product = std::move(next);
         }
-        system.equations.push_back(sum.terms());
+        for (const auto& t : product) sums[static_cast<std::size_t>(term.equation)].add(t.exponents, t.coefficient);
     }
-    for (std::size_t v = 0; v < 2 * angles; v += 2) {
-        detail::PolynomialSum<C> circle;
+    for (const auto& sum : sums) system.equations.push_back(sum.terms());
+    for (std::size_t v = 0; v < static_cast<std::size_t>(2 * angles); v += 2) {
+        PolynomialSum<C> circle;
         std::vector<int> exponents(variables);
         circle.add(exponents, C(-1.0));
         exponents[v] = 2;
@@ -172,6 +166,17 @@ PolynomialSystem<C> polynomial_system(const Parameters<M, C>& p) {
         system.equations.push_back(circle.terms());
     }
     return system;
+}
+
+}  // namespace detail
+
+/// The system of a model for the parameters p; terms come by falling degree, then by falling exponents. C: double,
+/// std::complex<double>, or wider. Errors: as `coefficients`.
+template <Model M, class C = double>
+PolynomialSystem<C> polynomial_system(const Parameters<M, C>& p) {
+    const auto coefficient = coefficients<M, C>(p);
+    return detail::polynomial_system_of<C>(n_angles<M>, n_coordinates<M>, Formulation<M>::support,
+                                           [&](int k) { return coefficient[k]; });
 }
 
 }  // namespace equilibria

@@ -5,6 +5,8 @@
 /// and their users know what a real root means.
 #pragma once
 
+#include <cmath>
+#include <complex>
 #include <concepts>
 #include <cstdint>
 #include <span>
@@ -39,6 +41,13 @@ ComplexRoots<> complex_roots(const H& homotopy, const StartSystem& start, const 
     return complex_roots(track(homotopy, start, run, options, resort));
 }
 
+/// Every isolated solution of the system, by as many paths as its total degree (the product of the equations' degrees,
+/// times 2 an angle). With a `resort` as solve_multihomogeneous. Throws InvalidArgument where an equation is a
+/// constant, where there are more paths than can be numbered, where the run names a checkpoint or options are out of
+/// range.
+ComplexRoots<> solve_total_degree(const SparseSystem& system, const RunOptions& run = {},
+                                  const TrackerOptions& options = {}, MoreDigits<> resort = nullptr);
+
 /// Every isolated solution of the system, by paths from a linear-product start for the groups of unknowns: as many
 /// paths as the multihomogeneous number of Bezout of the terms that the system has. With a `resort` (more_digits of
 /// enumerate/more_digits.hpp) paths that fail in double are tracked again before they count as failed;
@@ -63,6 +72,15 @@ ComplexRoots<> solve_multihomogeneous(const Parameters<M>& p, const RunOptions& 
 /// complete if `roots` are as many as a generic system on that line has.
 ComplexRoots<> solve_from(const std::vector<Root<RuntimeUnknowns>>& roots, const SparseSystem& from,
                           const SparseSystem& to, const RunOptions& run = {}, const TrackerOptions& options = {});
+
+/// Whether no unknown has an imaginary part of 1e-8 (1 + |x|) or more. Not proved: see
+/// enumerate/prove_complex_roots.hpp.
+template <class M>
+bool is_real(const Root<M>& root) {
+    for (const std::complex<double>& x : root.q)
+        if (!(std::abs(x.imag()) < 1e-8 * (1 + std::abs(x)))) return false;
+    return true;
+}
 
 /// Start systems are a choice: where one leaves paths undecided, another may not. The first attempt has the seed
 /// itself.

@@ -114,6 +114,9 @@ SparseSystem sparse_system(const PolynomialSystem<C>& system) {
     return {RuntimeSizes(0, static_cast<int>(n)), std::move(terms)};
 }
 
+/// The same system in the (c, s) of its angles and its coordinates, as polynomial_system of a model.
+PolynomialSystem<double> polynomial_system(const SparseSystem& system);
+
 }  // namespace equilibria
 
 #ifndef EQUILIBRIA_COMPILED

@@ -45,4 +45,10 @@ EQUILIBRIA_INLINE SparseSystem SparseSystem::with_constants(std::span<const doub
     return {sizes_, std::move(terms)};
 }
 
+EQUILIBRIA_INLINE PolynomialSystem<double> polynomial_system(const SparseSystem& system) {
+    return detail::polynomial_system_of<double>(
+        system.sizes().angles, system.sizes().coordinates, system.terms(),
+        [&](int k) { return system.terms()[static_cast<std::size_t>(k)].coefficient; });
+}
+
 }  // namespace equilibria

@@ -1,0 +1,239 @@
+// Every isolated complex root of a system of polynomials, from a file in PHCpack's or Bertini's format: a table for
+// people, JSON for programs.
+//
+//   solve katsura5.txt
+//   solve cyclic6.txt --prove --threads 2 --json roots.json
+//   solve eigenproblem.bertini --start multihomogeneous --real
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <exception>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <equilibria/io/results/complex_roots_output.hpp>
+#include <equilibria/io/results/json.hpp>
+#include <equilibria/io/results/proof_output.hpp>
+#include <equilibria/run/threads.hpp>
+
+#include "solve/solution.hpp"
+#include "support/joined.hpp"
+#include "support/options.hpp"
+#include "support/output_file.hpp"
+#include "support/progress_bar.hpp"
+
+namespace {
+
+using equilibria::Json;
+using support::joined;
+
+/// What the command line says.
+struct Command {
+    std::string file, format = "auto";
+    std::optional<solve::Start> start;
+    bool prove = false, real = false;
+    std::uint64_t seed = 1;
+    unsigned threads = 1;
+    std::optional<support::OutputFile> json;
+};
+
+std::string name_of(solve::Start start) {
+    for (const auto& [own, name] : solve::starts)
+        if (own == start) return std::string(name);
+    return {};
+}
+
+Command read(int argc, char** argv) {
+    Command c;
+    std::vector<std::string> starts{"auto"};
+    std::string listed = "must be auto";
+    for (const auto& [start, name] : solve::starts) {
+        starts.emplace_back(name);
+        listed += (start == solve::starts.back().start ? " or " : ", ") + std::string(name);
+    }
+    support::CommandLine app{
+        "Every isolated complex root of a system of polynomials with as many equations as unknowns and real "
+        "coefficients, read from FILE in the format of PHCpack or of Bertini."};
+    app.add_option("FILE", c.file, "the system").transform(support::name_of("a file"));
+    app.add_option("--format", c.format, "phcpack or bertini (default auto: PHCpack's files begin with a number)")
+        .transform(support::one_of({"auto", "phcpack", "bertini"}, "must be auto, phcpack or bertini"));
+    app.add_option_function(
+           "--start",
+           [&c](const std::string& text) {
+               for (const auto& [start, name] : solve::starts)
+                   if (name == text) c.start = start;
+           },
+           "total-degree, or multihomogeneous: with the groups of unknowns that need the fewest paths, of those "
+           "compared and those of Bertini's file (default auto: the one of fewer paths)")
+        .transform(support::one_of(starts, listed));
+    app.add_flag("--prove", c.prove,
+                 "prove each root, that it is real or not, and, if a bound allows, that none is missing");
+    app.add_flag("--real", c.real, "give the real roots alone; what is counted stays the same");
+    app.add_seed(c.seed, "of the random start system, an integer (default 1); the same seed, the same result");
+    app.add_threads(c.threads, "1 to 1024, 0 for one each core (default 1); does not change the result");
+    support::add_output(app, "--json", c.json, "write JSON to this file, or to stdout for -, instead of a table");
+    app.parse("solve", argc, argv);
+    if (!app.given("FILE")) support::fail("FILE", "", "must be given: a system in the format of PHCpack or of Bertini");
+    return c;
+}
+
+solve::Input read_input(const Command& c) {
+    try {
+        return solve::read(c.file, c.format);
+    } catch (const std::exception& error) {
+        const std::string what = error.what();
+        support::refuse(what.starts_with("path = ") ? what : c.file + ": " + what);
+    }
+}
+
+Json bound_json(const equilibria::PathCount& bound) { return bound.saturated ? Json(nullptr) : Json(bound.value); }
+
+Json document(const Command& c, const solve::Input& input, const solve::Solution& s) {
+    Json out{{"file", c.file},
+             {"format", input.format},
+             {"seed", c.seed},
+             {"threads", c.threads},
+             {"unknowns", input.variables},
+             {"total_degree", bound_json(s.bounds.total_degree)},
+             {"multihomogeneous", bound_json(s.bounds.multihomogeneous.number)},
+             {"grouping", s.bounds.multihomogeneous.grouping},
+             {"mixed_volume", nullptr},
+             {"start", name_of(s.choice.start)},
+             {"start_reason", s.choice.why}};
+    Json found = equilibria::json_of(s.found, input.variables), roots = Json::array();
+    if (s.proof) equilibria::add_root_certificates(found["roots"], *s.proof);
+    for (auto& root : found["roots"])
+        if (!c.real || root["real"]) roots.push_back(std::move(root));
+    found.erase("roots");
+    equilibria::add_keys(out, found);
+    out["complete"] = false;
+    out["reason"] = "nothing was proved: --prove was not given";
+    if (s.proof) equilibria::add_proof(out, *s.proof);
+    out["tracking_seconds"] = s.tracking_seconds;
+    out["seconds"] = s.seconds;
+    out["roots"] = std::move(roots);
+    return out;
+}
+
+unsigned long long count(const Json& value) { return value.get<unsigned long long>(); }
+
+std::string shown(const Json& z) {
+    const double re = z[0], im = z[1];
+    char text[64];
+    if (std::abs(im) < 5e-9)
+        std::snprintf(text, sizeof text, "%.8g", re);
+    else
+        std::snprintf(text, sizeof text, "%.8g%+.8gi", re, im);
+    return text;
+}
+
+void print_roots(const Json& r) {
+    std::vector<std::size_t> width;
+    for (const std::string name : r["unknowns"]) {
+        std::size_t most = name.size();
+        for (const auto& root : r["roots"]) most = std::max(most, shown(root["unknowns"][name]).size());
+        width.push_back(most);
+        std::printf(" %*s ", static_cast<int>(most), name.c_str());
+    }
+    std::printf(" residual  condition\n");
+    for (const auto& root : r["roots"]) {
+        std::size_t u = 0;
+        for (const auto& z : root["unknowns"]) std::printf(" %*s ", static_cast<int>(width[u++]), shown(z).c_str());
+        std::printf(" %-8.1e  %.1e", root["residual"].get<double>(), root["condition"].get<double>());
+        if (root["singular"]) std::printf("  singular, %d paths", root["multiplicity"].get<int>());
+        if (root.contains("certificate") && root["certificate"]["exists"])
+            std::printf("  proved, %s", root["certificate"]["reality"].get<std::string>().c_str());
+        std::printf("\n");
+    }
+}
+
+/// The groups of unknowns as "{x y} {z}".
+std::string groups(const Json& r) {
+    std::string text;
+    for (std::size_t g = 0;; ++g) {
+        std::vector<std::string> members;
+        for (std::size_t u = 0; u < r["grouping"].size(); ++u)
+            if (r["grouping"][u] == g) members.push_back(r["unknowns"][u]);
+        if (members.empty()) return text;
+        text += (g > 0 ? " {" : "{") + joined(members) + "}";
+    }
+}
+
+/// What must be said of the count of roots.
+void print_verdicts(const Json& r) {
+    const auto failed = count(r["failed"]), singular = count(r["singular"]);
+    if (r.contains("proved_distinct")) {
+        std::printf("%llu distinct roots proved, %llu real, %llu non-real, %llu undecided.\n",
+                    count(r["proved_distinct"]), count(r["proved_real"]), count(r["proved_non_real"]),
+                    count(r["undecided"]));
+        std::printf("%s: %s.\n", r["complete"] ? "PROVED COMPLETE" : "Not proved complete",
+                    r["reason"].get<std::string>().c_str());
+    }
+    if (failed > 0) std::printf("INCOMPLETE: %llu paths failed; roots may be missing.\n", failed);
+    if (singular > 0)
+        std::printf("SINGULAR: %llu paths end at %llu points that are multiple roots, or lie on curves of roots.\n",
+                    singular, count(r["singular_roots"]));
+    if (r["finite"] != r["distinct"])
+        std::printf("INCOMPLETE: %llu paths ended on another's root.\n", count(r["finite"]) - count(r["distinct"]));
+}
+
+std::string number(const Json& bound) { return bound.is_null() ? "more than 2^62" : std::to_string(count(bound)); }
+
+void print(const Json& r) {
+    std::printf("%s, %s's format: %zu unknowns, %s\n", r["file"].get<std::string>().c_str(),
+                r["format"].get<std::string>().c_str(), r["unknowns"].size(),
+                joined(std::vector<std::string>(r["unknowns"])).c_str());
+    std::printf("total degree %s, multihomogeneous %s with %s\n", number(r["total_degree"]).c_str(),
+                number(r["multihomogeneous"]).c_str(), groups(r).c_str());
+    std::printf("start: %s, %s\n\n", r["start"].get<std::string>().c_str(),
+                r["start_reason"].get<std::string>().c_str());
+    print_roots(r);
+    std::printf("\n%llu paths: %llu finite, %llu at infinity, %llu singular, %llu failed; %llu tracked again\n",
+                count(r["paths"]), count(r["finite"]), count(r["at_infinity"]), count(r["singular"]),
+                count(r["failed"]), count(r["retracked"]));
+    std::printf("%llu distinct regular roots, %llu real\n", count(r["distinct"]), count(r["real"]));
+    print_verdicts(r);
+    std::printf("%.3g s, %.3g s of it tracking\n", r["seconds"].get<double>(), r["tracking_seconds"].get<double>());
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    const Command c = read(argc, argv);
+    const solve::Input input = read_input(c);
+    std::optional<support::ProgressBar> bar("tracking");
+    try {
+        const auto solution =
+            solve::solve(input, c.start, c.prove,
+                         {.seed = c.seed,
+                          .executor = equilibria::threads(c.threads),
+                          .progress = [&](std::uint64_t done, std::uint64_t all) { bar->update(done, all); }});
+        bar.reset();
+        const Json result = document(c, input, solution);
+        if (c.json) c.json->write(equilibria::json_text(result));
+        if (!to_stdout(c.json)) print(result);
+    } catch (const std::exception& error) {
+        bar.reset();
+        std::fprintf(stderr, "solve: %s\n", error.what());
+        return 1;
+    }
+}
+
+// clang-format off
+/* Refused:
+--seed 1
+    solve: FILE: must be given: a system in the format of PHCpack or of Bertini
+missing.txt
+    solve: path = "missing.txt": must be a file that can be read: No such file or directory
+missing.txt --start polyhedral
+    solve: --start polyhedral: must be auto, total-degree or multihomogeneous
+missing.txt --format julia
+    solve: --format julia: must be auto, phcpack or bertini
+missing.txt --threads -1
+    solve: --threads -1: must be an integer from 0 to 1024
+missing.txt other.txt
+    solve: other.txt: is not an option; --help lists them
+*/

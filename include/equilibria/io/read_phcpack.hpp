@@ -12,7 +12,6 @@
 #pragma once
 
 #include <complex>
-#include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -25,33 +24,20 @@
 
 namespace equilibria {
 
-namespace detail::phcpack {
+namespace detail::polynomial_text {
 
-/// What stands at a place of the text, up to the end of its line.
-inline std::string in_short(std::string_view text, std::size_t at) {
-    constexpr std::size_t most = 40;
-    if (at >= text.size()) return "the end";
-    const std::string_view rest = text.substr(at, text.find_first_of("\r\n", at) - at);
-    return rest.size() > most ? std::string(rest.substr(0, most)) + "..." : std::string(rest);
-}
-
-inline void read(std::string_view text, Reading& r) {
+inline void read(std::string_view text, PhcpackReading& r) {
     namespace pegtl = tao::pegtl;
-    pegtl::memory_input in(text.data(), text.data() + text.size(), "system");
-    try {
-        pegtl::parse<grammar::counts, Action, Control>(in, r);
+    parse_text(text, text, [&](auto& in) {
+        pegtl::parse<grammar::phcpack::counts, Action, Control>(in, r);
         require(r.counts[0] >= 1 && r.counts[0] <= r.limits.equations, "number of equations", r.counts[0],
                 "must be from 1 to " + std::to_string(r.limits.equations) + ", the limit");
         while (static_cast<int>(r.equations.size()) < r.counts[0])
-            pegtl::parse<pegtl::seq<grammar::blanks, grammar::equation>, Action, Control>(in, r);
-    } catch (const pegtl::parse_error& e) {
-        const auto& place = e.positions().front();
-        throw InvalidArgument("line " + std::to_string(place.line) + ", column " + std::to_string(place.column),
-                              in_short(text, place.byte), e.message());
-    }
+            pegtl::parse<pegtl::seq<grammar::blanks, grammar::phcpack::equation>, Action, Control>(in, r);
+    });
 }
 
-}  // namespace detail::phcpack
+}  // namespace detail::polynomial_text
 
 /// The system in the text; what write_phcpack writes comes back, digit by digit. Terms come by falling degree, then by
 /// falling exponents, those of equal exponents added. What stands behind the last equation, where PHCpack writes titles
@@ -64,25 +50,13 @@ inline PolynomialSystem<std::complex<double>> parse_phcpack(std::string_view tex
                                                             const std::vector<std::string>& variables = {},
                                                             const PolynomialLimits& limits = {}) {
     limits.validate();
-    require(text.size() <= limits.bytes, "text", text.size(),
-            "must have at most " + std::to_string(limits.bytes) + " bytes, the limit");
-    detail::phcpack::Reading r{limits, !variables.empty(), variables};
-    detail::phcpack::read(text, r);
+    detail::polynomial_text::require_bytes(text, limits);
+    detail::polynomial_text::PhcpackReading r(limits, variables);
+    detail::polynomial_text::read(text, r);
     const int said = r.counts.size() > 1 ? r.counts[1] : r.counts[0];
     require(said == static_cast<int>(r.variables.size()), "number of variables", r.variables.size(),
             "must be " + std::to_string(said) + ", as the first line says");
-
-    PolynomialSystem<std::complex<double>> system{r.variables, {}};
-    for (const auto& equation : r.equations) {
-        detail::PolynomialSum<std::complex<double>> sum;
-        for (const auto& [powers, c] : equation.terms()) {
-            std::vector<int> exponents = powers;
-            exponents.resize(system.variables.size());
-            sum.add(exponents, c.value);
-        }
-        system.equations.push_back(sum.terms());
-    }
-    return system;
+    return detail::polynomial_text::system_of(r.variables, r.equations);
 }
 
 /// The system in a file. Throws InvalidArgument also where the file cannot be read.

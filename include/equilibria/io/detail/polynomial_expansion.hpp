@@ -11,7 +11,7 @@
 #include <map>
 #include <vector>
 
-namespace equilibria::detail::phcpack {
+namespace equilibria::detail::polynomial_text {
 
 using Coefficient = std::complex<double>;
 
@@ -105,4 +105,4 @@ private:
     Terms terms_;
 };
 
-}  // namespace equilibria::detail::phcpack
+}  // namespace equilibria::detail::polynomial_text

@@ -66,8 +66,9 @@ Command read(int argc, char** argv) {
                for (const auto& [start, name] : solve::starts)
                    if (name == text) c.start = start;
            },
-           "total-degree, or multihomogeneous: with the groups of unknowns that need the fewest paths, of those "
-           "compared and those of Bertini's file (default auto: the one of fewer paths)")
+           "total-degree; multihomogeneous: with the groups of unknowns that need the fewest paths, of those "
+           "compared and those of Bertini's file; or polyhedral: as many paths as the mixed volume, in two stages "
+           "(default auto: the one of the least predicted cost)")
         .transform(support::one_of(starts, listed));
     app.add_flag("--prove", c.prove,
                  "prove each root, that it is real or not, and, if a bound allows, that none is missing");
@@ -100,7 +101,7 @@ Json document(const Command& c, const solve::Input& input, const solve::Solution
              {"total_degree", bound_json(s.bounds.total_degree)},
              {"multihomogeneous", bound_json(s.bounds.multihomogeneous.number)},
              {"grouping", s.bounds.multihomogeneous.grouping},
-             {"mixed_volume", nullptr},
+             {"mixed_volume", s.bounds.mixed_volume ? Json(*s.bounds.mixed_volume) : Json(nullptr)},
              {"start", name_of(s.choice.start)},
              {"start_reason", s.choice.why}};
     Json found = equilibria::json_of(s.found, input.variables), roots = Json::array();
@@ -186,8 +187,8 @@ void print(const Json& r) {
     std::printf("%s, %s's format: %zu unknowns, %s\n", r["file"].get<std::string>().c_str(),
                 r["format"].get<std::string>().c_str(), r["unknowns"].size(),
                 joined(std::vector<std::string>(r["unknowns"])).c_str());
-    std::printf("total degree %s, multihomogeneous %s with %s\n", number(r["total_degree"]).c_str(),
-                number(r["multihomogeneous"]).c_str(), groups(r).c_str());
+    std::printf("total degree %s, multihomogeneous %s with %s, mixed volume %s\n", number(r["total_degree"]).c_str(),
+                number(r["multihomogeneous"]).c_str(), groups(r).c_str(), number(r["mixed_volume"]).c_str());
     std::printf("start: %s, %s\n\n", r["start"].get<std::string>().c_str(),
                 r["start_reason"].get<std::string>().c_str());
     print_roots(r);
@@ -228,8 +229,8 @@ int main(int argc, char** argv) {
     solve: FILE: must be given: a system in the format of PHCpack or of Bertini
 missing.txt
     solve: path = "missing.txt": must be a file that can be read: No such file or directory
-missing.txt --start polyhedral
-    solve: --start polyhedral: must be auto, total-degree or multihomogeneous
+missing.txt --start julia
+    solve: --start julia: must be auto, total-degree, multihomogeneous or polyhedral
 missing.txt --format julia
     solve: --format julia: must be auto, phcpack or bertini
 missing.txt --threads -1

@@ -1,3 +1,4 @@
+#include <equilibria/certify/detail/bernstein_bound_definitions.hpp>
 #include <equilibria/certify/detail/enclosure_definitions.hpp>
 #include <equilibria/certify/detail/refine_root_definitions.hpp>
 #include <equilibria/certify/exact_system.hpp>

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -27,7 +28,7 @@ struct Input {
 /// equations as variables and real coefficients.
 Input read(const std::string& path, const std::string& format);
 
-enum class Start { total_degree, multihomogeneous };
+enum class Start { total_degree, multihomogeneous, polyhedral };
 
 /// What --start may say, beside auto.
 struct NamedStart {
@@ -35,12 +36,14 @@ struct NamedStart {
     std::string_view name;
 };
 inline constexpr std::array starts{NamedStart{Start::total_degree, "total-degree"},
-                                   NamedStart{Start::multihomogeneous, "multihomogeneous"}};
+                                   NamedStart{Start::multihomogeneous, "multihomogeneous"},
+                                   NamedStart{Start::polyhedral, "polyhedral"}};
 
 /// Upper bounds of the number of isolated roots.
 struct Bounds {
     equilibria::PathCount total_degree;
     equilibria::GroupingNumber<std::vector<int>> multihomogeneous;  ///< smallest of those compared and the file's
+    std::optional<std::uint64_t> mixed_volume;                      ///< none above 2^64
 };
 
 /// A start, and why it was taken.
@@ -49,7 +52,7 @@ struct Choice {
     std::string why;
 };
 
-/// asked: none for the one of fewest paths.
+/// asked: none for the one of the least predicted cost.
 Choice choose(const Bounds& bounds, std::optional<Start> asked);
 
 struct Solution {

@@ -3,7 +3,7 @@
 #include <boost/multiprecision/cpp_int.hpp>
 #include <cstdint>
 #include <cstdlib>
-#include <equilibria/certify/bernstein_bound.hpp>
+#include <equilibria/polyhedral/mixed_area.hpp>
 #include <equilibria/core/error.hpp>
 #include <equilibria/core/random.hpp>
 #include <equilibria/polyhedral/mixed_cells.hpp>

@@ -42,8 +42,14 @@ std::optional<ProvedBound> total_degree_bound(const ExactSystem<M>& system) {
     return total_degree_bound(ExactTerms(system));
 }
 
-/// The smallest bound that the library knows: the total degree, a multihomogeneous Bezout number, or, of one or two
-/// angles, Bernstein's mixed volume.
+/// Bernstein's bound, by its name. Nothing as bernstein_bound says.
+inline std::optional<ProvedBound> mixed_volume_bound(const ExactTerms& system) {
+    const auto value = bernstein_bound(system);
+    if (!value) return {};
+    return ProvedBound{*value, system.sizes.angles > 0 ? "Laurent mixed volume" : "mixed volume", "Bernstein's"};
+}
+
+/// The smallest bound that the library knows: the total degree, a multihomogeneous Bezout number, or the mixed volume.
 template <Model M>
 [[gnu::cold]] std::optional<ProvedBound> smallest_proved_bound(const ExactSystem<M>& system) {
     auto bound = total_degree_bound<M>(system);
@@ -53,9 +59,7 @@ template <Model M>
         const auto value = static_cast<std::uint64_t>(other.value);
         if (!other.saturated && value < bound->value) bound = {value, "multihomogeneous Bezout number", "Bezout's"};
     }
-    if constexpr (n_coordinates<M> == 0 && n_angles<M> <= 2)
-        if (const auto other = bernstein_bound<M>(system); other && *other < bound->value)
-            bound = {*other, "Laurent mixed volume", "Bernstein's"};
+    if (const auto other = mixed_volume_bound(system); other && other->value < bound->value) bound = other;
     return bound;
 }
 

@@ -110,14 +110,20 @@ Proof<M> prove(const RootSet<M>& set, const RunOptions& run = {}, const ProveOpt
     return {detail::prove_set(set, exact, [&] { return smallest_proved_bound<M>(exact); }, run, options)};
 }
 
-/// The same of the roots of a model at run time: none is missing where they are as many as the total degree.
+/// The same of the roots of a model at run time; bounds are the total degree and the mixed volume.
 template <RuntimeModel T>
 ProofOfRoots prove(const T& model, const RootSet<RuntimeUnknowns>& set, const RunOptions& run = {},
                    const ProveOptions& options = {}) {
     options.validate();
     run.require_whole("a proof");
     const ExactTerms exact = exact_terms(model, set.parameters);
-    return detail::prove_set(set, exact, [&] { return total_degree_bound(exact); }, run, options);
+    return detail::prove_set(
+        set, exact,
+        [&] {
+            const auto volume = mixed_volume_bound(exact), degree = total_degree_bound(exact);
+            return volume && degree && volume->value < degree->value ? volume : degree;
+        },
+        run, options);
 }
 
 }  // namespace equilibria

@@ -4,8 +4,8 @@
 /// without an index. The proof is of the system with its coefficients as the doubles that they are: decimal fractions
 /// of a file were rounded when they were read.
 ///
-/// Bounds that degrees give are reached by dense systems alone: where a system has fewer roots, all of them may be
-/// proved and the set is not. Singular roots, and curves of roots, are never proved.
+/// Where a system has fewer roots than all bounds, all of them may be proved and the set is not. Singular roots, and
+/// curves of roots, are never proved.
 #pragma once
 
 #include <vector>
@@ -26,6 +26,9 @@ ExactTerms exact_terms(const SparseSystem& system);
 /// By Bezout's theorem, on the degrees that the system's terms have: the total degree, where it can be counted, and the
 /// smallest multihomogeneous number where it is less.
 std::vector<ProvedBound> bezout_bounds(const SparseSystem& system);
+
+/// Those, and the mixed volume (Bernstein's theorem), where it could be computed.
+std::vector<ProvedBound> proved_bounds(const SparseSystem& system);
 
 /// Proves what can be proved of the roots of a system. bounds: theorems' upper bounds of the number of its isolated
 /// complex roots; the smallest counts. `contradictions` counts the roots that are proved real, though an imaginary part

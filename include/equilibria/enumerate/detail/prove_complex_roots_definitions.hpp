@@ -34,6 +34,12 @@ EQUILIBRIA_INLINE std::vector<ProvedBound> bezout_bounds(const SparseSystem& sys
     return y;
 }
 
+EQUILIBRIA_INLINE std::vector<ProvedBound> proved_bounds(const SparseSystem& system) {
+    auto y = bezout_bounds(system);
+    if (const auto volume = mixed_volume_bound(exact_terms(system))) y.push_back(*volume);
+    return y;
+}
+
 EQUILIBRIA_INLINE ProofOfRoots prove(const SparseSystem& system, const ComplexRoots<>& found,
                                      const std::vector<ProvedBound>& bounds, const RunOptions& run,
                                      const ProveOptions& options) {

@@ -7,36 +7,12 @@
 #include <cstddef>
 #include <utility>
 
+#include <equilibria/polyhedral/affine_supports.hpp>
 #include <equilibria/system/laurent_terms.hpp>
 
 namespace equilibria {
 
 namespace detail {
-
-/// Whether there may be a solution with one coordinate or more equal to 0, as far as the exponents tell.
-EQUILIBRIA_INLINE bool may_vanish(const RuntimeSizes& sizes,
-                                  const std::vector<std::vector<Supports::Point>>& equations) {
-    constexpr int most = 20;
-    if (sizes.coordinates > most) return true;
-    using Set = unsigned;
-    std::vector<std::vector<Set>> terms;  // the coordinates of each term
-    for (const auto& equation : equations) {
-        terms.emplace_back();
-        for (const auto& point : equation) {
-            Set in = 0;
-            for (int j = 0; j < sizes.coordinates; ++j)
-                if (point[static_cast<std::size_t>(sizes.angles + j)] != 0) in |= Set{1} << j;
-            terms.back().push_back(in);
-        }
-    }
-    for (Set zero = 1; zero < Set{1} << sizes.coordinates; ++zero) {
-        const auto single = [&](const std::vector<Set>& equation) {
-            return std::ranges::count_if(equation, [&](Set in) { return (in & zero) == 0; }) == 1;
-        };
-        if (std::ranges::none_of(terms, single)) return true;
-    }
-    return false;
-}
 
 EQUILIBRIA_INLINE std::vector<std::vector<Supports::Point>> exponents_of(const SparseSystem& system) {
     std::vector<std::vector<Supports::Point>> y;
@@ -86,10 +62,7 @@ EQUILIBRIA_INLINE Supports laurent_supports(const SparseSystem& system) {
 
 EQUILIBRIA_INLINE Supports affine_supports(const SparseSystem& system) {
     auto equations = detail::exponents_of(system);
-    const Supports::Point origin(static_cast<std::size_t>(system.sizes().unknowns));
-    if (detail::may_vanish(system.sizes(), equations))
-        for (auto& equation : equations)
-            if (std::ranges::find(equation, origin) == equation.end()) equation.push_back(origin);
+    add_origin(system.sizes().angles, equations);
     return Supports(system.sizes().unknowns, std::move(equations));
 }
 

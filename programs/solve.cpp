@@ -144,7 +144,7 @@ void print_roots(const Json& r) {
         std::size_t u = 0;
         for (const auto& z : root["unknowns"]) std::printf(" %*s ", static_cast<int>(width[u++]), shown(z).c_str());
         std::printf(" %-8.1e  %.1e", root["residual"].get<double>(), root["condition"].get<double>());
-        if (root["singular"]) std::printf("  singular, %d paths", root["multiplicity"].get<int>());
+        if (root["singular"]) std::printf("  singular, multiplicity %d", root["multiplicity"].get<int>());
         if (root.contains("certificate") && root["certificate"]["exists"])
             std::printf("  proved, %s", root["certificate"]["reality"].get<std::string>().c_str());
         std::printf("\n");

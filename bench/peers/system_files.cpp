@@ -1,24 +1,29 @@
 // Systems of families with known numbers of roots, for other solvers, and the count of what they found.
 //
 //   system_files NAME phcpack | macaulay2 | bertini | julia | gfan    writes the system; see tests/support/families.hpp
+//   system_files NAME known                    how many roots it has, 0 if that is not known
 //   system_files NAME count < solutions        counts the roots among solutions, one a line:
 //                                              x1 <re> <im> x2 <re> <im> ..., the variables in any order
 //
 // gfan's are the equations over a polynomial ring, as gfan_mixedvolume takes them. Every solver's answer goes through
 // the same count: a root is a point where every equation is at most 1e-8 of the sum of its terms' sizes, or of 1 where
-// that is less; points closer than 1e-6, relative to their size, are one root; an imaginary part below 1e-8 is none.
+// that is less; points closer than 1e-5, relative to their size, are one root; an imaginary part below 1e-8 is none.
 #include <algorithm>
 #include <cmath>
 #include <complex>
 #include <cstddef>
 #include <exception>
 #include <iostream>
+#include <optional>
 #include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include <equilibria/algebra/polynomial_system.hpp>
+#include <equilibria/core/complex.hpp>
+#include <equilibria/core/linear_solve.hpp>
+#include <equilibria/core/sized_array.hpp>
 #include <equilibria/io/polynomial_formats.hpp>
 
 #include "support/families.hpp"
@@ -46,31 +51,67 @@ void write_gfan(std::ostream& out, const System& system) {
     out << "}\n";
 }
 
-/// Each equation at the point, relative to its terms.
-double residual(const System& system, const Point& point) {
-    double largest = 0;
-    for (const auto& equation : system.equations) {
-        Z sum = 0;
-        double size = 1;
-        for (const auto& t : equation) {
-            Z product = t.coefficient;
-            for (std::size_t v = 0; v < point.size(); ++v)
-                for (int k = 0; k < t.exponents[v]; ++k) product *= point[v];
-            sum += product;
-            size += std::abs(product);
+/// A step of Newton's method, of each variable; nothing where the Jacobian has no inverse.
+Point newton_step(const System& system, const Point& point) {
+    const int n = static_cast<int>(point.size());
+    equilibria::RuntimeMatrix<equilibria::Complex<double>> jacobian(n);
+    equilibria::RuntimeArray<equilibria::Complex<double>> step(n);
+    for (int i = 0; i < n; ++i) {
+        std::vector<Z> row(point.size() + 1);
+        for (const auto& t : system.equations[static_cast<std::size_t>(i)])
+            for (std::size_t by = 0; by <= point.size(); ++by) {
+                Z product = t.coefficient;
+                for (std::size_t v = 0; v < point.size(); ++v) {
+                    const int e = t.exponents[v];
+                    if (v == by) product *= e;
+                    for (int k = v == by ? 1 : 0; k < e; ++k) product *= point[v];
+                }
+                row[by] += product;
+            }
+        for (int u = 0; u < n; ++u) {
+            const Z& entry = row[static_cast<std::size_t>(u)];
+            jacobian[i][u] = equilibria::Complex<double>(entry.real(), entry.imag());
         }
-        if (!(std::abs(sum) / size <= largest)) largest = std::abs(sum) / size;
+        step[i] = equilibria::Complex<double>(row.back().real(), row.back().imag());
     }
+    equilibria::PivotedFactorization<double> lu(n);
+    lu.factor(jacobian);
+    lu.solve(step);
+    Point y;
+    for (const auto& z : step) y.emplace_back(-z.re, -z.im);
+    return y;
+}
+
+double size(const Point& point) {
+    double largest = 1;
+    for (const Z& z : point) largest = std::max(largest, std::abs(z));
+    return largest;
+}
+double length(const Point& step) {
+    double largest = 0;
+    for (const Z& z : step)
+        if (!(std::abs(z) <= largest)) largest = std::abs(z);
     return largest;
 }
 
-bool same(const Point& a, const Point& b) {
-    double apart = 0, size = 1;
-    for (std::size_t v = 0; v < a.size(); ++v) {
-        apart = std::max(apart, std::abs(a[v] - b[v]));
-        size = std::max(size, std::abs(a[v]));
+/// The root that Newton's method finds next to the point: nothing where it goes away, as on paths to infinity, or does
+/// not converge, as at singular ones.
+std::optional<Point> root_next_to(const System& system, const Point& given) {
+    Point point = given;
+    for (int round = 0; round < 5; ++round) {
+        const Point step = newton_step(system, point);
+        if (!(length(step) <= 1e-4 * size(point))) return {};
+        for (std::size_t v = 0; v < point.size(); ++v) point[v] += step[v];
+        // rounding of an ill-conditioned root's equations leaves longer steps than 1e-10
+        if (length(step) <= (round < 4 ? 1e-10 : 1e-6) * size(point)) return point;
     }
-    return apart < 1e-6 * size;
+    return {};
+}
+
+bool same(const Point& a, const Point& b) {
+    double apart = 0;
+    for (std::size_t v = 0; v < a.size(); ++v) apart = std::max(apart, std::abs(a[v] - b[v]));
+    return apart < 1e-5 * size(a);
 }
 
 /// Prints "<distinct roots> <real ones>".
@@ -85,10 +126,12 @@ void count(std::istream& in, std::ostream& out, const System& system) {
             const auto at = std::find(system.variables.begin(), system.variables.end(), name);
             if (at != system.variables.end()) point[static_cast<std::size_t>(at - system.variables.begin())] = {re, im};
         }
-        if (!(residual(system, point) <= 1e-8)) continue;
-        if (std::any_of(roots.begin(), roots.end(), [&](const Point& other) { return same(point, other); })) continue;
-        roots.push_back(point);
-        real += std::all_of(point.begin(), point.end(), [](const Z& z) { return std::abs(z.imag()) < 1e-8; });
+        const auto root = root_next_to(system, point);
+        if (!root) continue;
+        if (std::any_of(roots.begin(), roots.end(), [&](const Point& other) { return same(*root, other); })) continue;
+        roots.push_back(*root);
+        real += std::all_of(root->begin(), root->end(),
+                            [](const Z& z) { return std::abs(z.imag()) < 1e-8 * (1 + std::abs(z)); });
     }
     out << roots.size() << " " << real << "\n";
 }
@@ -108,10 +151,12 @@ int main(int argc, char** argv) {
             equilibria::write_homotopy_continuation(std::cout, equilibria::families::by_name(argv[1]));
         else if (what == "gfan")
             write_gfan(std::cout, equilibria::families::by_name(argv[1]));
+        else if (what == "known")
+            std::cout << equilibria::families::known_roots(argv[1]) << "\n";
         else if (what == "count")
             count(std::cin, std::cout, equilibria::families::by_name(argv[1]));
         else {
-            std::cerr << "system_files: NAME and one of phcpack, macaulay2, bertini, julia, gfan, count\n";
+            std::cerr << "system_files: NAME and one of phcpack, macaulay2, bertini, julia, gfan, known, count\n";
             return 2;
         }
     } catch (const std::exception& error) {

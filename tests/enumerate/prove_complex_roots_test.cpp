@@ -30,6 +30,8 @@ TEST_CASE("families of systems have their numbers of roots, each of them proved"
                                      {"row-3", 64, 24, 16},     {"kuramoto-3", 16, 8, 6}};
     for (const auto& known : systems) {
         INFO(known.name);
+        if (const auto roots = families::known_roots(known.name); roots > 0)
+            CHECK(roots == static_cast<std::int64_t>(known.roots));
         const auto system = sparse_system(families::by_name(known.name));
         CHECK(total_degree_count(system).value == known.total_degree);
         const auto smallest = smallest_multihomogeneous_number(system);

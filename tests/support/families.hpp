@@ -253,4 +253,32 @@ inline PolynomialSystem<double> by_name(const std::string& name) {
                           "kuramoto-cycle, kuramoto-equal");
 }
 
+/// How many isolated roots the system of `by_name` has, where a formula or the literature says so; 0 elsewhere.
+inline std::int64_t known_roots(const std::string& name) {
+    const auto dash = name.rfind('-');
+    const std::string family = name.substr(0, dash);
+    const int n = dash == std::string::npos ? 0 : std::atoi(name.c_str() + dash + 1);
+    const auto power = [](std::int64_t base, int k) {
+        std::int64_t y = 1;
+        for (int j = 0; j < k; ++j) y *= base;
+        return y;
+    };
+    const auto choose = [](std::int64_t of, std::int64_t k) {
+        std::int64_t y = 1;
+        for (std::int64_t j = 1; j <= k; ++j) y = y * (of - k + j) / j;
+        return y;
+    };
+    if (family == "cyclic") return n == 3 ? 6 : n == 5 ? 70 : n == 6 ? 156 : n == 7 ? 924 : 0;
+    if (family == "katsura") return power(2, n);
+    if (family == "noon") return power(3, n) - 2 * n;
+    if (family == "eco") return power(2, n - 2);
+    if (family == "chandra") return power(2, n - 1);
+    if (family == "loaded") return choose(2 * n, n);
+    if (family == "row") return n == 2 ? 6 : n == 3 ? 16 : n == 4 ? 44 : n == 5 ? 120 : n == 6 ? 328 : 0;
+    if (family == "kuramoto") return choose(2 * n - 2, n - 1);
+    if (family == "kuramoto-cycle") return n * choose(n - 1, (n - 1) / 2);
+    if (family == "kuramoto-equal") return power(2, n) - 2;
+    return 0;
+}
+
 }  // namespace equilibria::families

@@ -184,9 +184,8 @@ void print_verdicts(const Json& r) {
 std::string number(const Json& bound) { return bound.is_null() ? "more than 2^62" : std::to_string(count(bound)); }
 
 void print(const Json& r) {
-    std::printf("%s, %s's format: %zu unknowns, %s\n", r["file"].get<std::string>().c_str(),
-                r["format"].get<std::string>().c_str(), r["unknowns"].size(),
-                joined(std::vector<std::string>(r["unknowns"])).c_str());
+    std::printf("%s, %s's format, unknowns %s\n", r["file"].get<std::string>().c_str(),
+                r["format"].get<std::string>().c_str(), joined(std::vector<std::string>(r["unknowns"])).c_str());
     std::printf("total degree %s, multihomogeneous %s with %s, mixed volume %s\n", number(r["total_degree"]).c_str(),
                 number(r["multihomogeneous"]).c_str(), groups(r).c_str(), number(r["mixed_volume"]).c_str());
     std::printf("start: %s, %s\n\n", r["start"].get<std::string>().c_str(),

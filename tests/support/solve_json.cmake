@@ -54,6 +54,46 @@ expect(ON complete)
 expect_length(3 roots)
 expect(real roots 2 certificate reality)
 
+# systems of the literature with fewer roots than any bound of Bezout's: all are found and proved, completeness is not
+file(WRITE ${systems}/cyclic5.txt "5
+a + b + c + d + f;
+a*b + b*c + c*d + d*f + f*a;
+a*b*c + b*c*d + c*d*f + d*f*a + f*a*b;
+a*b*c*d + b*c*d*f + c*d*f*a + d*f*a*b + f*a*b*c;
+a*b*c*d*f - 1;
+")
+file(WRITE ${systems}/eco6.txt "6
+(x1 + x1*x2 + x2*x3 + x3*x4 + x4*x5)*x6 - 1;
+(x2 + x1*x3 + x2*x4 + x3*x5)*x6 - 2;
+(x3 + x1*x4 + x2*x5)*x6 - 3;
+(x4 + x1*x5)*x6 - 4;
+x5*x6 - 5;
+x1 + x2 + x3 + x4 + x5 + 1;
+")
+file(WRITE ${systems}/katsura5.txt "6
+u0 + 2*(u1 + u2 + u3 + u4 + u5) - 1;
+u0^2 + 2*(u1^2 + u2^2 + u3^2 + u4^2 + u5^2) - u0;
+2*(u0*u1 + u1*u2 + u2*u3 + u3*u4 + u4*u5) - u1;
+2*(u0*u2 + u1*u3 + u2*u4 + u3*u5) + u1^2 - u2;
+2*(u0*u3 + u1*u2 + u1*u4 + u2*u5) - u3;
+2*(u0*u4 + u1*u3 + u1*u5) + u2^2 - u4;
+")
+foreach(known cyclic5/120/total-degree/70/10/OFF eco6/48/multihomogeneous/16/4/OFF katsura5/32/total-degree/32/16/ON)
+    string(REPLACE "/" ";" known "${known}")
+    list(GET known 0 name)
+    run_for_json(${name}.json ${systems}/${name}.txt --prove --threads 2)
+    foreach(at_key 1/paths 2/start 3/finite 3/distinct 3/proved_distinct 4/real 4/proved_real 5/complete)
+        string(REPLACE "/" ";" at_key "${at_key}")
+        list(GET at_key 0 at)
+        list(GET at_key 1 key)
+        list(GET known ${at} value)
+        expect(${value} ${key})
+    endforeach()
+    foreach(key singular failed cancelled)
+        expect(0 ${key})
+    endforeach()
+endforeach()
+
 function(expect_refusal text expected)
     file(WRITE ${systems}/wrong.txt "${text}")
     execute_process(

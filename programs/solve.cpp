@@ -33,14 +33,14 @@ using support::joined;
 /// What the command line says.
 struct Command {
     std::string file, format = "auto";
-    std::optional<solve::Start> start;
+    std::optional<equilibria::StartKind> start;
     bool prove = false, real = false;
     std::uint64_t seed = 1;
     unsigned threads = 1;
     std::optional<support::OutputFile> json;
 };
 
-std::string name_of(solve::Start start) {
+std::string name_of(equilibria::StartKind start) {
     for (const auto& [own, name] : solve::starts)
         if (own == start) return std::string(name);
     return {};
@@ -98,12 +98,12 @@ Json document(const Command& c, const solve::Input& input, const solve::Solution
              {"seed", c.seed},
              {"threads", c.threads},
              {"unknowns", input.variables},
-             {"total_degree", bound_json(s.bounds.total_degree)},
-             {"multihomogeneous", bound_json(s.bounds.multihomogeneous.number)},
-             {"grouping", s.bounds.multihomogeneous.grouping},
-             {"mixed_volume", s.bounds.mixed_volume ? Json(*s.bounds.mixed_volume) : Json(nullptr)},
-             {"start", name_of(s.choice.start)},
-             {"start_reason", s.choice.why}};
+             {"total_degree", bound_json(s.start.bounds.total_degree)},
+             {"multihomogeneous", bound_json(s.start.bounds.multihomogeneous)},
+             {"grouping", s.start.bounds.grouping},
+             {"mixed_volume", s.start.bounds.mixed_volume ? Json(*s.start.bounds.mixed_volume) : Json(nullptr)},
+             {"start", name_of(s.start.kind)},
+             {"start_reason", s.start.why}};
     Json found = equilibria::json_of(s.found, input.variables), roots = Json::array();
     if (s.proof) equilibria::add_root_certificates(found["roots"], *s.proof);
     for (auto& root : found["roots"])

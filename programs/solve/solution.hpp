@@ -2,14 +2,13 @@
 #pragma once
 
 #include <array>
-#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include <equilibria/algebra/multihomogeneous.hpp>
 #include <equilibria/enumerate/prove.hpp>
+#include <equilibria/paths/choose_start.hpp>
 #include <equilibria/paths/complex_roots.hpp>
 #include <equilibria/run/run_options.hpp>
 #include <equilibria/system/sparse_system.hpp>
@@ -28,42 +27,25 @@ struct Input {
 /// equations as variables and real coefficients.
 Input read(const std::string& path, const std::string& format);
 
-enum class Start { total_degree, multihomogeneous, polyhedral };
-
 /// What --start may say, beside auto.
 struct NamedStart {
-    Start start;
+    equilibria::StartKind start;
     std::string_view name;
 };
-inline constexpr std::array starts{NamedStart{Start::total_degree, "total-degree"},
-                                   NamedStart{Start::multihomogeneous, "multihomogeneous"},
-                                   NamedStart{Start::polyhedral, "polyhedral"}};
-
-/// Upper bounds of the number of isolated roots.
-struct Bounds {
-    equilibria::PathCount total_degree;
-    equilibria::GroupingNumber<std::vector<int>> multihomogeneous;  ///< smallest of those compared and the file's
-    std::optional<std::uint64_t> mixed_volume;                      ///< none above 2^64
-};
-
-/// A start, and why it was taken.
-struct Choice {
-    Start start;
-    std::string why;
-};
-
-/// asked: none for the one of the least predicted cost.
-Choice choose(const Bounds& bounds, std::optional<Start> asked);
+inline constexpr std::array starts{NamedStart{equilibria::StartKind::total_degree, "total-degree"},
+                                   NamedStart{equilibria::StartKind::multihomogeneous, "multihomogeneous"},
+                                   NamedStart{equilibria::StartKind::polyhedral, "polyhedral"}};
 
 struct Solution {
-    Bounds bounds;
-    Choice choice;
+    equilibria::StartChoice start;
     equilibria::ComplexRoots<> found;
     std::optional<equilibria::ProofOfRoots> proof;
     double seconds, tracking_seconds;
 };
 
-/// Paths that fail in double are tracked with more digits. prove: the roots, by Krawczyk's test.
-Solution solve(const Input& input, std::optional<Start> asked, bool prove, const equilibria::RunOptions& run);
+/// asked: none for the start of the least predicted cost. Paths that fail in double are tracked with more digits.
+/// prove: the roots, by Krawczyk's test.
+Solution solve(const Input& input, std::optional<equilibria::StartKind> asked, bool prove,
+               const equilibria::RunOptions& run);
 
 }  // namespace solve

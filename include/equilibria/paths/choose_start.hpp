@@ -1,0 +1,69 @@
+/// \file
+/// Which start system: that of the least predicted cost, of those that reach every isolated solution of a system.
+///
+/// A total-degree start needs nothing but degrees, and its paths that go to infinity are most of them where equations
+/// are sparse; a linear-product start has fewer of them, where unknowns form groups; a polyhedral start has as many
+/// paths as the mixed volume, in two stages. What is compared is the number of paths times what a path costs on the
+/// average, in paths from a total-degree start to finite solutions. Where the mixed volume is not needed to be known it
+/// is not computed to its end: the walk over its cells stops when it is too large to pay.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <equilibria/algebra/multihomogeneous.hpp>
+#include <equilibria/core/compiled.hpp>
+#include <equilibria/paths/complex_roots.hpp>
+#include <equilibria/system/sparse_system.hpp>
+
+namespace equilibria {
+
+enum class StartKind { total_degree, multihomogeneous, polyhedral };
+
+constexpr std::string_view to_string(StartKind kind) {
+    constexpr std::array names{"total degree", "multihomogeneous", "polyhedral"};
+    return names[static_cast<std::size_t>(kind)];
+}
+
+/// Upper bounds of the number of isolated solutions, each the number of paths from a start.
+struct StartBounds {
+    PathCount total_degree;
+    PathCount multihomogeneous;  ///< of `grouping`
+    std::vector<int> grouping;   ///< the group of each unknown
+    /// Of the supports that count solutions with coordinates 0 as well (affine_supports); nothing where it was not
+    /// needed, or is 2^64 or more.
+    std::optional<std::uint64_t> mixed_volume;
+    std::uint64_t mixed_volume_at_least = 0;  ///< what was counted until the walk was stopped
+};
+
+/// A start, and why it was taken.
+struct StartChoice {
+    StartKind kind = StartKind::total_degree;
+    std::string why;
+    StartBounds bounds;
+};
+
+/// groupings: to be compared; none: the smallest number of those that smallest_multihomogeneous_number compares. Unless
+/// all bounds are asked for, the mixed volume is counted as far as it may pay. Throws InvalidArgument for a grouping
+/// without a group for each unknown.
+StartBounds start_bounds(const SparseSystem& system, const std::vector<std::vector<int>>& groupings = {},
+                         bool all_bounds = false, const RunOptions& run = {});
+
+/// The start of the least predicted cost; or the one that is asked for.
+StartChoice choose_start(StartBounds bounds, std::optional<StartKind> asked = {});
+
+/// Every isolated solution of the system, from that start. Throws InvalidArgument where there are more paths than can
+/// be numbered.
+ComplexRoots<> solve_from_start(const SparseSystem& system, const StartChoice& start, const RunOptions& run = {},
+                                const TrackerOptions& options = {}, MoreDigits<> resort = nullptr);
+
+}  // namespace equilibria
+
+#ifndef EQUILIBRIA_COMPILED
+#include <equilibria/paths/detail/choose_start_definitions.hpp>
+#endif

@@ -1,0 +1,100 @@
+/// \file
+/// See paths/choose_start.hpp.
+#pragma once
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include <equilibria/core/error.hpp>
+#include <equilibria/core/random.hpp>
+#include <equilibria/paths/choose_start.hpp>
+#include <equilibria/paths/generic_instance.hpp>
+#include <equilibria/polyhedral/mixed_cells.hpp>
+#include <equilibria/system/laurent_terms.hpp>
+#include <equilibria/system/path_bounds.hpp>
+
+namespace equilibria {
+
+namespace detail {
+
+/// What a path of the mixed volume costs, in paths of a total-degree start: its two stages, and the cells. The constant
+/// is what liftings take where there are few paths.
+inline constexpr double polyhedral_path_cost = 2.5, polyhedral_cost = 20;
+
+EQUILIBRIA_INLINE double cost_of(const PathCount& paths) {
+    return paths.saturated ? std::numeric_limits<double>::infinity() : static_cast<double>(paths.value);
+}
+EQUILIBRIA_INLINE double least_cost_of_degrees(const StartBounds& bounds) {
+    return std::min(cost_of(bounds.total_degree), cost_of(bounds.multihomogeneous));
+}
+
+/// Counts volumes of cells, up to the number that is too large to pay.
+EQUILIBRIA_INLINE void count_mixed_volume(const Supports& supports, bool to_its_end, const RunOptions& run,
+                                          StartBounds& bounds) {
+    const double most = (least_cost_of_degrees(bounds) - polyhedral_cost) / polyhedral_path_cost;
+    if (!to_its_end && !(most > 0)) return;
+    Generator generator(run.seed);
+    Lifting lifting(static_cast<std::size_t>(supports.columns()));
+    for (auto& height : lifting) height = static_cast<std::int64_t>(generator() >> 43);
+    try {
+        const auto volume =
+            mixed_cells(supports, lifting,
+                        [&](const MixedCell& cell) {
+                            bounds.mixed_volume_at_least += cell.volume;
+                            return to_its_end || static_cast<double>(bounds.mixed_volume_at_least) < most;
+                        },
+                        {.executor = run.executor});
+        if (volume.complete) bounds.mixed_volume = bounds.mixed_volume_at_least;
+    } catch (const InvalidArgument&) {
+        // 2^64 or more, or heights that do not fit
+    }
+}
+
+}  // namespace detail
+
+EQUILIBRIA_INLINE StartBounds start_bounds(const SparseSystem& system, const std::vector<std::vector<int>>& groupings,
+                                           bool all_bounds, const RunOptions& run) {
+    StartBounds y;
+    y.total_degree = y.multihomogeneous = total_degree_count(system);
+    y.grouping.assign(system.degrees().size(), 0);
+    const auto compare = [&](const PathCount& number, const std::vector<int>& grouping) {
+        if (number < y.multihomogeneous) y.multihomogeneous = number, y.grouping = grouping;
+    };
+    if (groupings.empty()) {
+        const auto smallest = smallest_multihomogeneous_number(system);
+        compare(smallest.number, smallest.grouping);
+    }
+    for (const auto& grouping : groupings) compare(multihomogeneous_number(system, grouping), grouping);
+    detail::count_mixed_volume(affine_supports(system), all_bounds, run, y);
+    return y;
+}
+
+EQUILIBRIA_INLINE StartChoice choose_start(StartBounds bounds, std::optional<StartKind> asked) {
+    const double degree = detail::cost_of(bounds.total_degree), groups = detail::cost_of(bounds.multihomogeneous);
+    const auto choice = [&]() -> std::pair<StartKind, std::string> {
+        if (asked) return {*asked, "asked for"};
+        if (bounds.mixed_volume) {
+            const auto volume = static_cast<double>(*bounds.mixed_volume);
+            if (detail::polyhedral_path_cost * volume + detail::polyhedral_cost < std::min(degree, groups))
+                return {StartKind::polyhedral,
+                        "the mixed volume is so much smaller that two stages of paths are predicted to cost less"};
+        }
+        if (groups < degree) return {StartKind::multihomogeneous, "fewer paths than the total degree"};
+        return {StartKind::total_degree, "no other start that was compared is predicted to cost less"};
+    };
+    auto [kind, why] = choice();
+    return {kind, std::move(why), std::move(bounds)};
+}
+
+EQUILIBRIA_INLINE ComplexRoots<> solve_from_start(const SparseSystem& system, const StartChoice& start,
+                                                  const RunOptions& run, const TrackerOptions& options,
+                                                  MoreDigits<> resort) {
+    if (start.kind == StartKind::polyhedral) return solve_polyhedral(system, run, options, resort);
+    if (start.kind == StartKind::total_degree) return solve_total_degree(system, run, options, resort);
+    require(!start.bounds.multihomogeneous.saturated, "system", "a multihomogeneous number above 2^62",
+            "must have fewer paths than can be numbered");
+    return solve_multihomogeneous(system, start.bounds.grouping, run, options, resort);
+}
+
+}  // namespace equilibria

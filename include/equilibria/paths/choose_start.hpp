@@ -62,6 +62,11 @@ StartChoice choose_start(StartBounds bounds, std::optional<StartKind> asked = {}
 ComplexRoots<> solve_from_start(const SparseSystem& system, const StartChoice& start, const RunOptions& run = {},
                                 const TrackerOptions& options = {}, MoreDigits<> resort = nullptr);
 
+/// The same from the least costly of a total-degree start, one for that grouping, and a polyhedral start.
+ComplexRoots<> solve_least_cost(const SparseSystem& system, const std::vector<int>& grouping,
+                                const RunOptions& run = {}, const TrackerOptions& options = {},
+                                MoreDigits<> resort = nullptr);
+
 }  // namespace equilibria
 
 #ifndef EQUILIBRIA_COMPILED

@@ -14,6 +14,7 @@
 
 #include <equilibria/locus/line/searched_model.hpp>
 #include <equilibria/model/torus.hpp>
+#include <equilibria/paths/choose_start.hpp>
 #include <equilibria/paths/complex_roots.hpp>
 #include <equilibria/paths/solution_counts.hpp>
 #include <equilibria/singularity/null_vector.hpp>
@@ -135,7 +136,7 @@ private:
         return numbers;
     }
     Roots solve_line(const Numbers& numbers, std::uint64_t seed) const {
-        return solve_multihomogeneous(system_->system(numbers), system_->grouping(), run_.with_seed(seed));
+        return solve_least_cost(system_->system(numbers), system_->grouping(), run_.with_seed(seed));
     }
 
     /// Start systems until one leaves no path undecided; solve(seed, generator) returns what it found.
@@ -203,8 +204,8 @@ private:
         attempt(counts, [&](std::uint64_t seed, Generator& generator) {
             Numbers numbers = system_->numbers(p_, scales(), generator);
             weigh(numbers);
-            auto set = solve_multihomogeneous(system_->system(numbers), system_->grouping(), run_.with_seed(seed), {},
-                                              model_->more_digits);
+            auto set = solve_least_cost(system_->system(numbers), system_->grouping(), run_.with_seed(seed), {},
+                                        model_->more_digits);
             for (const auto& root : set.roots)
                 if (const auto near = real_point(root))
                     keep(points, *near, refine_singularity(*model_->functions, kind, active, near->q, near->p));
@@ -220,7 +221,7 @@ private:
             attempt(counts, [&](std::uint64_t seed, Generator& generator) {
                 auto numbers = system.numbers(p_, scales(), branch, generator);
                 weigh(numbers);
-                auto set = solve_multihomogeneous(system.system(numbers), system.grouping(), run_.with_seed(seed));
+                auto set = solve_least_cost(system.system(numbers), system.grouping(), run_.with_seed(seed));
                 for (const auto& root : set.roots) {
                     auto found = singularity_at<double>(SingularityKind::pitchfork, system_->active(), branch, p_);
                     if (!real_parameters(&root.q[system.first_active()], 1e-6, found)) continue;

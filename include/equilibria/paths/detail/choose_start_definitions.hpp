@@ -97,4 +97,10 @@ EQUILIBRIA_INLINE ComplexRoots<> solve_from_start(const SparseSystem& system, co
     return solve_multihomogeneous(system, start.bounds.grouping, run, options, resort);
 }
 
+EQUILIBRIA_INLINE ComplexRoots<> solve_least_cost(const SparseSystem& system, const std::vector<int>& grouping,
+                                                  const RunOptions& run, const TrackerOptions& options,
+                                                  MoreDigits<> resort) {
+    return solve_from_start(system, choose_start(start_bounds(system, {grouping}, false, run)), run, options, resort);
+}
+
 }  // namespace equilibria

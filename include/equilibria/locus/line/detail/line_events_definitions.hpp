@@ -21,6 +21,7 @@
 #include <equilibria/locus/line/line_events.hpp>
 #include <equilibria/locus/line/model_problem.hpp>
 #include <equilibria/model/torus.hpp>
+#include <equilibria/paths/choose_start.hpp>
 #include <equilibria/paths/complex_roots.hpp>
 #include <equilibria/run/elapsed.hpp>
 #include <equilibria/singularity/null_vector.hpp>
@@ -156,7 +157,7 @@ private:
             const RunOptions run = run_.with_seed(seed_of_attempt(run_.seed, found_.attempts++));
             Generator generator(run.seed);
             const auto set =
-                solve_multihomogeneous(system_.system(system_.numbers(p_, scale_, generator)), system_.grouping(), run);
+                solve_least_cost(system_.system(system_.numbers(p_, scale_, generator)), system_.grouping(), run);
             found_.paths = set.paths;
             found_.complex_solutions = set.roots.size();
             found_.regular_solutions = found_.pitchfork_paths = found_.other_singular = found_.unexplained = 0;

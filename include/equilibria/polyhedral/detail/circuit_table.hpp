@@ -112,7 +112,7 @@ public:
         if constexpr (!is_unlimited<Integer>)
             if (!fits(i, column, leaving, limit)) return false;
         const Integer pivot = leaving == 0 ? at_column : Integer(volume - at_column);
-        const Integer p = magnitude(pivot);
+        const Integer p = absolute_value(pivot);
         const bool positive = pivot > 0;
         const auto begin = static_cast<std::size_t>(layout.first[static_cast<std::size_t>(i)]);
         const auto end = static_cast<std::size_t>(layout.first[static_cast<std::size_t>(i) + 1]);
@@ -186,10 +186,10 @@ private:
         if (!in_range(bound(i), limit)) measure(i);
         if (!in_range(bound(i), limit)) return false;
         const Integer at_column = at(i, column);
-        const auto p = static_cast<Bound>(magnitude(leaving == 0 ? at_column : Integer(volume - at_column)));
+        const auto p = static_cast<Bound>(absolute_value(leaving == 0 ? at_column : Integer(volume - at_column)));
         const auto most = static_cast<Bound>(limit);
         const auto after = [&](int j) {
-            const auto r = static_cast<Bound>(magnitude(at(j, column)));
+            const auto r = static_cast<Bound>(absolute_value(at(j, column)));
             const Wide sum = (Wide(p) * bound(j) + Wide(r) * bound(i)) / static_cast<Bound>(volume);
             return leaving == 0 ? sum : sum + r;
         };
@@ -208,7 +208,7 @@ private:
             }
             y = static_cast<Bound>(after(j));
         }
-        const Bound more = leaving == 0 ? p : static_cast<Bound>(magnitude(at_column));
+        const Bound more = leaving == 0 ? p : static_cast<Bound>(absolute_value(at_column));
         if (Wide(bound(i)) + more + p > most) measure(i);
         if (Wide(bound(i)) + more + p > most) return false;
         after_[static_cast<std::size_t>(i)] = bound(i) + more;

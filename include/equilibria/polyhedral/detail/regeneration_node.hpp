@@ -110,7 +110,7 @@ void enter_stage_from(const RegenerationPlan& plan, RegenerationNode& node, Rege
     for (int j = 0; j < table.rows(); ++j) {
         if constexpr (is_unlimited<Integer>) {
             for (int k = 0; k < table.columns(); ++k)
-                if (magnitude(table.at(j, k)) > largest) largest = magnitude(table.at(j, k));
+                if (absolute_value(table.at(j, k)) > largest) largest = absolute_value(table.at(j, k));
         } else if (table.largest(j) > largest) {
             largest = table.largest(j);
         }

@@ -82,7 +82,7 @@ struct RegenerationPlan {
         for (const int equation : order)
             for (int k = supports.first_column(equation); k < supports.first_column(equation + 1); ++k) {
                 target.push_back(-lifting[static_cast<std::size_t>(k)]);
-                largest_target = std::max(largest_target, magnitude(target.back()));
+                largest_target = std::max(largest_target, absolute_value(target.back()));
             }
     }
 

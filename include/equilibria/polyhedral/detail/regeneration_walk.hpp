@@ -174,8 +174,8 @@ private:
             double sum = 4 * static_cast<double>(table.volume) * static_cast<double>(plan_.largest_target);
             for (int j = 0; j < table.rows(); ++j) {
                 const auto& edge = table.edges[static_cast<std::size_t>(j)];
-                sum +=
-                    static_cast<double>(table.largest(j)) * static_cast<double>(magnitude(of(edge[0]) - of(edge[1])));
+                sum += static_cast<double>(table.largest(j)) *
+                       static_cast<double>(absolute_value(of(edge[0]) - of(edge[1])));
             }
             if (sum >= TableInteger<Integer>::largest_height) return false;
         }

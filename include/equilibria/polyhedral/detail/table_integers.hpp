@@ -56,7 +56,7 @@ template <class Integer>
 inline constexpr bool is_unlimited = std::is_same_v<Integer, UnlimitedInteger>;
 
 template <class Integer>
-Integer magnitude(const Integer& x) {
+Integer absolute_value(const Integer& x) {
     return x < 0 ? Integer(-x) : x;
 }
 

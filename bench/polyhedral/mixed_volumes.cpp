@@ -43,7 +43,8 @@ std::vector<Family> families() {
     const auto add = [&](const char* name, Supports (*make)(int),
                          std::initializer_list<std::pair<int, std::uint64_t>> volumes) {
         for (const auto& [n, volume] : volumes)
-            y.push_back({name + ("-" + std::to_string(n)), volume, [make, n = n] { return make(n); }});
+            y.push_back(
+                {std::string(name).append("-").append(std::to_string(n)), volume, [make, n = n] { return make(n); }});
     };
     add("cyclic", cyclic, {{7, 924}, {8, 2560}, {9, 11016}, {10, 35940}, {11, 184756}});
     add("noon", noon, {{8, 6545}, {10, 59029}, {12, 531417}});

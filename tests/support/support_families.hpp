@@ -227,7 +227,10 @@ inline std::string gfan_text(const Supports& supports) {
         y += y.size() > 1 ? ",\n{" : "{";
         for (std::size_t k = 0; k < points.size(); ++k) {
             y += k > 0 ? ",(" : "(";
-            for (std::size_t l = 0; l < points[k].size(); ++l) y += (l > 0 ? "," : "") + std::to_string(points[k][l]);
+            for (std::size_t l = 0; l < points[k].size(); ++l) {
+                if (l > 0) y += ',';
+                y += std::to_string(points[k][l]);
+            }
             y += ")";
         }
         y += "}";

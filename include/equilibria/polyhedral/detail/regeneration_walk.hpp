@@ -39,7 +39,7 @@ public:
     }
 
     /// Goes down from this node. divided: its first child is in `child`, its second one in the node's place. cell: the
-    /// node is a cell of the target, with the heights of height(). ended: nothing is left of it.
+    /// node is a cell of the target, with the heights of heights(). ended: nothing is left of it.
     Event advance(RegenerationNode& node, RegenerationNode& child) {
         for (;;) {
             const auto event = node.width == 0   ? follow<std::int32_t>(node, child)

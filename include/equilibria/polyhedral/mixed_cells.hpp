@@ -55,7 +55,8 @@ struct MixedCell {
     bool fine() const;
 };
 
-/// What mixed cells are found with. No result but the order of the cells and the counts of exchanges depends on it.
+/// What mixed cells are found with. Only the order of the cells and the counts of exchanges depend on it, and which
+/// cells stand for one that is not fine, where a lifting has ties.
 struct MixedCellOptions {
     /// The numbers of the equations in the order in which they are taken; empty: one after another, that which brings
     /// the least degree and new unknowns. Of twelve random orders the best has 0.6 to 1.4 times as many exchanges, the

@@ -46,7 +46,7 @@ public:
     public:
         Lines(const PlaneSolver& solver, int fixed, double generic) : solver_(&solver), fixed_(fixed) {
             Roots set;
-            solver.attempt(counts_, [&](std::uint64_t seed, Generator& generator) -> const auto& {
+            solver.attempt(counts_, [&](std::uint64_t seed, Generator& generator, std::uint64_t) -> const auto& {
                 numbers_ = solver.line(fixed, generic, generator);
                 return set = solver.solve_line(numbers_, seed);
             });
@@ -82,7 +82,7 @@ public:
                 failed += set.paths.failed;
             } else if (set.paths.failed > 0) {
                 SolutionCounts counts;
-                solver_->attempt(counts, [&](std::uint64_t seed, Generator& generator) {
+                solver_->attempt(counts, [&](std::uint64_t seed, Generator& generator, std::uint64_t) {
                     auto solved = solver_->solve_line(solver_->line(fixed_, value, generator), seed);
                     take(solved.roots);
                     return solved;
@@ -122,7 +122,9 @@ public:
     }
 
 private:
-    static constexpr std::uint64_t most_attempts = 12;
+    /// Another start takes seconds, and decides most paths that one leaves; hundreds of paths with more digits,
+    /// minutes.
+    static constexpr std::uint64_t most_attempts = 12, attempts_in_double = 4;
 
     static std::size_t at(int axis) { return static_cast<std::size_t>(axis); }
     std::vector<double> scales() const { return {scales_[0], scales_[1]}; }
@@ -139,14 +141,15 @@ private:
         return solve_least_cost(system_->system(numbers), system_->grouping(), run_.with_seed(seed));
     }
 
-    /// Start systems until one leaves no path undecided; solve(seed, generator) returns what it found.
+    /// Start systems until one leaves no path undecided; solve(seed, generator, number of the attempt from 1) returns
+    /// what it found.
     void attempt(SolutionCounts& counts, const auto& solve) const {
         PathCounts paths;
         std::uint64_t attempts = 0, regular = 0;
         while (attempts < most_attempts && (attempts == 0 || paths.failed > 0)) {
             const std::uint64_t seed = seed_of_attempt(run_.seed, attempts++);
             Generator generator(seed);
-            const auto& set = solve(seed, generator);
+            const auto& set = solve(seed, generator, attempts);
             paths = set.paths;
             regular = 0;
             for (const auto& root : set.roots) regular += root.status == PathStatus::finite;
@@ -201,11 +204,11 @@ private:
     Points solve(SolutionCounts& counts, const auto& weigh, SingularityKind kind, int first) const {
         const int active[] = {system_->active()[at(first)], system_->active()[at(1 - first)]};
         Points points;
-        attempt(counts, [&](std::uint64_t seed, Generator& generator) {
+        attempt(counts, [&](std::uint64_t seed, Generator& generator, std::uint64_t attempts) {
             Numbers numbers = system_->numbers(p_, scales(), generator);
             weigh(numbers);
             auto set = solve_least_cost(system_->system(numbers), system_->grouping(), run_.with_seed(seed), {},
-                                        model_->more_digits);
+                                        attempts > attempts_in_double ? model_->more_digits : nullptr);
             for (const auto& root : set.roots)
                 if (const auto near = real_point(root))
                     keep(points, *near, refine_singularity(*model_->functions, kind, active, near->q, near->p));
@@ -218,7 +221,7 @@ private:
         Points points;
         const SymmetricSystem system(*system_);
         for (const auto& branch : symmetric_branches(*model_->polynomials))
-            attempt(counts, [&](std::uint64_t seed, Generator& generator) {
+            attempt(counts, [&](std::uint64_t seed, Generator& generator, std::uint64_t) {
                 auto numbers = system.numbers(p_, scales(), branch, generator);
                 weigh(numbers);
                 auto set = solve_least_cost(system.system(numbers), system.grouping(), run_.with_seed(seed));

@@ -4,6 +4,9 @@
 
 #include <cstdint>
 #include <limits>
+#include <memory>
+#include <string>
+#include <type_traits>
 #include <utility>
 
 #include <equilibria/algebra/multihomogeneous.hpp>
@@ -41,16 +44,17 @@ private:
 
 }  // namespace detail
 
-/// Every isolated equilibrium of a model at run time at the parameters p, from a total-degree start: the reflected one
-/// where the equations are odd under theta -> -theta. As `enumerate` of a Model; a resort (more_digits of
+/// Every isolated equilibrium of a model at run time at the parameters p, from the start of the least predicted cost: a
+/// total-degree one, reflected where the equations are odd under theta -> -theta, or a polyhedral one; or from that
+/// asked for, StartSystem TotalDegreeStart or Polyhedral. As `enumerate` of a Model; a resort (more_digits of
 /// more_digits.hpp) is for paths that fail in double.
 ///
 /// Throws InvalidArgument for a model that is no trigonometric polynomial, for parameters that are not finite or not
 /// as many as the model's, for more paths than can be numbered and for options out of range; CheckpointError for a
 /// checkpoint that cannot be used.
-template <RuntimeModel T>
-RootSet<RuntimeUnknowns> enumerate(const T& model, const RuntimeArray<double>& p, const RunOptions& run = {},
-                                   const TrackerOptions& options = {}, MoreDigits<> resort = nullptr) {
+template <class StartSystem, RuntimeModel T>
+RootSet<RuntimeUnknowns> enumerate_from(const T& model, const RuntimeArray<double>& p, const RunOptions& run = {},
+                                        const TrackerOptions& options = {}, MoreDigits<> resort = nullptr) {
     const detail::Stopwatch begin;
     require_finite(p, "parameters");
     options.validate();
@@ -60,21 +64,50 @@ RootSet<RuntimeUnknowns> enumerate(const T& model, const RuntimeArray<double>& p
     for (int i = 0; i < sizes.unknowns; ++i)
         paths =
             paths * PathCount{(i < sizes.angles ? 2 : 1) * formulation.degrees()[static_cast<std::size_t>(i)], false};
-    require(!paths.saturated, "model", "a total degree above 2^62", "must have fewer paths than can be numbered");
     const RuntimeModelSystem target(formulation, model, p);
+    const ModelProperties<RuntimeUnknowns> properties{sizes, formulation.has_potential(),
+                                                      formulation.reflection_symmetric()};
+    const detail::RealRuntimeEquations<T> equations(model, p);
+    detail::CheckpointFields fields;
+    if (!run.checkpoint.empty())
+        fields = detail::model_fields(detail::type_name<T>(), sizes, target.terms, {p.begin(), p.end()});
+
+    StartReport report{{}, "asked for", {}};
+    if constexpr (!std::is_same_v<StartSystem, TotalDegreeStart>) {
+        constexpr bool asked = std::is_same_v<StartSystem, Polyhedral>;
+        const auto system = detail::system_of_terms(sizes, target.terms);
+        PathCount tracked = paths;
+        if (formulation.reflection_symmetric()) tracked.value /= 2;
+        require(!asked || system, "parameters", "an equation that vanishes",
+                "must leave each equation a term for a polyhedral start");
+        if (asked || detail::polyhedral_pays(system, tracked, report, run)) {
+            auto own = std::make_shared<detail::OwnEquationsOf<detail::RuntimeModelValues<T>>>(
+                detail::RuntimeModelValues<T>{model, sizes, p});
+            auto set = detail::enumerate_polyhedral(*system, p, properties, std::move(own), equations, fields, run,
+                                                    options, resort);
+            set.seconds = begin.seconds();
+            set.start.why = report.why;
+            if (asked || (set.paths.singular == 0 && set.families.empty())) return set;
+            report.why = "the roots are not all regular, and its paths meet every curve of solutions";
+        }
+    }
+    require(!paths.saturated, "model", "a total degree above 2^62", "must have fewer paths than can be numbered");
     Generator generator(run.seed);
     const TotalDegreeStart start(
         formulation.reflection_symmetric() ? TotalDegreeKind::reflected : TotalDegreeKind::general, sizes,
         formulation.degrees(), target.scale, generator);
     const PolynomialHomotopy homotopy = model_homotopy(model, target, start);
-    detail::PathProblem problem{.start = StartPoints(start)};
-    if (!run.checkpoint.empty())
-        problem.model = detail::model_fields(detail::type_name<T>(), sizes, target.terms, {p.begin(), p.end()});
-    auto set = detail::root_set_of(detail::track_paths(homotopy, std::move(problem), run, options, resort), p,
-                                   {sizes, formulation.has_potential(), formulation.reflection_symmetric()}, homotopy,
-                                   detail::RealRuntimeEquations<T>(model, p), run);
+    auto set = detail::root_set_of(
+        detail::track_paths(homotopy, {.start = StartPoints(start), .model = std::move(fields)}, run, options, resort),
+        p, properties, homotopy, equations, run);
+    set.start = {std::string(start.name()), std::move(report.why), report.mixed_volume};
     set.seconds = begin.seconds();
     return set;
+}
+template <RuntimeModel T>
+RootSet<RuntimeUnknowns> enumerate(const T& model, const RuntimeArray<double>& p, const RunOptions& run = {},
+                                   const TrackerOptions& options = {}, MoreDigits<> resort = nullptr) {
+    return enumerate_from<LeastCost>(model, p, run, options, resort);
 }
 
 }  // namespace equilibria

@@ -25,7 +25,7 @@ inline constexpr MoreDigits<> more_digits = &detail::track_with_more_digits;
 
 /// `enumerate`, but paths that fail in double, tightened steps included, are tracked with more digits before they count
 /// as failed; paths.more_digits says how many were. A path costs up to a second then.
-template <Model M, class StartSystem = NaturalStart<M>>
+template <Model M, class StartSystem = LeastCost>
 RootSet<M> enumerate_with_more_digits(const Parameters<M>& p, const RunOptions& run = {},
                                       const TrackerOptions& options = {}) {
     return detail::enumerate_all<M, StartSystem>(p, run, options, more_digits);

@@ -15,6 +15,7 @@
 #include <equilibria/enumerate/count_verdict.hpp>
 #include <equilibria/enumerate/family.hpp>
 #include <equilibria/enumerate/model_properties.hpp>
+#include <equilibria/enumerate/start_report.hpp>
 #include <equilibria/paths/path_counts.hpp>
 #include <equilibria/paths/root.hpp>
 
@@ -75,6 +76,7 @@ struct RootSet {
     /// others (infinity where there are none).
     double largest_real_imaginary = 0, smallest_nonreal_imaginary = 0;
     double tracking_seconds = 0, seconds = 0;
+    StartReport start{};
     [[no_unique_address]] ModelProperties<M> model{};
 
     std::uint64_t distinct() const { return roots.size(); }
@@ -131,6 +133,7 @@ template <class M>
     y.smallest_nonreal_imaginary = set.smallest_nonreal_imaginary;
     y.tracking_seconds = set.tracking_seconds;
     y.seconds = set.seconds;
+    y.start = std::move(set.start);
     return y;
 }
 

@@ -54,6 +54,10 @@ struct StartChoice {
 StartBounds start_bounds(const SparseSystem& system, const std::vector<std::vector<int>>& groupings = {},
                          bool all_bounds = false, const RunOptions& run = {});
 
+/// Of a system whose start from degrees has `tracked` paths to track: that number for both bounds of degrees, and the
+/// mixed volume, counted as far as it may pay.
+StartBounds polyhedral_bounds(const SparseSystem& system, const PathCount& tracked, const RunOptions& run = {});
+
 /// The start of the least predicted cost; or the one that is asked for.
 StartChoice choose_start(StartBounds bounds, std::optional<StartKind> asked = {});
 

@@ -10,6 +10,7 @@
 #include <concepts>
 #include <cstdint>
 #include <span>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -28,6 +29,7 @@ struct ComplexRoots {
     PathCounts paths;
     std::vector<Root<M>> roots;  ///< distinct, by path number
     std::vector<FailedPath<M>> failures;
+    std::string start;  ///< its name: total degree, linear product, polyhedral, ..
 };
 
 /// What all paths end at, merged.
@@ -38,7 +40,9 @@ ComplexRoots<> complex_roots(PathSet paths);
 template <std::same_as<PolynomialHomotopy> H, class StartSystem>
 ComplexRoots<> complex_roots(const H& homotopy, const StartSystem& start, const RunOptions& run = {},
                              const TrackerOptions& options = {}, MoreDigits<> resort = nullptr) {
-    return complex_roots(track(homotopy, start, run, options, resort));
+    auto found = complex_roots(track(homotopy, start, run, options, resort));
+    found.start = start.name();
+    return found;
 }
 
 /// Every isolated solution of the system, by as many paths as its total degree (the product of the equations' degrees,

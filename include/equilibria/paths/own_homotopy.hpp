@@ -26,7 +26,9 @@ template <class H, class StartSystem>
 requires(!std::same_as<H, PolynomialHomotopy>)
 ComplexRoots<> complex_roots(const H& homotopy, const StartSystem& start, const RunOptions& run = {},
                              const TrackerOptions& options = {}, MoreDigits<H> resort = nullptr) {
-    return complex_roots(track(homotopy, start, run, options, resort));
+    auto found = complex_roots(track(homotopy, start, run, options, resort));
+    found.start = start.name();
+    return found;
 }
 
 }  // namespace equilibria

@@ -2,12 +2,18 @@
 /// See enumerate/enumerate.hpp.
 #pragma once
 
+#include <algorithm>
+#include <memory>
+#include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
 #include <equilibria/enumerate/alarms.hpp>
 #include <equilibria/enumerate/enumerate.hpp>
 #include <equilibria/enumerate/families.hpp>
+#include <equilibria/paths/choose_start.hpp>
+#include <equilibria/paths/generic_instance.hpp>
 #include <equilibria/paths/merge.hpp>
 
 namespace equilibria::detail {
@@ -37,8 +43,49 @@ EQUILIBRIA_INLINE RootSet<RuntimeUnknowns> root_set_of(PathSet paths, const Runt
                                  .smallest_nonreal_imaginary = real.smallest_nonreal_imaginary,
                                  .tracking_seconds = tracking_seconds,
                                  .seconds = 0,
+                                 .start = {},
                                  .model = model};
     set.alarms = check_alarms(set, run.executor);
+    return set;
+}
+
+EQUILIBRIA_INLINE std::optional<SparseSystem> system_of_terms(const RuntimeSizes& sizes,
+                                                              const std::vector<SparseTerm>& terms) {
+    std::vector<SparseTerm> present;
+    std::vector<bool> vanishes(static_cast<std::size_t>(sizes.unknowns), true);
+    for (const auto& t : terms)
+        if (t.coefficient != 0) present.push_back(t), vanishes[static_cast<std::size_t>(t.equation)] = false;
+    if (std::ranges::count(vanishes, true) > 0) return {};
+    return SparseSystem(sizes, std::move(present));
+}
+
+EQUILIBRIA_INLINE bool polyhedral_pays(const std::optional<SparseSystem>& system, const PathCount& tracked,
+                                       StartReport& report, const RunOptions& run) {
+    // the cells of fewer paths take as long as these
+    constexpr std::int64_t few = 100;
+    if (!system || (!tracked.saturated && tracked.value <= few)) {
+        report.why = "few paths";
+        return false;
+    }
+    auto choice = choose_start(polyhedral_bounds(*system, tracked, run));
+    report.mixed_volume = choice.bounds.mixed_volume;
+    report.why = std::move(choice.why);
+    return choice.kind == StartKind::polyhedral;
+}
+
+EQUILIBRIA_INLINE RootSet<RuntimeUnknowns> enumerate_polyhedral(
+    const SparseSystem& system, const RuntimeArray<double>& p, const ModelProperties<RuntimeUnknowns>& model,
+    std::shared_ptr<const OwnEquations> own, const RealEquations& equations, CheckpointFields fields,
+    const RunOptions& run, const TrackerOptions& options, MoreDigits<> resort) {
+    const GenericInstance instance(system, {.seed = run.seed, .executor = run.executor}, options);
+    const GenericInstance::Start start(instance);
+    const PolynomialHomotopy homotopy = instance.homotopy(system, std::move(own));
+    auto paths = track_paths(homotopy, {.start = StartPoints(start), .model = std::move(fields)}, run, options, resort);
+    auto set = root_set_of(std::move(paths), p, model, homotopy, equations, run);
+    set.paths.total += instance.failed();
+    set.paths.failed += instance.failed();
+    set.tracking_seconds += instance.effort().tracking_seconds;
+    set.start = {std::string(GenericInstance::Start::name()), "asked for", instance.mixed_volume()};
     return set;
 }
 

@@ -40,6 +40,7 @@ struct EventSearch {
     bool has_potential = true;        ///< the model: without one tables are not compared with the events
 
     PathCounts paths;                     ///< of the critical system, in the last attempt
+    std::string start;                    ///< the start system of these paths
     std::uint64_t attempts = 0;           ///< start systems tried until no path failed
     std::uint64_t complex_solutions = 0;  ///< of the critical system, distinct ones
     std::uint64_t regular_solutions = 0;  ///< of those: folds, real or not, in the segment or not

@@ -46,10 +46,11 @@ public:
     public:
         Lines(const PlaneSolver& solver, int fixed, double generic) : solver_(&solver), fixed_(fixed) {
             Roots set;
-            solver.attempt(counts_, [&](std::uint64_t seed, Generator& generator, std::uint64_t) -> const auto& {
-                numbers_ = solver.line(fixed, generic, generator);
-                return set = solver.solve_line(numbers_, seed);
-            });
+            solver.attempt(counts_,
+                           [&](std::uint64_t seed, Generator& generator, std::uint64_t attempts) -> const auto& {
+                               numbers_ = solver.line(fixed, generic, generator);
+                               return set = solver.solve_line(numbers_, seed, attempts);
+                           });
             for (const auto& root : set.roots)
                 if (root.status == PathStatus::finite && root.paths == 1) roots_.push_back(root);
         }
@@ -82,8 +83,8 @@ public:
                 failed += set.paths.failed;
             } else if (set.paths.failed > 0) {
                 SolutionCounts counts;
-                solver_->attempt(counts, [&](std::uint64_t seed, Generator& generator, std::uint64_t) {
-                    auto solved = solver_->solve_line(solver_->line(fixed_, value, generator), seed);
+                solver_->attempt(counts, [&](std::uint64_t seed, Generator& generator, std::uint64_t attempts) {
+                    auto solved = solver_->solve_line(solver_->line(fixed_, value, generator), seed, attempts);
                     take(solved.roots);
                     return solved;
                 });
@@ -137,8 +138,12 @@ private:
         numbers.slice[2] = -unknown(fixed, value);
         return numbers;
     }
-    Roots solve_line(const Numbers& numbers, std::uint64_t seed) const {
-        return solve_least_cost(system_->system(numbers), system_->grouping(), run_.with_seed(seed));
+    Roots solve_line(const Numbers& numbers, std::uint64_t seed, std::uint64_t attempts) const {
+        return solve_least_cost(system_->system(numbers), system_->grouping(), run_.with_seed(seed), {},
+                                resort(attempts));
+    }
+    MoreDigits<> resort(std::uint64_t attempts) const {
+        return attempts > attempts_in_double ? model_->more_digits : nullptr;
     }
 
     /// Start systems until one leaves no path undecided; solve(seed, generator, number of the attempt from 1) returns
@@ -208,7 +213,7 @@ private:
             Numbers numbers = system_->numbers(p_, scales(), generator);
             weigh(numbers);
             auto set = solve_least_cost(system_->system(numbers), system_->grouping(), run_.with_seed(seed), {},
-                                        attempts > attempts_in_double ? model_->more_digits : nullptr);
+                                        resort(attempts));
             for (const auto& root : set.roots)
                 if (const auto near = real_point(root))
                     keep(points, *near, refine_singularity(*model_->functions, kind, active, near->q, near->p));

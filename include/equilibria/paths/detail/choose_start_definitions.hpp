@@ -20,7 +20,7 @@ namespace detail {
 
 /// What a path of the mixed volume costs, in paths of a total-degree start: its two stages, and the cells. The constant
 /// is what liftings take where there are few paths.
-inline constexpr double polyhedral_path_cost = 2.5, polyhedral_cost = 20;
+inline constexpr double polyhedral_path_cost = 1.2, polyhedral_cost = 20;
 
 EQUILIBRIA_INLINE double cost_of(const PathCount& paths) {
     return paths.saturated ? std::numeric_limits<double>::infinity() : static_cast<double>(paths.value);
@@ -67,6 +67,14 @@ EQUILIBRIA_INLINE StartBounds start_bounds(const SparseSystem& system, const std
     }
     for (const auto& grouping : groupings) compare(multihomogeneous_number(system, grouping), grouping);
     detail::count_mixed_volume(affine_supports(system), all_bounds, run, y);
+    return y;
+}
+
+EQUILIBRIA_INLINE StartBounds polyhedral_bounds(const SparseSystem& system, const PathCount& tracked,
+                                                const RunOptions& run) {
+    StartBounds y;
+    y.total_degree = y.multihomogeneous = tracked;
+    detail::count_mixed_volume(affine_supports(system), false, run, y);
     return y;
 }
 

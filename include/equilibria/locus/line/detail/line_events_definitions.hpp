@@ -33,9 +33,9 @@ namespace equilibria {
 
 EQUILIBRIA_INLINE std::string EventSearch::argument(std::size_t events) const {
     std::ostringstream out;
-    out << paths.total
-        << " paths from a multihomogeneous start reach every isolated complex solution of F = 0, J v = 0: "
-        << regular_solutions << " regular, " << paths.singular << " singular (" << pitchfork_paths
+    out << paths.total << " paths from a " << start
+        << " start reach every isolated complex solution of F = 0, J v = 0: " << regular_solutions << " regular, "
+        << paths.singular << " singular (" << pitchfork_paths
         << " at pitchforks of symmetric branches, found there by themselves), " << paths.at_infinity << " at infinity, "
         << paths.failed << " failed; the tables of the " << intervals.size() << " intervals, each enumerated, ";
     if (!has_potential && events > 0)
@@ -159,6 +159,7 @@ private:
             const auto set =
                 solve_least_cost(system_.system(system_.numbers(p_, scale_, generator)), system_.grouping(), run);
             found_.paths = set.paths;
+            found_.start = set.start;
             found_.complex_solutions = set.roots.size();
             found_.regular_solutions = found_.pitchfork_paths = found_.other_singular = found_.unexplained = 0;
             for (const auto& root : set.roots) {

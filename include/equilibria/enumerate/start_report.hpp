@@ -1,0 +1,25 @@
+/// \file
+/// Which start an enumeration took, and why.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+namespace equilibria {
+
+struct StartReport {
+    std::string name;  ///< total degree, reflected, polyhedral, a solved instance
+    std::string why;
+    /// Of the Laurent system (of affine_supports), where the choice needed it.
+    std::optional<std::uint64_t> mixed_volume;
+};
+
+/// Asks `enumerate` for the start of the least predicted cost: its paths times what a path costs, of a total-degree
+/// start (reflected where that suits the model) and of a polyhedral one. A set of roots that is not all regular is
+/// enumerated from the total degree, whose paths meet every curve and surface of solutions.
+struct LeastCost {};
+/// Asks `enumerate` for a polyhedral start.
+struct Polyhedral {};
+
+}  // namespace equilibria

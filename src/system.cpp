@@ -5,6 +5,7 @@
 #include <equilibria/start/detail/total_degree_system_definitions.hpp>
 #include <equilibria/system/detail/critical_system_definitions.hpp>
 #include <equilibria/system/detail/laurent_terms_definitions.hpp>
+#include <equilibria/system/detail/mixed_volumes_definitions.hpp>
 #include <equilibria/system/detail/path_bounds_definitions.hpp>
 #include <equilibria/system/detail/runtime_formulation_definitions.hpp>
 #include <equilibria/system/detail/sparse_system_definitions.hpp>

@@ -4,7 +4,8 @@
 ///
 /// Each root is tested in doubles, then, where that is not enough, with 34 and 68 digits. A real candidate is tested
 /// around a real point, so that the root is its own conjugate; any other must have an enclosure without real points.
-/// Singular roots cannot be proved this way: they stay undecided, and a set that holds one is never complete.
+/// Multiple roots cannot be proved this way: they stay undecided, and a set that holds one is never complete. A root that
+/// counts as singular for its condition alone is proved with more digits.
 #pragma once
 
 #include <complex>
@@ -93,7 +94,7 @@ template <class M>
                       .smallest_bound = std::move(smallest_bound)};
     task.roots.reserve(set.roots.size());
     for (const auto& root : set.roots)
-        task.roots.push_back({{root.q.begin(), root.q.end()}, root.path, root.status == PathStatus::singular});
+        task.roots.push_back({{root.q.begin(), root.q.end()}, root.path, !may_be_regular(root)});
     for (const auto& e : set.equilibria) task.equilibria.push_back({e.path, e.index, e.degenerate()});
     return prove_roots(task, run, options);
 }

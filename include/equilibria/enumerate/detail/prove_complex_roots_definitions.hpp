@@ -53,7 +53,7 @@ EQUILIBRIA_INLINE ProofOfRoots prove(const SparseSystem& system, const ComplexRo
             return smallest;
         }};
     for (const auto& root : found.roots) {
-        const bool singular = root.status == PathStatus::singular;
+        const bool singular = !may_be_regular(root);
         task.roots.push_back({{root.q.begin(), root.q.end()}, root.path, singular});
         if (is_real(root)) task.equilibria.push_back({root.path, -1, singular});
     }

@@ -57,12 +57,13 @@ Json parameters_json(const ParameterArray<M, double>& p, const std::vector<std::
     return out;
 }
 
-/// The keys "parameters", "seed", those of the paths, "distinct", "real", "by_index", "degenerate", "multiplicities",
+/// The keys "parameters", "seed", "start", "start_reason", those of the paths, "distinct", "real", "by_index", "degenerate", "multiplicities",
 /// "winding_numbers", "families", "clean", "alarms", "morse_applies", "morse", "tracking_seconds", "seconds",
 /// "failures", "equilibria" and "roots": see docs/output.md.
 template <class M>
 Json json_of(const RootSet<M>& set, const RootSetJson& how = {}) {
     Json out{{"parameters", parameters_json<M>(set.parameters, how.parameter_names)}, {"seed", set.seed}};
+    add_keys(out, {{"start", set.start.name}, {"start_reason", set.start.why}});
     add_paths(out, set.paths);
     Json multiplicities = Json::array(), winding_numbers = Json::array(), families = Json::array(),
          failures = Json::array(), equilibria = Json::array();

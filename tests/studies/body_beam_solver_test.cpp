@@ -113,6 +113,28 @@ TEST_CASE("The solver finds all rotations of a body with a beam at each speed, a
     }
 }
 
+TEST_CASE("From the generic member of one body the solver reaches all rotations of another") {
+    for (const double coupling : {0.0, 1.0}) {
+        CAPTURE(coupling);
+        auto one = body(6, coupling), other = body(4, coupling);
+        one[Names::centre_1] = 0.12, one[Names::centre_2] = -0.07, one[Names::centre_3] = 0.05;
+        other[Names::body_mass] = 3.4;
+        other[Names::centre_1] = -0.2, other[Names::centre_2] = 0.11, other[Names::centre_3] = 0.16;
+        const Solver solver(one), own(other);
+        const auto y = solver(other), cold = own(other);
+        check_complete(y);
+        check_complete(cold);
+        CHECK(y.distinct == cold.distinct);
+        REQUIRE(y.equilibria.size() == cold.equilibria.size());
+        for (const auto& e : y.equilibria) {
+            check_equilibrium(e, other);
+            CHECK(std::any_of(cold.equilibria.begin(), cold.equilibria.end(), [&](const auto& c) {
+                return c.index == e.index && (c.axis - e.axis).norm() < 1e-8 && std::abs(c.moment - e.moment) < 1e-8;
+            }));
+        }
+    }
+}
+
 TEST_CASE("The circles of a symmetric body are one equilibrium each") {
     auto p = body(6, 0);
     p[Names::inertia_2] = p[Names::inertia_1];
@@ -133,6 +155,9 @@ TEST_CASE("The solver refuses what is no body, and says when it was cancelled") 
     using Catch::Matchers::Contains;
     auto bad = body(1, 0.5);
     CHECK_THROWS_WITH(Solver(bad), Contains("coupling = 0.5: must be 0 or 1"));
+    const std::atomic<bool> at_once = true;
+    CHECK_THROWS_WITH(Solver(body(1, 0), {.cancel = &at_once})(body(1, 1)),
+                      Contains("coupling = 1: must be that of the solver's body"));
     bad = body(1, 0);
     bad[Names::length] = 0;
     CHECK_THROWS_WITH(Solver(bad), Contains("length = 0: must be positive"));

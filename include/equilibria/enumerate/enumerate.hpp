@@ -2,8 +2,11 @@
 /// The front door: every equilibrium of a model, by homotopy continuation, with every path accounted for.
 #pragma once
 
+#include <algorithm>
+#include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -14,6 +17,7 @@
 #include <equilibria/enumerate/root_set.hpp>
 #include <equilibria/enumerate/start_report.hpp>
 #include <equilibria/homotopy/model_homotopy.hpp>
+#include <equilibria/paths/solve_along.hpp>
 #include <equilibria/paths/track.hpp>
 #include <equilibria/run/elapsed.hpp>
 #include <equilibria/run/run_options.hpp>
@@ -21,6 +25,7 @@
 #include <equilibria/start/total_degree.hpp>
 #include <equilibria/system/model_system.hpp>
 #include <equilibria/system/sparse_system.hpp>
+#include <equilibria/system/system_family.hpp>
 
 namespace equilibria {
 
@@ -119,21 +124,54 @@ template <Model M, class StartSystem>
     }
 }
 
+/// Throws InvalidArgument where a root set has singular or failed paths, or is not finished: others are not followed
+/// from it.
+void require_start_instance(const PathCounts& solved);
+/// The ways from a solved instance that stay in the family where the line in the space of coefficients does not: paths
+/// along an arc of the parameters; where some fail, along others, up to three.
+PathSet track_along_arc(const SystemFamily& family, const KnownRoots::Points& points, const RuntimeArray<double>& from,
+                        const RuntimeArray<double>& to, std::shared_ptr<const OwnEquations> own,
+                        const CheckpointFields& model, const RunOptions& run, const TrackerOptions& options,
+                        MoreDigits<ArcHomotopy> resort);
+/// Whether the line in the space of coefficients leads from a solved instance to all roots: it has all that there may
+/// be, or the line is in the family.
+bool line_serves(std::uint64_t roots, std::span<const int> degrees, const SystemFamily& family,
+                 const RuntimeArray<double>& from, const RuntimeArray<double>& to);
+
 template <Model M>
 [[gnu::cold]] RootSet<M> enumerate_by_parameters(const RootSet<M>& solved, const Parameters<M>& p,
                                                  const RunOptions& run, const TrackerOptions& options,
-                                                 MoreDigits<> resort = nullptr) {
+                                                 MoreDigits<> resort = nullptr,
+                                                 MoreDigits<ArcHomotopy> arc_resort = nullptr) {
+    const detail::Stopwatch begin;
     require_finite(p, "parameters");
     options.validate();
-    require(solved.paths.failed == 0 && solved.paths.singular == 0, "solved.paths",
-            std::to_string(solved.paths.failed) + " failed, " + std::to_string(solved.paths.singular) + " singular",
-            "a start instance must have regular roots only");
+    require_start_instance(solved.paths);
     typename Moving<M>::Points points;
     points.reserve(solved.roots.size());
     for (const auto& root : solved.roots) points.push_back(root.q);
     Generator generator(run.seed);
-    const Moving<M> start(coefficients<M, double>(solved.parameters), unit_complex(generator), std::move(points));
-    return enumerate_from<M>(ModelSystem<M>(p), start, run, options, resort);
+    const ModelSystem<M> target(p);
+    const auto gamma = unit_complex(generator);
+    const SystemFamily family = system_family<M>();
+    const auto from = runtime_array(solved.parameters), to = runtime_array(p);
+    const auto& degrees = Formulation<M>::degrees;
+    if (line_serves(points.size(), {degrees.begin(), degrees.end()}, family, from, to)) {
+        const Moving<M> start(coefficients<M, double>(solved.parameters), gamma, std::move(points));
+        return enumerate_from<M>(target, start, run, options, resort);
+    }
+    KnownRoots::Points known;
+    for (const auto& q : points) known.emplace_back(n_unknowns<M>), std::copy(q.begin(), q.end(), known.back().begin());
+    auto paths =
+        track_along_arc(family, known, from, to, std::make_shared<OwnEquationsOf<ModelValues<M>>>(ModelValues<M>{p}),
+                        run.checkpoint.empty() ? CheckpointFields() : model_fields<M>(p), run, options, arc_resort);
+    // what families of roots are looked for on: the system that all ways end at
+    const PolynomialHomotopy homotopy = model_homotopy(target, Moving<M>(target.coefficients, gamma, {}));
+    auto set = typed<M>(root_set_of(std::move(paths), to,
+                                    {Sizes<M>(), PotentialModel<M>, Formulation<M>::reflection_symmetric}, homotopy,
+                                    RealModelEquations<M>(p), run));
+    set.seconds = begin.seconds();
+    return set;
 }
 
 }  // namespace detail
@@ -152,10 +190,13 @@ template <Model M, class StartSystem = LeastCost>
 
 /// The equilibria at p, from those of a solved instance: as many paths as `solved` has roots, not the whole bound.
 ///
-/// The homotopy is a line in the space of coefficients. Complete if `solved` has as many regular roots as a generic
-/// system on that line: certainly where it reaches the bound, as the chain does. A line between models whose parameters
-/// enter the coefficients nonlinearly leaves the model, and systems on it may have more roots. Throws InvalidArgument
-/// where `solved` has failed or singular paths.
+/// The homotopy is a line in the space of coefficients where that stays in the model, the parameters that change
+/// entering the coefficients linearly, or where `solved` has as many roots as its total degree allows, as the chain
+/// has. Elsewhere it follows the parameters themselves, along an arc through complex ones (start/coefficient_path.hpp),
+/// and all systems on the way are members of the model. Complete if `solved` has as many regular roots as a generic
+/// member on the complex line through both. Paths that fail on an arc are tracked along other arcs; `options` and a
+/// checkpoint are as of the other. Throws InvalidArgument where `solved` has failed or singular paths, and where no arc
+/// is found that avoids the poles of the coefficients.
 template <Model M>
 [[gnu::cold]] RootSet<M> enumerate(const RootSet<M>& solved, const Parameters<M>& p, const RunOptions& run = {},
                                    const TrackerOptions& options = {}) {

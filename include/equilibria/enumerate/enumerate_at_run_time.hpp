@@ -12,7 +12,9 @@
 #include <equilibria/algebra/multihomogeneous.hpp>
 #include <equilibria/enumerate/enumerate.hpp>
 #include <equilibria/model/runtime_model.hpp>
+#include <equilibria/paths/solve_along.hpp>
 #include <equilibria/system/runtime_formulation.hpp>
+#include <equilibria/system/system_family.hpp>
 
 namespace equilibria {
 
@@ -108,6 +110,57 @@ template <RuntimeModel T>
 RootSet<RuntimeUnknowns> enumerate(const T& model, const RuntimeArray<double>& p, const RunOptions& run = {},
                                    const TrackerOptions& options = {}, MoreDigits<> resort = nullptr) {
     return enumerate_from<LeastCost>(model, p, run, options, resort);
+}
+
+/// The equilibria at p, from those of a solved instance of the same model: as many paths as `solved` has roots. As
+/// `enumerate(solved, p)` of a Model, on a line in the space of coefficients or along an arc of the parameters.
+///
+/// Throws InvalidArgument as the other `enumerate`, and where `solved` has failed or singular paths, or other numbers
+/// of unknowns or parameters.
+template <RuntimeModel T>
+RootSet<RuntimeUnknowns> enumerate(const T& model, const RootSet<RuntimeUnknowns>& solved,
+                                   const RuntimeArray<double>& p, const RunOptions& run = {},
+                                   const TrackerOptions& options = {}, MoreDigits<> resort = nullptr,
+                                   MoreDigits<ArcHomotopy> arc_resort = nullptr) {
+    const detail::Stopwatch begin;
+    require_finite(p, "parameters");
+    options.validate();
+    detail::require_start_instance(solved.paths);
+    const RuntimeFormulation formulation(model);
+    const RuntimeSizes& sizes = formulation.sizes();
+    KnownRoots::Points points;
+    for (const auto& root : solved.roots) {
+        require(root.q.size() == sizes.unknowns, "unknowns of solved", root.q.size(), "must be as many as the model's");
+        points.push_back(root.q);
+    }
+    const RuntimeModelSystem target(formulation, model, p), solved_system(formulation, model, solved.parameters);
+    Generator generator(run.seed);
+    const auto gamma = unit_complex(generator);
+    const auto own = std::make_shared<detail::OwnEquationsOf<detail::RuntimeModelValues<T>>>(
+        detail::RuntimeModelValues<T>{model, sizes, p});
+    PolynomialHomotopy::Parts parts{.sizes = sizes,
+                                    .terms = target.terms,
+                                    .from = {},
+                                    .forms = {},
+                                    .scale = target.scale,
+                                    .symmetric = formulation.has_potential(),
+                                    .own = own};
+    for (const auto& term : solved_system.terms) parts.from.push_back(gamma * term.coefficient);
+    const PolynomialHomotopy line(std::move(parts));
+    detail::CheckpointFields fields;
+    if (!run.checkpoint.empty())
+        fields = detail::model_fields(detail::type_name<T>(), sizes, target.terms, {p.begin(), p.end()});
+    const SystemFamily family = system_family(model);
+    const KnownRoots start(sizes, points);
+    auto paths =
+        detail::line_serves(points.size(), formulation.degrees(), family, solved.parameters, p)
+            ? detail::track_paths(line, {.start = StartPoints(start), .model = fields}, run, options, resort)
+            : detail::track_along_arc(family, points, solved.parameters, p, own, fields, run, options, arc_resort);
+    auto set = detail::root_set_of(std::move(paths), p,
+                                   {sizes, formulation.has_potential(), formulation.reflection_symmetric()}, line,
+                                   detail::RealRuntimeEquations<T>(model, p), run);
+    set.seconds = begin.seconds();
+    return set;
 }
 
 }  // namespace equilibria

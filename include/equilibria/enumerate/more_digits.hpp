@@ -8,6 +8,7 @@
 
 #include <equilibria/core/compiled.hpp>
 #include <equilibria/enumerate/enumerate.hpp>
+#include <equilibria/homotopy/arc_homotopy.hpp>
 #include <equilibria/paths/complex_roots.hpp>
 
 namespace equilibria {
@@ -17,11 +18,16 @@ namespace detail {
 /// Tracks a path again with 32 digits, and if it fails once more with 64.
 void track_with_more_digits(const PolynomialHomotopy& homotopy, const Polisher<PolynomialHomotopy>& polisher,
                             const TrackerOptions& options, const RuntimePoint<double>& start, Endpoint& end);
+/// The same along an arc of parameters.
+void track_arc_with_more_digits(const ArcHomotopy& homotopy, const Polisher<ArcHomotopy>& polisher,
+                                const TrackerOptions& options, const RuntimePoint<double>& start, Endpoint& end);
 
 }  // namespace detail
 
 /// For solve_multihomogeneous and trace_locus.
 inline constexpr MoreDigits<> more_digits = &detail::track_with_more_digits;
+/// For solve_along.
+inline constexpr MoreDigits<ArcHomotopy> more_digits_along_arcs = &detail::track_arc_with_more_digits;
 
 /// `enumerate`, but paths that fail in double, tightened steps included, are tracked with more digits before they count
 /// as failed; paths.more_digits says how many were. A path costs up to a second then.
@@ -35,7 +41,7 @@ RootSet<M> enumerate_with_more_digits(const Parameters<M>& p, const RunOptions& 
 template <Model M>
 RootSet<M> enumerate_with_more_digits(const RootSet<M>& solved, const Parameters<M>& p, const RunOptions& run = {},
                                       const TrackerOptions& options = {}) {
-    return detail::enumerate_by_parameters<M>(solved, p, run, options, more_digits);
+    return detail::enumerate_by_parameters<M>(solved, p, run, options, more_digits, more_digits_along_arcs);
 }
 
 }  // namespace equilibria

@@ -4,8 +4,8 @@
 ///
 /// Each root is tested in doubles, then, where that is not enough, with 34 and 68 digits. A real candidate is tested
 /// around a real point, so that the root is its own conjugate; any other must have an enclosure without real points.
-/// Multiple roots cannot be proved this way: they stay undecided, and a set that holds one is never complete. A root that
-/// counts as singular for its condition alone is proved with more digits.
+/// Multiple roots cannot be proved this way: they stay undecided, and a set that holds one is never complete. A root
+/// that counts as singular for its condition alone is proved with more digits.
 #pragma once
 
 #include <complex>

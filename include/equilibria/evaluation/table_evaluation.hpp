@@ -16,6 +16,7 @@
 
 #include <equilibria/core/aligned_vector.hpp>
 #include <equilibria/core/complex.hpp>
+#include <equilibria/core/static_for.hpp>
 #include <equilibria/evaluation/factor_series.hpp>
 #include <equilibria/evaluation/point.hpp>
 #include <equilibria/evaluation/start_form_series.hpp>
@@ -31,12 +32,14 @@ class TableEvaluation {
 public:
     using Z = Complex<R>;
     static constexpr int order = FactorSeries<R>::order;
+    static constexpr bool keeps_laws = H::law_order > 1;
 
     explicit TableEvaluation(const H& h)
         : h_(&h), tables_(&h.tables()), n_(tables_->sizes.unknowns), moving_(h.moving()), symmetric_(h.symmetric()),
           factors_(*tables_), form_(h.forms(), *tables_), groups_(tables_->groups.size()), start_(groups_),
           sum_(static_cast<std::size_t>(moving_ ? H::law_order + 1 : 1) * (order + 1) * groups_),
-          blend_((order + 1) * groups_), current_(moving_ ? tables_->operand.size() : 0) {
+          blend_((order + 1) * groups_), current_(moving_ ? tables_->operand.size() : 0),
+          higher_(keeps_laws ? H::law_order * current_.size() : 0) {
         by_share_.reserve(tables_->shares.size());
         for (const auto& share : tables_->shares) by_share_.push_back(static_cast<Constant>(h.target(share.term)));
         for (const auto& t : h.forms().terms) {
@@ -51,14 +54,15 @@ public:
 
     /// H(q, t).
     void value(const RuntimePoint<R>& q, const Time& t, auto& f) {
-        begin(q, t, f, [&]<bool moving>(std::bool_constant<moving>, int g, const Sums<moving>& sums) {
+        begin<0>(q, t, f, [&]<bool moving>(std::bool_constant<moving>, int g, const Sums<moving>& sums) {
             return blended<moving>(0, g, sums);
         });
     }
 
     /// H(q, t) and its Jacobian; with a potential only the entries on and above the diagonal are set.
     void jacobian(const RuntimePoint<R>& q, const Time& t, auto& f, auto& j) {
-        begin(q, t, f, [&]<bool moving>(std::bool_constant<moving>, int g, const Sums<moving>& sums) {
+        set_higher_laws(t);
+        begin<H::law_order>(q, t, f, [&]<bool moving>(std::bool_constant<moving>, int g, const Sums<moving>& sums) {
             return keep<moving>(0, g, sums);
         });
         factors_.begin_slopes();
@@ -160,7 +164,18 @@ private:
             for (int i = 0; i < n_; ++i) work(i, std::false_type());
     }
 
-    /// H(q, t); blend(moving, g, sums) gives the blend of group g.
+    /// The Taylor coefficients of the laws, where there are several: each is used at every order of the path.
+    void set_higher_laws(const Time& t) {
+        if constexpr (keeps_laws)
+            static_for<H::law_order>([&](auto law) {
+                Z* const of = higher_.data() + law * current_.size();
+                for (std::size_t k = 0; k < current_.size(); ++k)
+                    of[k] = number(h_->template law<law + 1, R>(static_cast<int>(k), t));
+            });
+    }
+
+    /// H(q, t); blend(moving, g, sums) gives the blend of group g, of which the sums up to that law are set.
+    template <int Laws>
     void begin(const RuntimePoint<R>& q, const Time& t, auto& f, const auto& blend) {
         time_ = t;
         factors_.begin(q);
@@ -168,7 +183,7 @@ private:
         for_equations([&](int i, auto moving) {
             Z y = zero();
             for (int g = first_group(i); g < first_group(i + 1); ++g)
-                y += with_own_factor(group(g), blend(moving, g, sums<moving>(0, group(g))));
+                y += with_own_factor(group(g), blend(moving, g, sums<moving, Laws>(0, group(g))));
             f[i] = y;
         });
         if (form_.empty()) return;
@@ -225,7 +240,7 @@ private:
             [of = current_.data(), at = tables_->shares.data()](int share) -> const Z& { return of[at[share].term]; };
     }
 
-    template <bool Moving>
+    template <bool Moving, int Laws = H::law_order>
     Sums<Moving> sums(int k, const Group& group) const {
         if constexpr (!Moving) {
             Z y = total(group, factors_.values(k), target());
@@ -236,10 +251,14 @@ private:
                 const auto coefficient = [&]<int of>(std::integral_constant<int, of>, int term) -> decltype(auto) {
                     if constexpr (of == 0)
                         return current_[static_cast<std::size_t>(term)];
+                    else if constexpr (keeps_laws)
+                        return static_cast<const Z&>(
+                            higher_[(of - 1) * current_.size() + static_cast<std::size_t>(term)]);
                     else
                         return number(h_->template law<of, R>(term, time_));
                 };
-                Sums<Moving> y{(static_cast<void>(law), zero())...};
+                Sums<Moving> y{};
+                ((y[law] = zero()), ...);
                 const TermTables::Share* const last = tables_->shares.data() + group.last;
                 for (const auto* share = tables_->shares.data() + group.first; share != last; ++share) {
                     const Z& factor = factors_(k, share->factor);
@@ -248,7 +267,7 @@ private:
                 if (k == 0 && group.constant >= 0)
                     ((y[law] = y[law] + coefficient(std::integral_constant<int, law>(), group.constant)), ...);
                 return y;
-            }(std::make_integer_sequence<int, H::law_order + 1>());
+            }(std::make_integer_sequence<int, Laws + 1>());
         }
     }
     /// The blend of order k: with those sums, and what is kept of lower orders.
@@ -316,6 +335,7 @@ private:
     std::vector<Constant> by_share_;             // of each share: the target's coefficient
     AlignedVector<Z> sum_, blend_;
     AlignedVector<Z> current_;                                    // where coefficients move
+    AlignedVector<Z> higher_;                                     // the laws 1, 2, .. at the time, by term
     std::array<SizedArray<Z, at_run_time>, order + 1> products_;  // the Taylor coefficients of the products of G
 };
 

@@ -12,6 +12,12 @@
 
 namespace equilibria {
 
+namespace detail {
+/// What a product of factors is a sum of: exponents, and with which coefficient.
+std::vector<PolynomialTerm<std::complex<double>>> laurent_products(const SparseMonomial& monomial,
+                                                                   const RuntimeSizes& sizes);
+}  // namespace detail
+
 /// The terms of each equation: exponents of z_1 .. z_n, then of the coordinates. Terms whose coefficient is rounding,
 /// beside what cancels in it, are left out: cos(theta_1 - theta_2), a sum of two products, has two exponents, not four.
 std::vector<std::vector<PolynomialTerm<std::complex<double>>>> laurent_terms(const SparseSystem& system);

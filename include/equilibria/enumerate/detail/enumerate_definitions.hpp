@@ -3,18 +3,24 @@
 #pragma once
 
 #include <algorithm>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include <equilibria/algebra/multihomogeneous.hpp>
+#include <equilibria/core/random.hpp>
 #include <equilibria/enumerate/alarms.hpp>
 #include <equilibria/enumerate/enumerate.hpp>
 #include <equilibria/enumerate/families.hpp>
+#include <equilibria/homotopy/arc_homotopy.hpp>
 #include <equilibria/paths/choose_start.hpp>
 #include <equilibria/paths/generic_instance.hpp>
 #include <equilibria/paths/merge.hpp>
+#include <equilibria/paths/solve_along.hpp>
+#include <equilibria/start/coefficient_path.hpp>
 
 namespace equilibria::detail {
 
@@ -87,6 +93,44 @@ EQUILIBRIA_INLINE RootSet<RuntimeUnknowns> enumerate_polyhedral(
     set.tracking_seconds += instance.effort().tracking_seconds;
     set.start = {std::string(GenericInstance::Start::name()), "asked for", instance.mixed_volume()};
     return set;
+}
+
+EQUILIBRIA_INLINE void require_start_instance(const PathCounts& solved) {
+    require(solved.failed == 0 && solved.singular == 0, "solved.paths",
+            std::to_string(solved.failed) + " failed, " + std::to_string(solved.singular) + " singular",
+            "a start instance must have regular roots only");
+}
+
+EQUILIBRIA_INLINE bool line_serves(std::uint64_t roots, std::span<const int> degrees, const SystemFamily& family,
+                                   const RuntimeArray<double>& from, const RuntimeArray<double>& to) {
+    PathCount bound{1, false};
+    for (std::size_t i = 0; i < degrees.size(); ++i)
+        bound = bound * PathCount{(static_cast<int>(i) < family.sizes().angles ? 2 : 1) * degrees[i], false};
+    return (!bound.saturated && roots == static_cast<std::uint64_t>(bound.value)) ||
+           family.is_affine_between(complex_parameters(from), complex_parameters(to));
+}
+
+EQUILIBRIA_INLINE PathSet track_along_arc(const SystemFamily& family, const KnownRoots::Points& points,
+                                          const RuntimeArray<double>& from, const RuntimeArray<double>& to,
+                                          std::shared_ptr<const OwnEquations> own, const CheckpointFields& model,
+                                          const RunOptions& run, const TrackerOptions& options,
+                                          MoreDigits<ArcHomotopy> resort) {
+    const KnownRoots start(family.sizes(), points);
+    Generator generator(run.seed);
+    std::optional<PathSet> best;
+    std::uint64_t fewest = 0;
+    for (int attempt = 0; attempt < 3; ++attempt) {
+        RunOptions of = run;
+        if (attempt > 0) of.checkpoint.clear(), of.progress = nullptr;
+        const auto path = CoefficientPath::between(family, complex_parameters(from), complex_parameters(to), generator);
+        PathProblem problem{.start = StartPoints(start)};
+        if (!of.checkpoint.empty()) problem.model = model;
+        PathSet paths = track_paths(ArcHomotopy(path, own), std::move(problem), of, options, resort);
+        const std::uint64_t failed = account_for(paths).counts.failed;
+        if (!best || failed < fewest) best.emplace(std::move(paths)), fewest = failed;
+        if (fewest == 0 || run.cancelled()) break;
+    }
+    return *std::move(best);
 }
 
 }  // namespace equilibria::detail

@@ -52,10 +52,10 @@ struct BodyBeamEitherStrain : RotatingBodyBeamBase<K, BeamStrain::either> {
 
     /// A member with nothing special about its stiffnesses, moments, speed and momentum, at which the enumeration is
     /// well conditioned, with the length 1 and else the body of p. (The speed is between the first and the second
-    /// frequencies of the beam alone: next to one of them roots are far out.) Only those enter the coefficients
-    /// linearly: on the way from here to a beam of the same masses, centre, length and coupling all systems are
-    /// members, and its relative equilibria are ends of paths from this one's. From another body nothing says so:
-    /// between lie systems that are no beams.
+    /// frequencies of the beam alone: next to one of them roots are far out.) On the
+    /// way from here to a beam of the same body all systems are members, by a line in the space of coefficients, since
+    /// only those enter them linearly, or along an arc of the parameters: its relative equilibria are ends of paths
+    /// from this one's. To another body there is the arc alone: on a line lie systems that are no beams.
     static Array<double, Base::n_parameters> generic(const Array<double, Base::n_parameters>& p, Generator& generator) {
         auto y = p;
         const double values[] = {1.2, 1.3, 0.8, 0.05, 0.06, 0.3, 1.5, 1.5};

@@ -9,11 +9,14 @@
 /// \endcode
 ///
 /// The systems of BodyBeamEitherStrain are solved twice. A member at generic stiffnesses, moments and speed or momentum
-/// is enumerated from a total-degree start, once; any member of the same masses, centre and length is reached from its
-/// roots, with hundreds of paths instead of thousands (the coefficient-parameter theory of Morgan and Sommese, Appl.
-/// Math. Comput. 29, 1989). A second generic member must have as many roots. What is enumerated are the rotations of
-/// section 2, (2.6) and (2.7), of Baillieul, "Parametric dependence in the equilibrium dynamics of rotating
-/// structures".
+/// is enumerated from a total-degree start, once; any member is reached from its roots, with hundreds of paths instead
+/// of thousands (the coefficient-parameter theory of Morgan and Sommese, Appl. Math. Comput. 29, 1989), along an arc of
+/// the parameters (start/coefficient_path.hpp): of the same body or of one of other masses and another centre. A second
+/// generic member must have as many roots. What is enumerated are the rotations of section 2, (2.6) and (2.7), of
+/// Baillieul, "Parametric dependence in the equilibrium dynamics of rotating structures".
+///
+/// The solver's body should be as general as those that it is asked for: where its centre of mass is 0 and theirs is
+/// not, between the two may be bodies with more roots than it has.
 ///
 /// Where it fails: the total degree is 1,458 for one mode and 27 times as much for each further one, and twice as much
 /// at a momentum, so two modes take minutes; beams of more modes are followed (rotating_body_beam_boundary.hpp). An
@@ -52,16 +55,16 @@ public:
     using Values = typename Model::Values;
     using Base = typename Model::Base;
 
-    /// Solves the generic members. Of the body only masses, centre and length matter, body[coupling], which is 0 or 1
+    /// Solves the generic members. Of the body only mass, centre and length matter, body[coupling], which is 0 or 1
     /// (linear or coupled strain), and whether turning it about the third axis changes nothing. A checkpoint, the
     /// progress and a seed are of the paths to the generic members alone; the checkpoint of the k-th, k > 1, has a name
     /// that ends in ".k". Throws InvalidArgument where RotatingBodyBeam::validate does or the coupling is neither, and
     /// CheckpointError. A path that fails is a count in the results.
     explicit BodyBeamSolver(const Values& body, RunOptions run = {});
 
-    /// All relative equilibria at any stiffnesses and moments, and the speed or the momentum of p, of the solver's
-    /// masses, centre, length and coupling. Throws InvalidArgument where p is no body or not as symmetric about the
-    /// third axis as the solver's, or the speed or momentum is not positive.
+    /// All relative equilibria of the body p at its speed or momentum, of the solver's coupling. Throws InvalidArgument
+    /// where p is no body or not as symmetric about the third axis as the solver's, of another coupling, or the speed
+    /// or momentum is not positive.
     BodyBeamEquilibria operator()(const Values& p) const;
     /// The same, each proved by Krawczyk's operator: `proved`, `proved_distinct` and `proved_real` say which are.
     BodyBeamEquilibria prove(const Values& p) const;
@@ -81,6 +84,7 @@ private:
 
     RunOptions run_;
     bool circles_, agreed_ = false;
+    double coupling_ = 0;
     RootSet<Model> generic_;
     std::vector<std::uint64_t> generic_roots_;  // of each member that was drawn
     double generic_seconds_ = 0;
@@ -101,6 +105,7 @@ template <int K, BeamControl Control>
 BodyBeamSolver<K, Control>::BodyBeamSolver(const Values& body, RunOptions run)
     : run_(std::move(run)), circles_(detail::turns(body)) {
     validate(body);
+    coupling_ = body[Base::coupling];
     const Values p = target(body);
     Generator generator(run_.seed);
     // a member may happen to have roots that are badly conditioned, or so far out that they seem to be at infinity: two
@@ -138,6 +143,7 @@ typename BodyBeamSolver<K, Control>::Values BodyBeamSolver<K, Control>::target(c
 template <int K, BeamControl Control>
 RootSet<BodyBeamEitherStrain<K, Control>> BodyBeamSolver<K, Control>::enumerated(const Values& p) const {
     validate(p);
+    require(p[Base::coupling] == coupling_, "coupling", p[Base::coupling], "must be that of the solver's body");
     constexpr auto given = Model::at_speed ? Base::speed : Base::momentum;
     require(p[given] > 0, Model::at_speed ? "speed" : "momentum", p[given], "must be positive");
     return detail::can_be_followed(generic_)

@@ -23,6 +23,28 @@ EQUILIBRIA_INLINE std::vector<std::vector<Supports::Point>> exponents_of(const S
     return y;
 }
 
+EQUILIBRIA_INLINE std::vector<PolynomialTerm<std::complex<double>>> laurent_products(const SparseMonomial& monomial,
+                                                                                     const RuntimeSizes& sizes) {
+    using Number = std::complex<double>;
+    std::vector<PolynomialTerm<Number>> y{{1, std::vector<int>(static_cast<std::size_t>(sizes.unknowns))}};
+    for (int u = 0; u < sizes.unknowns; ++u) {
+        const int code = monomial.code(u);
+        const auto at = static_cast<std::size_t>(u);
+        const std::size_t before = y.size();
+        for (std::size_t k = 0; code != 0 && k < before; ++k) {
+            y[k].exponents[at] = std::abs(code);
+            if (u >= sizes.angles) continue;
+            // cos k = (z^k + z^-k) / 2, sin k = (z^k - z^-k) / 2i
+            y[k].coefficient *= code > 0 ? Number(0.5) : Number(0, -0.5);
+            auto other = y[k];
+            other.exponents[at] = -std::abs(code);
+            if (code < 0) other.coefficient = -other.coefficient;
+            y.push_back(std::move(other));
+        }
+    }
+    return y;
+}
+
 }  // namespace detail
 
 EQUILIBRIA_INLINE std::vector<std::vector<PolynomialTerm<std::complex<double>>>> laurent_terms(
@@ -30,27 +52,10 @@ EQUILIBRIA_INLINE std::vector<std::vector<PolynomialTerm<std::complex<double>>>>
     using Number = std::complex<double>;
     const RuntimeSizes& sizes = system.sizes();
     std::vector<detail::PolynomialSum<Number>> sums(static_cast<std::size_t>(sizes.unknowns));
-    for (const SparseTerm& term : system.terms()) {
-        std::vector<std::pair<std::vector<int>, Number>> products{
-            {std::vector<int>(static_cast<std::size_t>(sizes.unknowns)), Number(term.coefficient)}};
-        for (int u = 0; u < sizes.unknowns; ++u) {
-            const int code = term.monomial.code(u);
-            const auto at = static_cast<std::size_t>(u);
-            const std::size_t before = products.size();
-            for (std::size_t k = 0; code != 0 && k < before; ++k) {
-                products[k].first[at] = std::abs(code);
-                if (u >= sizes.angles) continue;
-                // cos k = (z^k + z^-k) / 2, sin k = (z^k - z^-k) / 2i
-                products[k].second *= code > 0 ? Number(0.5) : Number(0, -0.5);
-                auto other = products[k];
-                other.first[at] = -std::abs(code);
-                if (code < 0) other.second = -other.second;
-                products.push_back(std::move(other));
-            }
-        }
-        for (const auto& [exponents, coefficient] : products)
-            sums[static_cast<std::size_t>(term.equation)].add(exponents, coefficient);
-    }
+    for (const SparseTerm& term : system.terms())
+        for (const auto& product : detail::laurent_products(term.monomial, sizes))
+            sums[static_cast<std::size_t>(term.equation)].add(product.exponents,
+                                                              term.coefficient * product.coefficient);
     std::vector<std::vector<PolynomialTerm<Number>>> y;
     for (const auto& sum : sums) y.push_back(sum.terms());
     return y;

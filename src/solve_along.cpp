@@ -1,0 +1,1 @@
+#include <equilibria/paths/detail/solve_along_definitions.hpp>

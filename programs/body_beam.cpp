@@ -191,13 +191,13 @@ void print_equilibria(const BodyBeamEquilibria& r) {
 }
 
 void print_paths(const BodyBeamEquilibria& r, bool prove) {
-    const auto line = [&](const char* what, const equilibria::PathCounts& n) {
-        std::printf("%s: %llu paths: %llu finite, %llu at infinity, %llu singular, %llu failed\n", what, count(n.total),
-                    count(n.finite), count(n.at_infinity), count(n.singular), count(n.failed));
+    const auto line = [&](const std::string& what, const equilibria::PathCounts& n) {
+        std::printf("%s: %llu paths: %llu finite, %llu at infinity, %llu singular, %llu failed\n", what.c_str(),
+                    count(n.total), count(n.finite), count(n.at_infinity), count(n.singular), count(n.failed));
     };
     std::printf("\n");
-    line("To a generic member, total degree", r.generic);
-    line(r.followed ? "From its roots" : "Too irregular: to this member, total degree", r.paths);
+    line("To a generic member, " + r.start + " start", r.generic);
+    line(r.followed ? "From its roots" : "Too irregular: to this member", r.paths);
     std::printf("Generic members have");
     for (const auto roots : r.generic_roots) std::printf(" %llu", count(roots));
     std::printf(" roots.\n%llu distinct roots here, %llu real, %zu relative equilibria up to the sense of turning\n",

@@ -24,7 +24,7 @@ int check_coupled_angles(std::uint64_t all_to_all, std::uint64_t neighbours, int
                 for (int i = 0; i < N; ++i)
                     for (int j = 0; j < N; ++j)
                         if (std::abs(i - j) > 1) p[N * i + j] = 0;
-            const auto r = enumerate<M>(p, options);
+            const auto r = enumerate<M, TotalDegree<M>>(p, options);
             check_accounts(r);
             CHECK(r.paths.total == std::uint64_t{1} << (2 * N));
             CHECK(r.paths.finite == expected);
@@ -34,6 +34,11 @@ int check_coupled_angles(std::uint64_t all_to_all, std::uint64_t neighbours, int
             CHECK(r.real() % 2 == 0);
             CHECK_FALSE(r.morse_applies());
             CHECK(distance(conjugated(r.roots), r.roots) < 1e-8);
+            const auto least = enumerate<M>(p, options);
+            CHECK(least.start.name == (N > 3 ? "polyhedral" : "total degree"));
+            if (N > 3) CHECK(least.paths.total == expected);
+            CHECK(least.paths.failed == 0);
+            CHECK(distance(least.roots, r.roots) < 1e-8);
             ++checked;
         }
     }

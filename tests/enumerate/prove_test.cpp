@@ -1,10 +1,12 @@
 #include <cmath>
 #include <sstream>
 
+#include <equilibria/enumerate/enumerate_at_run_time.hpp>
 #include <equilibria/enumerate/prove.hpp>
 #include <equilibria/mechanisms/rotating_chain.hpp>
 
 #include "support/enumeration.hpp"
+#include "support/families.hpp"
 #include "support/models.hpp"
 
 using namespace tests;
@@ -112,7 +114,7 @@ TEST_CASE("the same root twice is a duplicate, a missing one makes the set incom
     CHECK_FALSE(prove(missing).complete);
 }
 
-TEST_CASE("a bound that is not reached proves nothing about completeness, and says so") {
+TEST_CASE("Bernstein's bound proves completeness where it is reached; where none is, nothing, and the proof says so") {
     using M = models::CoupledAngles<3>;
     Parameters<M> p;
     Generator generator(3);
@@ -121,10 +123,18 @@ TEST_CASE("a bound that is not reached proves nothing about completeness, and sa
     const auto proof = prove(set);
     check_counts(set, proof);
     CHECK(proof.distinct == 20);
-    CHECK_FALSE(proof.complete);
-    CHECK(proof.bound->value >= 20);
+    CHECK(proof.complete);
+    CHECK(proof.bound->value == 20);
+    CHECK(proof.bound->theorem == "Bernstein's");
+    // equal couplings of four oscillators: 14 roots of a mixed volume of 20
+    const families::Oscillators oscillators{3, families::complete(4)};
+    const auto q = families::equal_couplings(oscillators, 1);
+    const auto proof_of_14 = prove(oscillators, enumerate(oscillators, q));
+    CHECK(proof_of_14.distinct == 14);
+    CHECK_FALSE(proof_of_14.complete);
+    CHECK(proof_of_14.bound->value == 20);
     std::ostringstream out;
-    out << proof;
+    out << proof_of_14;
     CHECK(out.str().find("allows more") != std::string::npos);
 }
 

@@ -3,9 +3,9 @@
 #include <boost/multiprecision/cpp_int.hpp>
 #include <cstdint>
 #include <cstdlib>
-#include <equilibria/polyhedral/mixed_area.hpp>
 #include <equilibria/core/error.hpp>
 #include <equilibria/core/random.hpp>
+#include <equilibria/polyhedral/mixed_area.hpp>
 #include <equilibria/polyhedral/mixed_cells.hpp>
 #include <equilibria/run/threads.hpp>
 #include <stdexcept>

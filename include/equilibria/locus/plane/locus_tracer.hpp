@@ -155,7 +155,7 @@ private:
                     if (note_cusp(*cusp)) return CurveEnd::symmetric;
                 }
             }
-            if (points.size() > 10 && closes(stepper, first, *next)) {
+            if (points.size() > 2 && closes(stepper, first, last, *next)) {
                 points.push_back(first);
                 return CurveEnd::closed;
             }
@@ -172,13 +172,21 @@ private:
         return dot(point.v, before) < 0 ? -third : third;
     }
 
-    /// Back at the first point, in the same direction; angles modulo 2 pi.
+    /// Whether the step from `last` to `now` passes the first point, in its direction; angles modulo 2 pi.
     template <class Curve>
-    bool closes(const BranchStepper<Curve>& stepper, const BranchPoint<Curve>& first,
+    bool closes(const BranchStepper<Curve>& stepper, const BranchPoint<Curve>& first, const BranchPoint<Curve>& last,
                 const BranchPoint<Curve>& now) const {
-        Direction d = stepper.difference(first, now.q, now.p);
-        for (int i = 0; i + 1 < d.q.size() && i < model_.sizes().angles; ++i) d.q(i + 1) = wrap(d.q(i + 1));
-        return stepper.length(d) < 1.5 * options_.branch.largest_step && stepper.dot(first.tangent, now.tangent) > 0.95;
+        const auto to = [&](const BranchPoint<Curve>& point) {
+            Direction d = stepper.difference(last, point.q, point.p);
+            for (int i = 0; i + 1 < d.q.size() && i < model_.sizes().angles; ++i) d.q(i + 1) = wrap(d.q(i + 1));
+            return d;
+        };
+        Direction step = to(now), away = to(first);
+        const double part = stepper.dot(away, step) / stepper.dot(step, step);
+        if (!(part > 0 && part <= 1)) return false;
+        away.q -= part * step.q;
+        away.p -= part * step.p;
+        return stepper.length(away) < 0.25 * stepper.length(step) && stepper.dot(first.tangent, now.tangent) > 0.5;
     }
 
     /// The point of the curve near `from` (+) chord at which x (axis 0) or y (axis 1) is that of the chord's end.

@@ -39,7 +39,8 @@ struct BodyBeamEquilibrium {
 
 /// All that an enumeration of relative equilibria says.
 struct BodyBeamEquilibria {
-    PathCounts generic;     ///< to the generic member, from a total-degree start
+    PathCounts generic;     ///< to the generic member
+    std::string start;      ///< the start of those
     PathCounts paths;       ///< to this one
     bool followed = false;  ///< from the generic member's roots; else that is too irregular, and the start is the same
     std::vector<std::uint64_t> generic_roots;     ///< of each generic member that was solved: the last two should agree

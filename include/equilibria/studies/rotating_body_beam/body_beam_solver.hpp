@@ -9,11 +9,11 @@
 /// \endcode
 ///
 /// The systems of BodyBeamEitherStrain are solved twice. A member at generic stiffnesses, moments and speed or momentum
-/// is enumerated from a total-degree start, once; any member is reached from its roots, with hundreds of paths instead
-/// of thousands (the coefficient-parameter theory of Morgan and Sommese, Appl. Math. Comput. 29, 1989), along an arc of
-/// the parameters (start/coefficient_path.hpp): of the same body or of one of other masses and another centre. A second
-/// generic member must have as many roots. What is enumerated are the rotations of section 2, (2.6) and (2.7), of
-/// Baillieul, "Parametric dependence in the equilibrium dynamics of rotating structures".
+/// is enumerated from the start of the least predicted cost, once; any member is reached from its roots, with hundreds
+/// of paths instead of thousands (the coefficient-parameter theory of Morgan and Sommese, Appl. Math. Comput. 29,
+/// 1989), along an arc of the parameters (start/coefficient_path.hpp): of the same body or of one of other masses and
+/// another centre. A second generic member must have as many roots. What is enumerated are the rotations of section 2,
+/// (2.6) and (2.7), of Baillieul, "Parametric dependence in the equilibrium dynamics of rotating structures".
 ///
 /// The solver's body should be as general as those that it is asked for: where its centre of mass is 0 and theirs is
 /// not, between the two may be bodies with more roots than it has.
@@ -113,7 +113,7 @@ BodyBeamSolver<K, Control>::BodyBeamSolver(const Values& body, RunOptions run)
     for (int draw = 1; draw <= 4; ++draw) {
         RunOptions options = run_;
         if (draw > 1 && !options.checkpoint.empty()) options.checkpoint.append(".").append(std::to_string(draw));
-        auto member = enumerate_with_more_digits<Model, TotalDegree<Model>>(Model::generic(p, generator), options);
+        auto member = enumerate_with_more_digits<Model>(Model::generic(p, generator), options);
         generic_roots_.push_back(member.distinct());
         generic_seconds_ += member.seconds;
         const bool regular = detail::can_be_followed(member), had_regular = detail::can_be_followed(generic_);
@@ -146,9 +146,8 @@ RootSet<BodyBeamEitherStrain<K, Control>> BodyBeamSolver<K, Control>::enumerated
     require(p[Base::coupling] == coupling_, "coupling", p[Base::coupling], "must be that of the solver's body");
     constexpr auto given = Model::at_speed ? Base::speed : Base::momentum;
     require(p[given] > 0, Model::at_speed ? "speed" : "momentum", p[given], "must be positive");
-    return detail::can_be_followed(generic_)
-               ? enumerate_with_more_digits(generic_, target(p), further_run())
-               : enumerate_with_more_digits<Model, TotalDegree<Model>>(target(p), further_run());
+    return detail::can_be_followed(generic_) ? enumerate_with_more_digits(generic_, target(p), further_run())
+                                             : enumerate_with_more_digits<Model>(target(p), further_run());
 }
 
 template <int K, BeamControl Control>
@@ -173,6 +172,7 @@ BodyBeamEquilibria BodyBeamSolver<K, Control>::described(const RootSet<Model>& s
                                                          std::span<const Certificate> certificates) const {
     BodyBeamEquilibria y;
     y.generic = generic_.paths;
+    y.start = generic_.start.name;
     y.paths = set.paths;
     y.followed = detail::can_be_followed(generic_);
     y.generic_roots = generic_roots_;

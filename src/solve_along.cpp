@@ -1,1 +1,2 @@
+#include <equilibria/paths/detail/monodromy_definitions.hpp>
 #include <equilibria/paths/detail/solve_along_definitions.hpp>

@@ -10,8 +10,10 @@
 
 #include <equilibria/core/error.hpp>
 #include <equilibria/model/derivatives.hpp>
+#include <equilibria/paths/monodromy.hpp>
 #include <equilibria/studies/rotating_body_beam/body_beam_solver.hpp>
 #include <equilibria/studies/rotating_body_beam/rotating_body_beam.hpp>
+#include <equilibria/system/system_family.hpp>
 
 #include "support/catch.hpp"
 
@@ -133,6 +135,17 @@ TEST_CASE("From the generic member of one body the solver reaches all rotations 
             }));
         }
     }
+}
+
+TEST_CASE("Monodromy finds from one root as many as paths from a total-degree start") {
+    auto p = body(6, 0);
+    p[Names::centre_1] = 0.12, p[Names::centre_2] = -0.07, p[Names::centre_3] = 0.05;
+    const Solver solver(p);
+    const auto& member = solver.generic().parameters;
+    const auto generic = monodromy(system_family<Solver::Model>(), std::vector<double>(member.begin(), member.end()),
+                                   {}, {.fixed = {Names::coupling, Names::second_axis, Names::length}});
+    CHECK(generic.closed());
+    CHECK(generic.roots.size() == solver.generic().distinct());
 }
 
 TEST_CASE("The circles of a symmetric body are one equilibrium each") {

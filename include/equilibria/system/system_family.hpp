@@ -93,6 +93,12 @@ SystemFamily system_family(const T& model) {
             }};
 }
 
+/// The systems with any constants in place of this one's, n parameters: the constant term of each equation. All pairs
+/// of a root and constants are one irreducible variety, since each point is the root for some constants.
+SystemFamily constants_family(const SparseSystem& system);
+/// The parameters of that family at which the system is its member.
+std::vector<double> constants_of(const SparseSystem& system);
+
 /// Real parameters as complex ones.
 template <class Range>
 std::vector<std::complex<double>> complex_parameters(const Range& p) {

@@ -71,6 +71,29 @@ EQUILIBRIA_INLINE SparseSystem SystemFamily::system(std::span<const double> p) c
     return {sizes_, std::move(terms)};
 }
 
+EQUILIBRIA_INLINE SystemFamily constants_family(const SparseSystem& system) {
+    const RuntimeSizes& sizes = system.sizes();
+    const SparseMonomial one(std::vector<int>(static_cast<std::size_t>(sizes.unknowns)));
+    std::vector<SparseTerm> support;
+    std::vector<std::complex<double>> fixed(static_cast<std::size_t>(sizes.unknowns));  // the constants come first
+    for (int i = 0; i < sizes.unknowns; ++i) support.push_back({i, one, 0});
+    for (const SparseTerm& term : system.terms())
+        if (term.monomial != one) support.push_back(term), fixed.emplace_back(term.coefficient);
+    return {sizes, std::move(support), sizes.unknowns, [fixed](SystemFamily::Parameters p) {
+                auto y = fixed;
+                std::copy(p.begin(), p.end(), y.begin());
+                return y;
+            }};
+}
+
+EQUILIBRIA_INLINE std::vector<double> constants_of(const SparseSystem& system) {
+    const SparseMonomial one(std::vector<int>(static_cast<std::size_t>(system.sizes().unknowns)));
+    std::vector<double> y(static_cast<std::size_t>(system.sizes().unknowns));
+    for (const SparseTerm& term : system.terms())
+        if (term.monomial == one) y[static_cast<std::size_t>(term.equation)] += term.coefficient;
+    return y;
+}
+
 EQUILIBRIA_INLINE bool SystemFamily::is_affine_between(Parameters from, Parameters to) const {
     const auto a = coefficients(from), b = coefficients(to);
     std::vector<double> scale(static_cast<std::size_t>(sizes_.unknowns));

@@ -36,7 +36,7 @@ TEST_CASE("the exponential in lanes is that of libm, to the rounding of the lane
     CHECK(exponential(-3.0) == std::exp(-3.0));
 }
 
-TEST_CASE("far below, the exponential in lanes is normal and next to nothing; at 0 it is 1") {
+TEST_CASE("far below, the exponential in lanes is normal and next to nothing, at 0 it is 1") {
     const auto far = exponential(Lanes<native_lanes>{} - 1e5);
     CHECK(lane(far, 0) > 0);
     CHECK(lane(far, 0) < 1e-300);

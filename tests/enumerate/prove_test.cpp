@@ -114,7 +114,7 @@ TEST_CASE("the same root twice is a duplicate, a missing one makes the set incom
     CHECK_FALSE(prove(missing).complete);
 }
 
-TEST_CASE("Bernstein's bound proves completeness where it is reached; where none is, nothing, and the proof says so") {
+TEST_CASE("Bernstein's bound proves completeness where it is reached, where none is, nothing, and the proof says so") {
     using M = models::CoupledAngles<3>;
     Parameters<M> p;
     Generator generator(3);

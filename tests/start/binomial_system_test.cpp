@@ -11,7 +11,7 @@
 using namespace equilibria;
 using Number = std::complex<double>;
 
-TEST_CASE("the diagonal of a Hermite form multiplies to the determinant; a singular matrix is refused") {
+TEST_CASE("the diagonal of a Hermite form multiplies to the determinant, a singular matrix is refused") {
     const auto diagonal = hermite_diagonal({{2, 1}, {0, 3}});
     CHECK(diagonal[0] * diagonal[1] == 6);
     CHECK(hermite_diagonal({{1, 1}, {1, -1}}) == std::vector<std::int64_t>{1, 2});

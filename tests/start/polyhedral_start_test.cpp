@@ -13,7 +13,7 @@
 
 using namespace equilibria;
 
-TEST_CASE("a polyhedral start has as many paths as the mixed volume; weights are 0 at the cell, 1 at the most") {
+TEST_CASE("a polyhedral start has as many paths as the mixed volume, weights are 0 at the cell, 1 at the most") {
     const families::LoadedAngles model{4, families::complete(4)};
     const auto supports = laurent_supports(families::system_of(model, families::generic(model.parameters(), 1)));
     Generator generator(1);

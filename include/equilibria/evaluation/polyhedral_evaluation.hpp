@@ -35,14 +35,13 @@ public:
 
     explicit PolyhedralEvaluation(const H& h)
         : h_(&h), tables_(&h.tables()), n_(tables_->unknowns()), weight_(terms()), coefficient_(terms()),
-          current_(terms()), monomial_(static_cast<std::size_t>(tables_->monomials())), slope_(monomial_.size()),
-          path_(static_cast<std::size_t>(n_)) {
+          current_(terms()), monomial_(static_cast<std::size_t>(tables_->monomials())), slope_(monomial_.size()) {
         for (int u = 0; u < n_; ++u) {
             first_power_.push_back(powers_.size());
             powers_.resize(powers_.size() + at(tables_->highest[at(u)] - tables_->lowest[at(u)] + 1));
         }
-        for (int k = 0; k < order; ++k) term_[at(k)].resize(terms());
-        for (int k = 0; k < order; ++k) exponent_[at(k)].resize(terms());
+        for (auto& coefficient : term_) coefficient.resize(terms());
+        for (auto& coefficient : exponent_) coefficient.resize(terms());
         for (std::size_t k = 0; k < terms(); ++k) {
             const std::complex<double> c = tables_->terms[k].coefficient;
             coefficient_[k] = std::complex<Scalar>(static_cast<Scalar>(c.real()), static_cast<Scalar>(c.imag()));
@@ -89,18 +88,17 @@ public:
     void taylor_right_side(int k, auto& f) {
         // s_k = -(-rate)^k / k! * e^(rate (1 - t))
         slowness_ = k == 1 ? growth_ * rate_ : (-1.0 / k) * (slowness_ * rate_);
-        auto& last = k < order ? term_[at(k)] : last_;
-        if (k == order) last_.resize(terms());
+        auto& last = term_[at(k)];
         for (std::size_t m = 0; m < terms(); ++m) {
             const R own = weight_[m] * slowness_;
             Z y = own * term_[0][m];
             if (k > 1) {
-                Z before = exponent_[1][m] * term_[at(k - 1)][m];
-                if (k == 3) before += 2.0 * (exponent_[2][m] * term_[1][m]);
+                Z before = exponent_[0][m] * term_[at(k - 1)][m];
+                if (k == 3) before += 2.0 * (exponent_[1][m] * term_[1][m]);
                 y += (1.0 / k) * before;
             }
             last[m] = y;
-            if (k < order) exponent_[at(k)][m] = Z(own, R{});
+            if (k < order) exponent_[at(k - 1)][m] = Z(own, R{});
         }
         sum(last, f, -1);
     }
@@ -114,7 +112,7 @@ public:
         }
         for (std::size_t m = 0; m < terms(); ++m) {
             const Z& by = slope_[at(tables_->terms[m].monomial)];
-            exponent_[at(k)][m] += by;
+            exponent_[at(k - 1)][m] += by;
             term_[at(k)][m] += by * term_[0][m];
         }
     }
@@ -192,12 +190,11 @@ private:
     AlignedVector<R> weight_;
     std::vector<std::complex<Scalar>> coefficient_;
     AlignedVector<Z> current_;  // coefficients at the time
-    AlignedVector<Z> monomial_, slope_, path_;
-    AlignedVector<Z> powers_;
+    AlignedVector<Z> monomial_, slope_, powers_;
     std::vector<std::size_t> first_power_;
-    std::array<AlignedVector<Z>, order> term_, exponent_;  // Taylor coefficients 0 .. 2 of terms, 1 and 2 of exponents
-    AlignedVector<Z> last_;                                // of terms, the last ones
-    R rate_{}, time_{}, growth_{}, slowness_{};            // growth: e^(rate (1 - t)); slowness: of s
+    std::array<AlignedVector<Z>, order + 1> term_;      // Taylor coefficients of the terms, from 0 on
+    std::array<AlignedVector<Z>, order - 1> exponent_;  // of their exponents, from 1 on
+    R rate_{}, time_{}, growth_{}, slowness_{};         // growth: e^(rate (1 - t)); slowness: of s
     bool stale_ = true;
 };
 

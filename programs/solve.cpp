@@ -67,8 +67,9 @@ Command read(int argc, char** argv) {
                    if (name == text) c.start = start;
            },
            "total-degree; multihomogeneous: with the groups of unknowns that need the fewest paths, of those "
-           "compared and those of Bertini's file; or polyhedral: as many paths as the mixed volume, in two stages "
-           "(default auto: the one of the least predicted cost)")
+           "compared and those of Bertini's file; polyhedral: as many paths as the mixed volume, in two stages; "
+           "or monodromy: all roots from one, by loops of the constants, which is no proof (default auto: that of the "
+           "least predicted cost, never monodromy)")
         .transform(support::one_of(starts, listed));
     app.add_flag("--prove", c.prove,
                  "prove each root, that it is real or not, and, if a bound allows, that none is missing");
@@ -104,6 +105,7 @@ Json document(const Command& c, const solve::Input& input, const solve::Solution
              {"mixed_volume", s.start.bounds.mixed_volume ? Json(*s.start.bounds.mixed_volume) : Json(nullptr)},
              {"start", name_of(s.start.kind)},
              {"start_reason", s.start.why}};
+    if (!s.found.caution.empty()) out["caution"] = s.found.caution;
     Json found = equilibria::json_of(s.found, input.variables), roots = Json::array();
     if (s.proof) equilibria::add_root_certificates(found["roots"], *s.proof);
     for (auto& root : found["roots"])
@@ -165,6 +167,7 @@ std::string groups(const Json& r) {
 
 /// What must be said of the count of roots.
 void print_verdicts(const Json& r) {
+    if (r.contains("caution")) std::printf("NO PROOF: %s\n", r["caution"].get<std::string>().c_str());
     const auto failed = count(r["failed"]), singular = count(r["singular"]);
     if (r.contains("proved_distinct")) {
         std::printf("%llu distinct roots proved, %llu real, %llu non-real, %llu undecided.\n",
@@ -229,7 +232,7 @@ int main(int argc, char** argv) {
 missing.txt
     solve: path = "missing.txt": must be a file that can be read: No such file or directory
 missing.txt --start julia
-    solve: --start julia: must be auto, total-degree, multihomogeneous or polyhedral
+    solve: --start julia: must be auto, total-degree, multihomogeneous, polyhedral or monodromy
 missing.txt --format julia
     solve: --format julia: must be auto, phcpack or bertini
 missing.txt --threads -1

@@ -34,7 +34,8 @@ struct NamedStart {
 };
 inline constexpr std::array starts{NamedStart{equilibria::StartKind::total_degree, "total-degree"},
                                    NamedStart{equilibria::StartKind::multihomogeneous, "multihomogeneous"},
-                                   NamedStart{equilibria::StartKind::polyhedral, "polyhedral"}};
+                                   NamedStart{equilibria::StartKind::polyhedral, "polyhedral"},
+                                   NamedStart{equilibria::StartKind::monodromy, "monodromy"}};
 
 struct Solution {
     equilibria::StartChoice start;

@@ -23,10 +23,12 @@
 
 namespace equilibria {
 
-enum class StartKind { total_degree, multihomogeneous, polyhedral };
+/// monodromy: all roots from one, by loops of the constants (monodromy.hpp); it is never chosen, since nothing bounds
+/// what it may miss.
+enum class StartKind { total_degree, multihomogeneous, polyhedral, monodromy };
 
 constexpr std::string_view to_string(StartKind kind) {
-    constexpr std::array names{"total degree", "multihomogeneous", "polyhedral"};
+    constexpr std::array names{"total degree", "multihomogeneous", "polyhedral", "monodromy"};
     return names[static_cast<std::size_t>(kind)];
 }
 
@@ -61,8 +63,8 @@ StartBounds polyhedral_bounds(const SparseSystem& system, const PathCount& track
 /// The start of the least predicted cost; or the one that is asked for.
 StartChoice choose_start(StartBounds bounds, std::optional<StartKind> asked = {});
 
-/// Every isolated solution of the system, from that start. Throws InvalidArgument where there are more paths than can
-/// be numbered.
+/// Every isolated solution of the system, from that start; of monodromy those that it found, with a caution. Throws
+/// InvalidArgument where there are more paths than can be numbered.
 ComplexRoots<> solve_from_start(const SparseSystem& system, const StartChoice& start, const RunOptions& run = {},
                                 const TrackerOptions& options = {}, MoreDigits<> resort = nullptr);
 

@@ -29,7 +29,8 @@ struct ComplexRoots {
     PathCounts paths;
     std::vector<Root<M>> roots;  ///< distinct, by path number
     std::vector<FailedPath<M>> failures;
-    std::string start;  ///< its name: total degree, linear product, polyhedral, ..
+    std::string start;    ///< its name: total degree, linear product, polyhedral, ..
+    std::string caution;  ///< of a start from which not every solution need be reached: what speaks for it, in words
 };
 
 /// What all paths end at, merged.

@@ -30,7 +30,8 @@ struct Root {
     PathStatus status = PathStatus::finite;  ///< finite (regular) or singular
 };
 
-/// Of a singular root that one path ended at, without winding around it: it may be a regular one whose condition is large.
+/// Of a singular root that one path ended at, without winding around it: it may be a regular one whose condition is
+/// large.
 template <class M>
 bool may_be_regular(const Root<M>& root) {
     return root.status == PathStatus::finite || (root.paths == 1 && root.winding_number == 1);

@@ -10,9 +10,11 @@
 #include <equilibria/core/random.hpp>
 #include <equilibria/paths/choose_start.hpp>
 #include <equilibria/paths/generic_instance.hpp>
+#include <equilibria/paths/monodromy.hpp>
 #include <equilibria/polyhedral/mixed_cells.hpp>
 #include <equilibria/system/laurent_terms.hpp>
 #include <equilibria/system/path_bounds.hpp>
+#include <equilibria/system/system_family.hpp>
 
 namespace equilibria {
 
@@ -99,6 +101,15 @@ EQUILIBRIA_INLINE ComplexRoots<> solve_from_start(const SparseSystem& system, co
                                                   const RunOptions& run, const TrackerOptions& options,
                                                   MoreDigits<> resort) {
     if (start.kind == StartKind::polyhedral) return solve_polyhedral(system, run, options, resort);
+    if (start.kind == StartKind::monodromy) {
+        const SystemFamily family = constants_family(system);
+        const auto constants = constants_of(system);
+        const auto generic = monodromy(family, constants, run, {}, options);
+        auto found = solve_from(generic, family, constants, run, options);
+        found.start = to_string(start.kind);
+        found.caution = generic.sentence();
+        return found;
+    }
     if (start.kind == StartKind::total_degree) return solve_total_degree(system, run, options, resort);
     require(!start.bounds.multihomogeneous.saturated, "system", "a multihomogeneous number above 2^62",
             "must have fewer paths than can be numbered");

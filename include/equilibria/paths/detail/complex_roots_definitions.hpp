@@ -17,7 +17,7 @@ namespace equilibria {
 
 EQUILIBRIA_INLINE ComplexRoots<> complex_roots(PathSet paths) {
     auto [counts, failures] = account_for(paths);
-    return {counts, merge(paths), std::move(failures), {}};
+    return {counts, merge(paths), std::move(failures), {}, {}};
 }
 
 EQUILIBRIA_INLINE ComplexRoots<> solve_total_degree(const SparseSystem& system, const RunOptions& run,

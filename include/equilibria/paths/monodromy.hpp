@@ -90,8 +90,8 @@ struct MonodromyRoots {
 
 /// typical: parameters of the size that they are asked for at; a typical 0 stands for the size 1. The result is the
 /// same for a seed, whatever the executor. Throws InvalidArgument where the family has no parameters that are free,
-/// where there are other numbers of them, where the run names a checkpoint or options are out of range. The run's
-/// progress is told the loops.
+/// where there are other numbers of them, where no arcs to random members avoid the poles of the coefficients, where
+/// the run names a checkpoint or options are out of range. The run's progress is told the loops.
 MonodromyRoots monodromy(const SystemFamily& family, std::span<const double> typical, const RunOptions& run = {},
                          const MonodromyOptions& options = {}, const TrackerOptions& tracker = {});
 

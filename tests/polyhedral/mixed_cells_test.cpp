@@ -387,3 +387,15 @@ TEST_CASE("orders and liftings that are none are refused") {
     high[1] = (std::int64_t{1} << 60) + 1;
     CHECK(refusal({}, high) == "lifting[1] = 1152921504606846977: must be from -2^60 to 2^60");
 }
+
+TEST_CASE("a mixed volume is counted up to the most that is asked for, with any number of threads") {
+    const Supports supports = support_families::all_to_all(5);
+    for (const unsigned workers : {1U, 3U}) {
+        const auto below = mixed_volume(supports, {.executor = threads(workers), .most_volume = 100});
+        CHECK_FALSE(below.complete);
+        CHECK(below.value == 100);
+        const auto whole = mixed_volume(supports, {.executor = threads(workers), .most_volume = 252});
+        CHECK(whole.complete);
+        CHECK(whole.value == 252);
+    }
+}

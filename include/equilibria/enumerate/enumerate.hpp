@@ -38,9 +38,9 @@ RootSet<RuntimeUnknowns> root_set_of(PathSet paths, const RuntimeArray<double>& 
 
 /// The terms that are not 0; nothing where an equation has none.
 std::optional<SparseSystem> system_of_terms(const RuntimeSizes& sizes, const std::vector<SparseTerm>& terms);
-/// Whether a polyhedral start is predicted to cost less than so many paths from a total degree.
-bool polyhedral_pays(const std::optional<SparseSystem>& system, const PathCount& tracked, StartReport& report,
-                     const RunOptions& run);
+/// Whether a polyhedral start is predicted to cost less than so many paths from a total degree, reflected or not.
+bool polyhedral_pays(const std::optional<SparseSystem>& system, const PathCount& tracked, bool reflected,
+                     StartReport& report, const RunOptions& run);
 RootSet<RuntimeUnknowns> enumerate_polyhedral(const SparseSystem& system, const RuntimeArray<double>& p,
                                               const ModelProperties<RuntimeUnknowns>& model,
                                               std::shared_ptr<const OwnEquations> own, const RealEquations& equations,
@@ -96,16 +96,18 @@ template <Model M, class StartSystem>
     Generator generator(run.seed);
     const ModelSystem<M> target(p);
     if constexpr (std::is_same_v<StartSystem, LeastCost>) {
+        const detail::Stopwatch begin;
         using Natural = NaturalStart<M>;
         constexpr bool reflected = std::is_same_v<Natural, Reflected<M>>;
         PathCount tracked = total_degree_count<M>();
         if (reflected) tracked.value /= 2;
         const auto system = system_of(target);
         StartReport report;
-        if (polyhedral_pays(system, tracked, report, run)) {
+        if (polyhedral_pays(system, tracked, reflected, report, run)) {
             auto set = enumerate_polyhedral(target, *system, run, options, resort);
             if (set.paths.singular == 0 && set.families.empty()) {
                 set.start.why = report.why;
+                set.seconds = begin.seconds();
                 return set;
             }
             report.why = "the roots are not all regular, and its paths meet every curve of solutions";
@@ -113,6 +115,7 @@ template <Model M, class StartSystem>
         auto set = enumerate_from<M>(target, Natural(target, generator), run, options, resort);
         set.start.why = report.why;
         set.start.mixed_volume = report.mixed_volume;
+        set.seconds = begin.seconds();
         return set;
     } else if constexpr (std::is_same_v<StartSystem, Polyhedral>) {
         const auto system = system_of(target);

@@ -82,7 +82,7 @@ RootSet<RuntimeUnknowns> enumerate_from(const T& model, const RuntimeArray<doubl
         if (formulation.reflection_symmetric()) tracked.value /= 2;
         require(!asked || system, "parameters", "an equation that vanishes",
                 "must leave each equation a term for a polyhedral start");
-        if (asked || detail::polyhedral_pays(system, tracked, report, run)) {
+        if (asked || detail::polyhedral_pays(system, tracked, formulation.reflection_symmetric(), report, run)) {
             auto own = std::make_shared<detail::OwnEquationsOf<detail::RuntimeModelValues<T>>>(
                 detail::RuntimeModelValues<T>{model, sizes, p});
             auto set = detail::enumerate_polyhedral(*system, p, properties, std::move(own), equations, fields, run,

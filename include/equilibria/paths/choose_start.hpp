@@ -40,7 +40,6 @@ struct StartBounds {
     /// Of the supports that count solutions with coordinates 0 as well (affine_supports); nothing where it was not
     /// needed, or is 2^64 or more.
     std::optional<std::uint64_t> mixed_volume;
-    std::uint64_t mixed_volume_at_least = 0;  ///< what was counted until the walk was stopped
 };
 
 /// A start, and why it was taken.
@@ -57,8 +56,9 @@ StartBounds start_bounds(const SparseSystem& system, const std::vector<std::vect
                          bool all_bounds = false, const RunOptions& run = {});
 
 /// Of a system whose start from degrees has `tracked` paths to track: that number for both bounds of degrees, and the
-/// mixed volume, counted as far as it may pay.
-StartBounds polyhedral_bounds(const SparseSystem& system, const PathCount& tracked, const RunOptions& run = {});
+/// mixed volume where it is at most `most`.
+StartBounds polyhedral_bounds(const SparseSystem& system, const PathCount& tracked, std::uint64_t most,
+                              const RunOptions& run = {});
 
 /// The start of the least predicted cost; or the one that is asked for.
 StartChoice choose_start(StartBounds bounds, std::optional<StartKind> asked = {});

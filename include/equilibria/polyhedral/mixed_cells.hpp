@@ -64,6 +64,8 @@ struct MixedCellOptions {
     std::vector<int> order = {};
     /// Over which the branches of the tree are divided. The cells and their order do not depend on it.
     Executor executor = {};
+    /// mixed_volume() stops as soon as it knows that the mixed volume is larger.
+    std::uint64_t most_volume = std::numeric_limits<std::uint64_t>::max();
     /// The largest entries of tables of 32 and of 64 bits (1 or more); less than the types hold: tests of what is
     /// wider.
     std::int32_t largest_narrow = std::numeric_limits<std::int32_t>::max();
@@ -82,7 +84,8 @@ struct MixedVolume {
     std::array<std::uint64_t, 3> exchanges_by_width = {};
     /// The order in which the equations were taken.
     std::vector<int> order;
-    /// The walk was not ended by the sink, before all cells were found.
+    /// The walk was not ended by the sink, before all cells were found, nor at the most volume: that is `value` then,
+    /// and the mixed volume is larger.
     bool complete = true;
 };
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -66,14 +67,16 @@ EQUILIBRIA_INLINE std::optional<SparseSystem> system_of_terms(const RuntimeSizes
 }
 
 EQUILIBRIA_INLINE bool polyhedral_pays(const std::optional<SparseSystem>& system, const PathCount& tracked,
-                                       StartReport& report, const RunOptions& run) {
-    // the cells of fewer paths take as long as these
-    constexpr std::int64_t few = 100;
+                                       bool reflected, StartReport& report, const RunOptions& run) {
+    // a walk over cells takes a part of the time of as many paths, and is lost where it does not pay: it ends early.
+    // Where the start is reflected the paths are half as many, and each costs less
+    const std::int64_t few = reflected ? 2000 : 100, share = reflected ? 8 : 2;
     if (!system || (!tracked.saturated && tracked.value <= few)) {
         report.why = "few paths";
         return false;
     }
-    auto choice = choose_start(polyhedral_bounds(*system, tracked, run));
+    const std::int64_t most = (tracked.saturated ? std::numeric_limits<std::int64_t>::max() : tracked.value) / share;
+    auto choice = choose_start(polyhedral_bounds(*system, tracked, static_cast<std::uint64_t>(most), run));
     report.mixed_volume = choice.bounds.mixed_volume;
     report.why = std::move(choice.why);
     return choice.kind == StartKind::polyhedral;

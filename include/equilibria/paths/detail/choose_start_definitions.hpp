@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 #include <utility>
 
 #include <equilibria/core/error.hpp>
-#include <equilibria/core/random.hpp>
 #include <equilibria/paths/choose_start.hpp>
 #include <equilibria/paths/generic_instance.hpp>
 #include <equilibria/paths/monodromy.hpp>
@@ -31,25 +31,22 @@ EQUILIBRIA_INLINE double least_cost_of_degrees(const StartBounds& bounds) {
     return std::min(cost_of(bounds.total_degree), cost_of(bounds.multihomogeneous));
 }
 
-/// Counts volumes of cells, up to the number that is too large to pay.
-EQUILIBRIA_INLINE void count_mixed_volume(const Supports& supports, bool to_its_end, const RunOptions& run,
-                                          StartBounds& bounds) {
+/// The largest mixed volume that is predicted to pay.
+EQUILIBRIA_INLINE std::uint64_t largest_that_pays(const StartBounds& bounds) {
     const double most = (least_cost_of_degrees(bounds) - polyhedral_cost) / polyhedral_path_cost;
-    if (!to_its_end && !(most > 0)) return;
-    Generator generator(run.seed);
-    Lifting lifting(static_cast<std::size_t>(supports.columns()));
-    for (auto& height : lifting) height = static_cast<std::int64_t>(generator() >> 43);
+    constexpr auto largest = std::numeric_limits<std::uint64_t>::max();
+    return !(most > 0) ? 0 : most < static_cast<double>(largest) ? static_cast<std::uint64_t>(most) : largest;
+}
+
+/// Nothing above `most`, or 2^64.
+EQUILIBRIA_INLINE std::optional<std::uint64_t> mixed_volume_up_to(std::uint64_t most, const Supports& supports,
+                                                                  const RunOptions& run) {
+    if (most == 0) return {};
     try {
-        const auto volume =
-            mixed_cells(supports, lifting,
-                        [&](const MixedCell& cell) {
-                            bounds.mixed_volume_at_least += cell.volume;
-                            return to_its_end || static_cast<double>(bounds.mixed_volume_at_least) < most;
-                        },
-                        {.executor = run.executor});
-        if (volume.complete) bounds.mixed_volume = bounds.mixed_volume_at_least;
+        const auto volume = mixed_volume(supports, {.executor = run.executor, .most_volume = most});
+        return volume.complete ? std::optional(volume.value) : std::nullopt;
     } catch (const InvalidArgument&) {
-        // 2^64 or more, or heights that do not fit
+        return {};  // 2^64 or more
     }
 }
 
@@ -68,15 +65,17 @@ EQUILIBRIA_INLINE StartBounds start_bounds(const SparseSystem& system, const std
         compare(smallest.number, smallest.grouping);
     }
     for (const auto& grouping : groupings) compare(multihomogeneous_number(system, grouping), grouping);
-    detail::count_mixed_volume(affine_supports(system), all_bounds, run, y);
+    y.mixed_volume = detail::mixed_volume_up_to(
+        all_bounds ? std::numeric_limits<std::uint64_t>::max() : detail::largest_that_pays(y), affine_supports(system),
+        run);
     return y;
 }
 
 EQUILIBRIA_INLINE StartBounds polyhedral_bounds(const SparseSystem& system, const PathCount& tracked,
-                                                const RunOptions& run) {
+                                                std::uint64_t most, const RunOptions& run) {
     StartBounds y;
     y.total_degree = y.multihomogeneous = tracked;
-    detail::count_mixed_volume(affine_supports(system), false, run, y);
+    y.mixed_volume = detail::mixed_volume_up_to(most, affine_supports(system), run);
     return y;
 }
 

@@ -99,7 +99,8 @@ EQUILIBRIA_INLINE MixedVolume walk_mixed_cells(const Supports& supports, const L
     auto plan = plan_of(supports, options);
     plan.go_to(supports, lifting);
     bool complete = true;
-    const auto counts = walk_tree(supports, plan, options.executor, sink, complete);
+    const auto counts =
+        walk_tree(supports, plan, options.executor, std::numeric_limits<std::uint64_t>::max(), sink, complete);
     return result_of(plan, counts, complete);
 }
 
@@ -113,7 +114,8 @@ EQUILIBRIA_INLINE bool MixedCell::fine() const {
 EQUILIBRIA_INLINE MixedVolume mixed_volume(const Supports& supports, const MixedCellOptions& options) {
     const auto plan = detail::plan_of(supports, options);
     bool complete = true;
-    const auto counts = detail::walk_tree(supports, plan, options.executor, {}, complete);
+    auto counts = detail::walk_tree(supports, plan, options.executor, options.most_volume, {}, complete);
+    if (counts.volume > options.most_volume) counts.volume = options.most_volume, complete = false;
     return detail::result_of(plan, counts, complete);
 }
 

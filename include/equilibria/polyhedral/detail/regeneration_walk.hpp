@@ -63,6 +63,7 @@ public:
     /// Cells without a lifting, and the sum of their volumes: they are counted, and not made.
     std::uint64_t counted = 0;
     UnlimitedInteger counted_volume() const { return large_volume_ + sum_; }
+    bool counted_more_than(std::uint64_t most) const { return sum_ > most || large_volume_ > most; }
     std::array<std::uint64_t, 3> exchanges = {};
 
 private:

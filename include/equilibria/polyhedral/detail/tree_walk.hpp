@@ -31,10 +31,11 @@ struct StoredCell {
     std::vector<std::int64_t> heights;
 };
 
-/// Follows a node and all below it, the first child first; tell(node, walk) of each cell says whether to go on.
+/// Follows a node and all below it, the first child first; tell(node, walk) of each cell says whether to go on. Goes on
+/// as long as the walk has not counted more than the most volume.
 template <class Tell>
 bool follow_branch(RegenerationWalk& walk, std::vector<std::unique_ptr<RegenerationNode>>& stack, RegenerationNode& top,
-                   Tell&& tell) {
+                   std::uint64_t most, Tell&& tell) {
     if (stack.empty()) stack.push_back(std::make_unique<RegenerationNode>());
     stack[0]->copy(top);
     std::size_t depth = 1;
@@ -45,6 +46,7 @@ bool follow_branch(RegenerationWalk& walk, std::vector<std::unique_ptr<Regenerat
             ++depth;
         } else {
             if (event == RegenerationWalk::Event::cell && !tell(*stack[depth - 1], walk)) return false;
+            if (walk.counted_more_than(most)) return false;
             --depth;
         }
     }
@@ -95,9 +97,9 @@ struct WalkCounts {
     }
 };
 
-/// Walks the whole tree; an empty sink: counts.
+/// Walks the whole tree; an empty sink: counts, up to about the most volume.
 inline WalkCounts walk_tree(const Supports& supports, const RegenerationPlan& plan, const Executor& executor,
-                            const std::function<bool(const MixedCell&)>& sink, bool& complete) {
+                            std::uint64_t most, const std::function<bool(const MixedCell&)>& sink, bool& complete) {
     WalkCounts counts, told;  // `told` changes where no lock is held, by one at a time
     for (const auto& points : plan.points)
         if (points.size() == 1) return counts;  // no edge, no cell
@@ -111,7 +113,7 @@ inline WalkCounts walk_tree(const Supports& supports, const RegenerationPlan& pl
         CellReport report(supports, plan);
         std::vector<std::unique_ptr<RegenerationNode>> stack;
         auto root = first.root();
-        complete = follow_branch(first, stack, root, [&](RegenerationNode& node, RegenerationWalk& walk) {
+        complete = follow_branch(first, stack, root, most, [&](RegenerationNode& node, RegenerationWalk& walk) {
             return tell(report.cell(node, walk));
         });
         counts.add(first);
@@ -134,7 +136,7 @@ inline WalkCounts walk_tree(const Supports& supports, const RegenerationPlan& pl
             std::vector<std::unique_ptr<RegenerationNode>> stack;
             std::vector<StoredCell> found;
             if (!stopped)
-                follow_branch(walk, stack, *branches[b], [&](RegenerationNode& node, RegenerationWalk& its) {
+                follow_branch(walk, stack, *branches[b], most, [&](RegenerationNode& node, RegenerationWalk& its) {
                     const auto cell = report.cell(node, its);
                     found.push_back({{cell.edges.begin(), cell.edges.end()},
                                      cell.volume,

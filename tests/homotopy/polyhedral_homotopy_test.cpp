@@ -112,13 +112,14 @@ TEST_CASE(
     const PolynomialHomotopy waves(parts);
     parts.terms.clear(), parts.from.clear();
     int equation = 0;
-    for (const auto& terms : laurent_terms(system)) {
+    const auto laurent = laurent_terms(system);
+    for (const auto& terms : laurent) {
         for (const auto& t : terms) parts.terms.push_back({equation, SparseMonomial(t.exponents), 0});
         ++equation;
     }
     std::ranges::sort(parts.terms, [](const auto& a, const auto& b) { return before(a, b); });
     for (const auto& t : parts.terms)
-        for (const auto& term : laurent_terms(system)[static_cast<std::size_t>(t.equation)])
+        for (const auto& term : laurent[static_cast<std::size_t>(t.equation)])
             if (SparseMonomial(term.exponents) == t.monomial)
                 parts.laurent.push_back(term.coefficient), parts.from.push_back(2.0 * term.coefficient);
     const PolynomialHomotopy exponentials(parts);

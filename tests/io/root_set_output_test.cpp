@@ -35,13 +35,22 @@ TEST_CASE("root set: the keys of its JSON, in their order") {
     const Json out = json_of(a_set());
     std::vector<std::string> keys;
     for (const auto& [key, value] : out.items()) keys.push_back(key);
-    CHECK(keys ==
-          std::vector<std::string>{
-              "parameters", "seed",    "paths",         "finite",     "at_infinity",      "singular",        "failed",
-              "cancelled",  "tracked", "retracked",     "crossed",    "in_double",        "more_digits",     "steps",
-              "distinct",   "real",    "by_index",      "degenerate", "multiplicities",   "winding_numbers", "families",
-              "clean",      "alarms",  "morse_applies", "morse",      "tracking_seconds", "seconds",         "failures",
-              "equilibria", "roots"});
+    CHECK(keys == std::vector<std::string>{"parameters",     "seed",
+                                           "start",          "start_reason",
+                                           "paths",          "finite",
+                                           "at_infinity",    "singular",
+                                           "failed",         "cancelled",
+                                           "tracked",        "retracked",
+                                           "crossed",        "in_double",
+                                           "more_digits",    "steps",
+                                           "distinct",       "real",
+                                           "by_index",       "degenerate",
+                                           "multiplicities", "winding_numbers",
+                                           "families",       "clean",
+                                           "alarms",         "morse_applies",
+                                           "morse",          "tracking_seconds",
+                                           "seconds",        "failures",
+                                           "equilibria",     "roots"});
     CHECK(!json_of(a_set(), {.roots = false}).contains("roots"));
 }
 

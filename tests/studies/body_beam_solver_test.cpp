@@ -67,7 +67,8 @@ void check_equilibrium(const BodyBeamEquilibrium& e, const Solver::Values& p) {
 void check_complete(const BodyBeamEquilibria& y) {
     CHECK(y.accounted_for());
     CHECK(y.followed);
-    CHECK(y.generic.total == 1458);
+    CHECK(y.start == "polyhedral");
+    CHECK(y.generic.total < 1458);  // the total degree
     CHECK(y.generic.accounted_for());
     CHECK(y.generic.failed == 0);
     REQUIRE(y.generic_roots.size() >= 2);

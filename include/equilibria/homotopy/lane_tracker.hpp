@@ -103,7 +103,7 @@ private:
         for (int k = 0; k < width; ++k) most_steps = std::max(most_steps, ++steps_[k]);
         // what most steps are, for all lanes at once: inside, and nowhere near an end
         const auto inside = mask_and(remaining > R{} + endgame_start_, reached < R{});
-        const auto fit = mask_and(mask_not(far > R{} + far_away2), next_step > R{} + smallest_step_);
+        const auto fit = mask_and(mask_not(far > R{} + far_), next_step > R{} + smallest_step_);
         if (all_lanes(mask_and(inside, fit)) && most_steps < options_->most_steps) return;
         for (int k = 0; k < width; ++k) {
             if (path_[k] < 0) continue;
@@ -113,7 +113,7 @@ private:
             if (accepted && (left <= end_ || number(reached) >= 0)) {
                 set_lane(t_, k, Scalar(1));
                 finish(k, Arrival::end, FailureReason::none);
-            } else if (number(far) > far_away2) {
+            } else if (number(far) > far_) {
                 finish(k, Arrival::endgame, FailureReason::none);
             } else if (left < endgame_start_ &&  // the next step falls short of t = 1, or this one did
                        (number(h_) < 0.9 * left || number(reached) < -0.1 * (1 - number(before)))) {
@@ -127,6 +127,13 @@ private:
         if (next_ == paths_.size()) fill_idle();
     }
 
+    /// The square of what is far away, where paths may end: of a homotopy whose paths all stay finite nothing is.
+    static constexpr double far_ = [] {
+        if constexpr (requires { H::stays_finite; })
+            return is_single<R> ? 1e36 : 1e280;
+        else
+            return far_away2;
+    }();
     static constexpr double end_ = is_single<R> ? 2e-7 : 1e-15;  // what is left of t at most at its end
 
     const TrackerOptions* options_;

@@ -19,6 +19,7 @@ namespace equilibria {
 class PolyhedralHomotopy {
 public:
     using System = RuntimeUnknowns;
+    static constexpr bool stays_finite = true;  ///< however far out its paths begin
     template <class R, class Time>
     using Evaluation = detail::PolyhedralEvaluation<PolyhedralHomotopy, R, Time>;
 

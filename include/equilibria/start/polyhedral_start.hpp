@@ -12,6 +12,7 @@
 /// Where it fails: nowhere with probability one; numbers of cells and of their weights are kept in memory.
 #pragma once
 
+#include <array>
 #include <complex>
 #include <cstdint>
 #include <span>
@@ -48,8 +49,8 @@ public:
     const std::vector<Number>& coefficients() const { return coefficients_; }
     /// Of the path's cell: the height of each column over the largest one.
     std::span<const float> weights(std::uint64_t path) const;
-    /// Of the path's cell: log(1 + 24 log(2) largest weight / smallest weight), so that at t = 0 all terms that are not
-    /// the cell's are below 2^-24.
+    /// Of the path's cell: log(1 - s), s being the time at which all terms that are not the cell's are 2^-24 of its
+    /// own, or less, at its start points.
     double rate(std::uint64_t path) const { return cells_[cell_of(path)].rate; }
     std::size_t cells() const { return cells_.size(); }
     /// The ratio of weights that 90 % of the paths stay below.
@@ -65,6 +66,8 @@ private:
 
     std::size_t cell_of(std::uint64_t path) const;
     Draw draw(Generator& generator, bool convex, int bits, const MixedCellOptions& options) const;
+    double rate_of(const BinomialSystem& binomials, std::span<const std::array<int, 2>> edges,
+                   std::span<const float> weights) const;
     void take(const Draw& drawn);
 
     Supports supports_;

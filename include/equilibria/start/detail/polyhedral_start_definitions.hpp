@@ -66,8 +66,31 @@ EQUILIBRIA_INLINE PolyhedralStart::Draw PolyhedralStart::draw(Generator& generat
     return y;
 }
 
+EQUILIBRIA_INLINE double PolyhedralStart::rate_of(const BinomialSystem& binomials,
+                                                  std::span<const std::array<int, 2>> edges,
+                                                  std::span<const float> weights) const {
+    constexpr double negligible = 24 * std::numbers::ln2;
+    const auto theta = binomials.solution(0);  // all solutions of a cell have the same imaginary parts
+    double begin = negligible;
+    for (int i = 0; i < supports_.unknowns(); ++i) {
+        const auto& support = supports_.equations()[static_cast<std::size_t>(i)];
+        const auto column = static_cast<std::size_t>(supports_.first_column(i));
+        const auto size = [&](std::size_t k) {  // the logarithm of the term's
+            double y = std::log(std::abs(coefficients_[column + k]));
+            for (int u = 0; u < supports_.unknowns(); ++u)
+                y -= support[k][static_cast<std::size_t>(u)] * theta[u].imag();
+            return y;
+        };
+        const double of_edge = size(static_cast<std::size_t>(edges[static_cast<std::size_t>(i)][0]));
+        for (std::size_t k = 0; k < support.size(); ++k)
+            if (const auto weight = static_cast<double>(weights[column + k]); weight > 0)
+                begin = std::max(begin, (negligible + size(k) - of_edge) / weight);
+    }
+    return std::log(1 + begin);
+}
+
 EQUILIBRIA_INLINE void PolyhedralStart::take(const Draw& drawn) {
-    const auto n = static_cast<std::size_t>(supports_.unknowns());
+    const auto n = static_cast<std::size_t>(supports_.unknowns()), columns = coefficients_.size();
     for (std::size_t cell = 0; cell < drawn.volume.size(); ++cell) {
         std::vector<std::vector<int>> exponents;
         std::vector<Number> ratio;
@@ -80,8 +103,9 @@ EQUILIBRIA_INLINE void PolyhedralStart::take(const Draw& drawn) {
             const Number* const c = coefficients_.data() + supports_.first_column(static_cast<int>(i));
             ratio.push_back(-c[b] / c[a]);
         }
-        cells_.push_back(
-            {BinomialSystem(exponents, ratio), std::log(1 + 24 * std::numbers::ln2 * drawn.ratio[cell]), paths_});
+        const BinomialSystem binomials(exponents, ratio);
+        const std::span weights(drawn.weights.data() + cell * columns, columns);
+        cells_.push_back({binomials, rate_of(binomials, std::span(drawn.edges.data() + cell * n, n), weights), paths_});
         paths_ += drawn.volume[cell];
     }
     weights_ = drawn.weights;

@@ -88,7 +88,7 @@ TEST_CASE("Figure 3.2") {
 
     SECTION("The argument says what was solved for") {
         const std::string argument = figure().argument();
-        CHECK(argument.find("cusps: 272 paths, 44 regular complex solutions, 0 failed") != std::string::npos);
+        CHECK(argument.find("cusps: 224 paths, 44 regular complex solutions, 0 failed") != std::string::npos);
         CHECK(argument.find("NOT COMPLETE") == std::string::npos);
     }
 

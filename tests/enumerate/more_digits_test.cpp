@@ -2,8 +2,10 @@
 // compiler, double is given too few steps for some of the paths to a surface of equilibria.
 #include <equilibria/enumerate/more_digits.hpp>
 #include <equilibria/mechanisms/rotating_chain.hpp>
+#include <equilibria/paths/generic_instance.hpp>
 
 #include "support/enumeration.hpp"
+#include "support/families.hpp"
 #include "support/models.hpp"
 
 using namespace equilibria;
@@ -70,4 +72,25 @@ TEST_CASE("paths from a solved instance, too") {
     CHECK(r.paths.failed == 0);
     CHECK(r.paths.finite == 4);
     CHECK(r.paths.at_infinity == 12);
+}
+
+TEST_CASE("badly conditioned regular roots are told from multiple ones with more digits") {
+    // Chandrasekhar's equation in 7 unknowns: roots of size 1e5, with conditions up to 7e8
+    const auto system = sparse_system(families::chandra(7));
+    const auto in_double = solve_polyhedral(system);
+    CHECK(in_double.paths.singular > 0);
+    const auto found = solve_polyhedral(system, {}, {}, more_digits);
+    CHECK(found.paths.accounted_for());
+    CHECK(found.paths.finite == 64);
+    CHECK(found.roots.size() == 64);
+    CHECK(found.paths.more_digits >= in_double.paths.singular);
+    // (x - 1)^2 = 0, y^2 - x = 0: two double roots
+    const SparseSystem twice(RuntimeSizes(0, 2), {{0, SparseMonomial({2, 0}), 1},
+                                                  {0, SparseMonomial({1, 0}), -2},
+                                                  {0, SparseMonomial({0, 0}), 1},
+                                                  {1, SparseMonomial({0, 2}), 1},
+                                                  {1, SparseMonomial({1, 0}), -1}});
+    const auto both = solve_total_degree(twice, {}, {}, more_digits);
+    CHECK(both.paths.singular == 4);
+    CHECK(both.paths.more_digits == 0);
 }

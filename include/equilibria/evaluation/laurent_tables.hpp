@@ -32,10 +32,10 @@ public:
     }
 
     int unknowns() const { return static_cast<int>(lowest.size()); }
-    int monomials() const { return static_cast<int>(first_factor.size()) - 1; }
+    int monomials() const { return static_cast<int>(first_factor_.size()) - 1; }
     /// Of a monomial.
     std::span<const Factor> factors_of(int monomial) const {
-        return {factors.data() + first_factor[at(monomial)], factors.data() + first_factor[at(monomial + 1)]};
+        return {factors_.data() + first_factor_[at(monomial)], factors_.data() + first_factor_[at(monomial + 1)]};
     }
 
     std::vector<Term> terms;
@@ -51,17 +51,17 @@ private:
             for (int u = 0; u < unknowns(); ++u) {
                 const int power = exponents[at(u)];
                 if (power == 0) continue;
-                factors.push_back({u, power});
+                factors_.push_back({u, power});
                 lowest[at(u)] = std::min(lowest[at(u)], power);
                 highest[at(u)] = std::max(highest[at(u)], power);
             }
-            first_factor.push_back(factors.size());
+            first_factor_.push_back(factors_.size());
         }
         return place->second;
     }
 
-    std::vector<Factor> factors;
-    std::vector<std::size_t> first_factor{0};
+    std::vector<Factor> factors_;
+    std::vector<std::size_t> first_factor_{0};
     std::map<std::vector<int>, int> known_;
 };
 

@@ -208,26 +208,33 @@ private:
         return ends;
     }
 
-    /// The failed paths, each once; returns how many.
+    /// The failed paths, and singular ones that may be badly conditioned, each once; returns how many.
     std::size_t track_with_more_digits(PathSet& paths) const {
         if (!more_digits_) return 0;
         EndpointStore& ends = paths.ends();
         std::vector<std::pair<std::uint64_t, Endpoint>> failed;
         for (std::uint64_t k = 0; k < ends.size(); ++k) {
             const EndpointRecord end = ends.record(k);
-            if (end.status == PathStatus::failed && end.precision != Precision::more_digits)
-                failed.emplace_back(k, ends[k]);
+            const bool doubtful =
+                end.status == PathStatus::failed || (end.status == PathStatus::singular && end.winding_number == 1);
+            if (doubtful && end.precision != Precision::more_digits) failed.emplace_back(k, ends[k]);
         }
         TrackerOptions careful = options_.tightened();
         careful.most_steps = std::max(careful.most_steps, 20000);
         run_->executor.for_blocks(failed.size(), 1, [&](std::size_t at, std::size_t) {
             auto& [k, end] = failed[at];
+            const PathStatus before = end.status;
             more_digits_(*homotopy_, polisher_, careful, start_point(k), end);
-            end.precision = Precision::more_digits;
+            if (before == PathStatus::failed || end.status != before) end.precision = Precision::more_digits;
         });
-        for (const auto& [k, end] : failed) ends.replace(k, end);
-        paths.effort.more_digits += failed.size();
-        return failed.size();
+        std::size_t changed = 0;
+        for (const auto& [k, end] : failed) {
+            if (end.precision != Precision::more_digits) continue;
+            ends.replace(k, end);
+            ++changed;
+        }
+        paths.effort.more_digits += changed;
+        return changed;
     }
 
     /// Two paths cannot end at one regular solution: where they seem to, one of them jumped, and they are tracked

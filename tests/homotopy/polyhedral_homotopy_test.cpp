@@ -54,7 +54,8 @@ TEST_CASE("at t = 0 the start points fulfil the polyhedral homotopy to the size 
 }
 
 TEST_CASE(
-    "the Jacobian of a polyhedral homotopy is that of its values; its Taylor coefficients leave an error of order 4") {
+    "the Jacobian of a polyhedral homotopy is that of its values, and its Taylor coefficients leave an error of order "
+    "4") {
     const PolyhedralStart start = start_of(coupled(3));
     const PolyhedralHomotopy homotopy(start);
     PolyhedralHomotopy::Evaluation<double, double> evaluation(homotopy);

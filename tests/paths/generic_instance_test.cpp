@@ -80,7 +80,7 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "the same seed gives the same roots, bit by bit, with any number of threads; in double, the same to rounding") {
+    "the same seed gives the same roots, bit by bit, with any number of threads, and in double, the same to rounding") {
     const families::LoadedAngles model{5, families::complete(5)};
     const auto system = families::system_of(model, families::generic(model.parameters(), 3));
     const auto serial = solve_polyhedral(system), parallel = solve_polyhedral(system, {.executor = threads(3)});

@@ -115,7 +115,9 @@ EQUILIBRIA_INLINE MixedVolume mixed_volume(const Supports& supports, const Mixed
     const auto plan = detail::plan_of(supports, options);
     bool complete = true;
     auto counts = detail::walk_tree(supports, plan, options.executor, options.most_volume, {}, complete);
-    if (counts.volume > options.most_volume) counts.volume = options.most_volume, complete = false;
+    constexpr auto any = std::numeric_limits<std::uint64_t>::max();
+    if (options.most_volume != any && counts.volume > options.most_volume)
+        counts.volume = options.most_volume, complete = false;
     return detail::result_of(plan, counts, complete);
 }
 

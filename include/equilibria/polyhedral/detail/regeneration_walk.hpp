@@ -10,6 +10,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -63,7 +64,10 @@ public:
     /// Cells without a lifting, and the sum of their volumes: they are counted, and not made.
     std::uint64_t counted = 0;
     UnlimitedInteger counted_volume() const { return large_volume_ + sum_; }
-    bool counted_more_than(std::uint64_t most) const { return sum_ > most || large_volume_ > most; }
+    /// Nothing is more than the largest number.
+    bool counted_more_than(std::uint64_t most) const {
+        return most != std::numeric_limits<std::uint64_t>::max() && (sum_ > most || large_volume_ > most);
+    }
     std::array<std::uint64_t, 3> exchanges = {};
 
 private:

@@ -1,5 +1,7 @@
 /// \file
-/// Vectors of packs of lanes, which need more alignment than `new` gives.
+/// Vectors of packs of lanes, which need more alignment than `new` gives, and of numbers, which begin where a register
+/// does as well: compilers may peel off the first turns of a loop up to there, with another rounding than the rest, and
+/// results would depend on the address that `new` happened to give.
 #pragma once
 
 #include <cstddef>
@@ -23,14 +25,15 @@ struct OveralignedAllocator {
     template <class Other>
     OveralignedAllocator(const OveralignedAllocator<Other>&) {}
 
-    static constexpr std::size_t room = alignof(T) + sizeof(void*);  // for the shift, and for the block's own address
+    static constexpr std::size_t alignment = alignof(T) > 64 ? alignof(T) : 64;
+    static constexpr std::size_t room = alignment + sizeof(void*);  // for the shift, and for the block's own address
 
     T* allocate(std::size_t n) {
-        if (n > (std::size_t(-1) - room) / sizeof(T)) throw std::bad_array_new_length();
+        if (n > (std::size_t(-1) / 2 - room) / sizeof(T)) throw std::bad_array_new_length();
         void* const block = ::operator new(n * sizeof(T) + room);
         void* first = static_cast<void**>(block) + 1;
-        std::size_t left = n * sizeof(T) + alignof(T);
-        std::align(alignof(T), n * sizeof(T), first, left);
+        std::size_t left = n * sizeof(T) + alignment;
+        std::align(alignment, n * sizeof(T), first, left);
         static_cast<void**>(first)[-1] = block;
         return static_cast<T*>(first);
     }
@@ -41,9 +44,9 @@ struct OveralignedAllocator {
 
 }  // namespace detail
 
-/// std::vector<T>, whatever the alignment of T.
+/// std::vector<T>, whatever the alignment of T; of numbers and packs, from a multiple of 64 bytes on.
 template <class T>
-using AlignedVector = std::vector<T, std::conditional_t<(alignof(T) > __STDCPP_DEFAULT_NEW_ALIGNMENT__),
-                                                        detail::OveralignedAllocator<T>, std::allocator<T>>>;
+using AlignedVector = std::vector<
+    T, std::conditional_t<std::is_trivially_copyable_v<T>, detail::OveralignedAllocator<T>, std::allocator<T>>>;
 
 }  // namespace equilibria

@@ -57,9 +57,9 @@ Json parameters_json(const ParameterArray<M, double>& p, const std::vector<std::
     return out;
 }
 
-/// The keys "parameters", "seed", "start", "start_reason", those of the paths, "distinct", "real", "by_index", "degenerate", "multiplicities",
-/// "winding_numbers", "families", "clean", "alarms", "morse_applies", "morse", "tracking_seconds", "seconds",
-/// "failures", "equilibria" and "roots": see docs/output.md.
+/// The keys "parameters", "seed", "start", "start_reason", those of the paths, "distinct", "real", "by_index",
+/// "degenerate", "multiplicities", "winding_numbers", "families", "clean", "alarms", "morse_applies", "morse",
+/// "tracking_seconds", "seconds", "failures", "equilibria" and "roots": see docs/output.md.
 template <class M>
 Json json_of(const RootSet<M>& set, const RootSetJson& how = {}) {
     Json out{{"parameters", parameters_json<M>(set.parameters, how.parameter_names)}, {"seed", set.seed}};

@@ -8,7 +8,9 @@
 
 #include <cstddef>
 #include <initializer_list>
+#include <type_traits>
 #include <utility>
+#include <vector>
 
 #include <equilibria/core/aligned_vector.hpp>
 
@@ -59,6 +61,9 @@ public:
     explicit SizedArray(int n) : entries_(static_cast<std::size_t>(n)) {}
     SizedArray(std::initializer_list<T> entries) : entries_(entries) {}
     explicit SizedArray(AlignedVector<T> entries) : entries_(std::move(entries)) {}
+    explicit SizedArray(const std::vector<T>& entries)
+    requires(!std::is_same_v<AlignedVector<T>, std::vector<T>>)
+        : entries_(entries.begin(), entries.end()) {}
 
     int size() const { return static_cast<int>(entries_.size()); }
     void resize(int n) { entries_.resize(static_cast<std::size_t>(n)); }

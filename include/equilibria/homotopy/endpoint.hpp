@@ -61,4 +61,15 @@ inline constexpr double regular_condition = 1e8;
 /// The square of the size beyond which a path is left to the endgame, which asks whether it goes to infinity.
 inline constexpr double far_away2 = 1e16;
 
+namespace detail {
+/// The same of a homotopy, which may say otherwise.
+template <class H>
+double far_limit2(const H& homotopy) {
+    if constexpr (requires { homotopy.far_away2(); })
+        return homotopy.far_away2();
+    else
+        return far_away2;
+}
+}  // namespace detail
+
 }  // namespace equilibria

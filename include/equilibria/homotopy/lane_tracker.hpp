@@ -24,7 +24,8 @@ public:
                 const StartPoint& start, std::span<Endpoint> ends)
         : options_(&options),
           endgame_start_(is_single<R> ? std::max(options.endgame_start, 1e-3) : options.endgame_start),
-          smallest_step_(is_single<R> ? std::max(options.smallest_step, 1e-4) : options.smallest_step), paths_(paths),
+          smallest_step_(is_single<R> ? std::max(options.smallest_step, 1e-4) : options.smallest_step),
+          far_(is_single<R> ? std::min(far_limit2(homotopy), 1e36) : far_limit2(homotopy)), paths_(paths),
           start_(&start), ends_(ends), stepper_(homotopy, options),
           q_(point_of_zeros<RuntimeUnknowns, R>(homotopy.sizes())) {
         for (int k = 0; k < width; ++k) load(k);
@@ -127,18 +128,12 @@ private:
         if (next_ == paths_.size()) fill_idle();
     }
 
-    /// The square of what is far away, where paths may end: of a homotopy whose paths all stay finite nothing is.
-    static constexpr double far_ = [] {
-        if constexpr (requires { H::stays_finite; })
-            return is_single<R> ? 1e36 : 1e280;
-        else
-            return far_away2;
-    }();
     static constexpr double end_ = is_single<R> ? 2e-7 : 1e-15;  // what is left of t at most at its end
 
     const TrackerOptions* options_;
     double endgame_start_,
         smallest_step_;  // of floats, 1 - t has three digits at 1e-3, and steps no meaning below 1e-4
+    double far_;         // the square of the size where a path is left to the endgame
     std::span<const std::uint64_t> paths_;
     const StartPoint* start_;
     std::span<Endpoint> ends_;

@@ -19,7 +19,6 @@ namespace equilibria {
 class PolyhedralHomotopy {
 public:
     using System = RuntimeUnknowns;
-    static constexpr bool stays_finite = true;  ///< however far out its paths begin
     template <class R, class Time>
     using Evaluation = detail::PolyhedralEvaluation<PolyhedralHomotopy, R, Time>;
 
@@ -36,6 +35,8 @@ public:
 
     RuntimeSizes sizes() const { return {tables_.unknowns(), 0}; }
     static constexpr bool symmetric() { return false; }
+    /// No path ends at infinity, however far out it begins.
+    static constexpr double far_away2() { return 1e280; }
     const LaurentTables& tables() const { return tables_; }
     std::span<const float> weights(std::uint64_t path) const { return start_->weights(path); }
     double rate(std::uint64_t path) const { return start_->rate(path); }

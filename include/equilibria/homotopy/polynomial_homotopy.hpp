@@ -14,6 +14,7 @@
 #include <equilibria/core/complex.hpp>
 #include <equilibria/core/lanes.hpp>
 #include <equilibria/evaluation/start_forms.hpp>
+#include <equilibria/homotopy/endpoint.hpp>
 #include <equilibria/start/start.hpp>
 #include <equilibria/system/sparse_system.hpp>
 
@@ -74,6 +75,9 @@ public:
     const StartForms& forms() const { return forms_; }
     bool moving() const { return !from_.empty(); }
     bool symmetric() const { return symmetric_; }
+    /// The square of the size beyond which a path is left to the endgame. Exponentials have their digits there still,
+    /// and on a line of generic coefficients paths come back from farther out.
+    double far_away2() const { return laurent_.empty() ? equilibria::far_away2 : 1e60; }
 
     /// The coefficient of a term at t = 1.
     double target(int term) const { return target_[static_cast<std::size_t>(term)]; }

@@ -79,7 +79,7 @@ public:
     /// A path whose next step must be shorter than `shortest_step` of its segment is stuck.
     SegmentLanes(const H& h, const TrackerOptions& options, double shortest_step)
         : n_(h.sizes().unknowns), stepper_(h, options), most_steps_(options.most_steps), shortest_step_(shortest_step),
-          q_(point_of_zeros<RuntimeUnknowns, Pack>(h.sizes())) {}
+          far_(far_limit2(h)), q_(point_of_zeros<RuntimeUnknowns, Pack>(h.sizes())) {}
 
     /// Follows `paths`: Segments, or what derives from them.
     template <class Path>
@@ -168,7 +168,7 @@ private:
         begin_segment(k, path);
         corrections_[k] = 0;
         done_[k] = false;
-        was_far_[k] = static_cast<double>(farthest2(path.q)) > far_away2;
+        was_far_[k] = static_cast<double>(farthest2(path.q)) > far_;
     }
     /// Lane k, which is idle, goes with another, as in LaneTracker.
     void repeat(int k, int other) {
@@ -205,7 +205,7 @@ private:
         const bool arrived = step >= 1 - tau;
         set_lane(tau_, k, arrived ? Scalar(1) : Scalar(tau + step));
         path.reached = static_cast<double>(lane(tau_, k));
-        if (path.may_leave && !was_far_[k] && static_cast<double>(lane(farthest2(q_), k)) > far_away2)
+        if (path.may_leave && !was_far_[k] && static_cast<double>(lane(farthest2(q_), k)) > far_)
             return leave(k, path, Progress::far);
         if (!arrived) return;
         copy_lane(q_, k, path.q, 0);
@@ -217,6 +217,7 @@ private:
     Tracker stepper_;
     int most_steps_;
     double shortest_step_;
+    double far_;  // the square of the size where a path may leave
     RuntimePoint<Pack> q_;
     Z from_{}, way_{};
     Pack tau_{}, h_{}, noise_{};

@@ -274,7 +274,11 @@ inline std::int64_t known_roots(const std::string& name) {
     if (family == "eco") return power(2, n - 2);
     if (family == "chandra") return power(2, n - 1);
     if (family == "loaded") return choose(2 * n, n);
-    if (family == "row") return n == 2 ? 6 : n == 3 ? 16 : n == 4 ? 44 : n == 5 ? 120 : n == 6 ? 328 : 0;
+    if (family == "row") {  // r_n = 2 (r_(n-1) + r_(n-2))
+        std::int64_t before = 2, y = 6;
+        for (int k = 2; k < n; ++k) before = std::exchange(y, 2 * (y + before));
+        return y;
+    }
     if (family == "kuramoto") return choose(2 * n - 2, n - 1);
     if (family == "kuramoto-cycle") return n * choose(n - 1, (n - 1) / 2);
     if (family == "kuramoto-equal") return power(2, n) - 2;

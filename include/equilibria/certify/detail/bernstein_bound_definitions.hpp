@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdlib>
 #include <map>
 #include <utility>
 
+#include <equilibria/algebra/laurent_products.hpp>
 #include <equilibria/certify/bernstein_bound.hpp>
 #include <equilibria/core/error.hpp>
 #include <equilibria/core/random.hpp>
@@ -25,32 +25,15 @@ EQUILIBRIA_INLINE std::vector<std::vector<Supports::Point>> laurent_exponents(co
     const auto n = static_cast<std::size_t>(system.sizes.unknowns);
     std::vector<std::map<Supports::Point, Parts>> sums(n);
     for (const auto& t : system.terms) {
-        struct Product {
-            Supports::Point exponents;
-            double factor;  // times -i to the number of sines
-        };
-        std::vector<Product> products{{Supports::Point(n), 1}};
-        std::size_t sines = 0;
+        std::vector<int> codes(n);
         for (int k = t.first; k < t.last; ++k) {
             const auto [unknown, code] = system.factors[static_cast<std::size_t>(k)];
-            const auto u = static_cast<std::size_t>(unknown);
-            for (Product& product : products) product.exponents[u] = std::abs(code);
-            if (unknown >= system.sizes.angles) continue;
-            // cos k = (z^k + z^-k) / 2, sin k = (z^k - z^-k) / 2i
-            sines += code < 0;
-            const std::size_t before = products.size();
-            for (std::size_t m = 0; m < before; ++m) {
-                products[m].factor *= 0.5;
-                Product other = products[m];
-                other.exponents[u] = -std::abs(code);
-                if (code < 0) other.factor = -other.factor;
-                products.push_back(std::move(other));
-            }
+            codes[static_cast<std::size_t>(unknown)] = code;
         }
-        for (const Product& product : products) {
-            ExactBall& part = sums[static_cast<std::size_t>(t.equation)][product.exponents][sines % 2];
-            const double sign = sines % 4 == 1 || sines % 4 == 2 ? -1 : 1;  // (-i)^sines
-            part = part + ExactBall(sign * product.factor) * t.coefficient;
+        for (const auto& product : laurent_products(codes, system.sizes.angles)) {
+            Parts& parts = sums[static_cast<std::size_t>(t.equation)][product.exponents];
+            parts[0] = parts[0] + ExactBall(product.coefficient.real()) * t.coefficient;
+            parts[1] = parts[1] + ExactBall(product.coefficient.imag()) * t.coefficient;
         }
     }
     std::vector<std::vector<Supports::Point>> y(n);

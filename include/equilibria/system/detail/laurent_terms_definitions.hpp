@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <utility>
 
+#include <equilibria/algebra/laurent_products.hpp>
 #include <equilibria/polyhedral/affine_supports.hpp>
 #include <equilibria/system/laurent_terms.hpp>
 
@@ -25,24 +26,9 @@ EQUILIBRIA_INLINE std::vector<std::vector<Supports::Point>> exponents_of(const S
 
 EQUILIBRIA_INLINE std::vector<PolynomialTerm<std::complex<double>>> laurent_products(const SparseMonomial& monomial,
                                                                                      const RuntimeSizes& sizes) {
-    using Number = std::complex<double>;
-    std::vector<PolynomialTerm<Number>> y{{1, std::vector<int>(static_cast<std::size_t>(sizes.unknowns))}};
-    for (int u = 0; u < sizes.unknowns; ++u) {
-        const int code = monomial.code(u);
-        const auto at = static_cast<std::size_t>(u);
-        const std::size_t before = y.size();
-        for (std::size_t k = 0; code != 0 && k < before; ++k) {
-            y[k].exponents[at] = std::abs(code);
-            if (u >= sizes.angles) continue;
-            // cos k = (z^k + z^-k) / 2, sin k = (z^k - z^-k) / 2i
-            y[k].coefficient *= code > 0 ? Number(0.5) : Number(0, -0.5);
-            auto other = y[k];
-            other.exponents[at] = -std::abs(code);
-            if (code < 0) other.coefficient = -other.coefficient;
-            y.push_back(std::move(other));
-        }
-    }
-    return y;
+    std::vector<int> codes;
+    for (int u = 0; u < sizes.unknowns; ++u) codes.push_back(monomial.code(u));
+    return laurent_products(codes, sizes.angles);
 }
 
 }  // namespace detail

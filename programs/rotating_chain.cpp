@@ -4,6 +4,7 @@
 //   rotating_chain --links 6 --omega 1.7 --threads 2 --json equilibria.json
 //   rotating_chain --links 3 --prove --digits 100
 //   rotating_chain --links 8 --checkpoint chain.ckpt    (after Ctrl-C, or worse, the same command goes on)
+//   mpirun -n 4 rotating_chain --links 10 --checkpoint chain.ckpt    (built with MPI: docs/scale.md)
 #include <signal.h>
 
 #include <algorithm>
@@ -33,6 +34,7 @@
 #include "support/options.hpp"
 #include "support/output_file.hpp"
 #include "support/progress_bar.hpp"
+#include "support/ranks.hpp"
 
 namespace {
 
@@ -50,6 +52,7 @@ struct Chain {
 struct Options {
     std::uint64_t seed;
     unsigned threads;
+    equilibria::Ranks ranks;
     std::function<void(std::uint64_t done, std::uint64_t all)> progress;
     std::string checkpoint;
     const std::atomic<bool>* cancel;
@@ -62,7 +65,7 @@ struct Command {
     int links = 2;
     Chain chain{{}, {}, 2, 1};
     Options options{
-        .seed = 1, .threads = 1, .progress = {}, .checkpoint = {}, .cancel = nullptr, .prove = false, .digits = 0};
+        .seed = 1, .threads = 1, .ranks = {}, .progress = {}, .checkpoint = {}, .cancel = nullptr, .prove = false, .digits = 0};
     std::optional<support::OutputFile> json;
 };
 
@@ -132,6 +135,7 @@ Result enumerate(const Chain& chain, const Options& options) {
     const auto found = equilibria::enumerate(model, p,
                                              {.seed = options.seed,
                                               .executor = equilibria::threads(options.threads),
+                                              .ranks = options.ranks,
                                               .progress = options.progress,
                                               .checkpoint = options.checkpoint,
                                               .cancel = options.cancel});
@@ -140,7 +144,8 @@ Result enumerate(const Chain& chain, const Options& options) {
     out["complete"] = false;
     out["reason"] = "nothing was proved: --prove was not given";
     if (options.prove) {
-        const auto proof = equilibria::prove(model, found, {.executor = equilibria::threads(options.threads)});
+        const auto proof = equilibria::prove(
+            model, found, {.executor = equilibria::threads(options.threads), .ranks = options.ranks});
         equilibria::add_proof(out, proof);
         equilibria::add_certificates(out["equilibria"], proof);
         // names of before
@@ -228,12 +233,13 @@ void print(const Chain& chain, const Json& r) {
 std::atomic<bool> cancelled = false;
 static_assert(std::atomic<bool>::is_always_lock_free);
 
-/// The first Ctrl-C ends the enumeration with what is finished, a second one the program.
+/// The first Ctrl-C, or SIGTERM of a batch system, ends the enumeration with what is finished, a second one the program.
 void cancel_on_interrupt() {
     struct sigaction action{};
     action.sa_handler = [](int) { cancelled = true; };
     action.sa_flags = static_cast<int>(SA_RESETHAND);
     sigaction(SIGINT, &action, nullptr);
+    sigaction(SIGTERM, &action, nullptr);
 }
 
 /// One line on stderr: how much is done, and how to go on.
@@ -249,7 +255,9 @@ int interrupted(const equilibria::PathCounts& paths, const std::string& checkpoi
 }  // namespace
 
 int main(int argc, char** argv) {
+    const auto ranks = support::ranks(&argc, &argv);
     Command c = read(argc, argv);
+    c.options.ranks = ranks;
     std::optional<support::ProgressBar> bar("tracking");
     c.options.progress = [&](std::uint64_t done, std::uint64_t all) { bar->update(done, all); };
     c.options.cancel = &cancelled;
@@ -257,6 +265,7 @@ int main(int argc, char** argv) {
     try {
         const Result result = enumerate(c.chain, c.options);
         bar.reset();
+        if (!ranks.first()) return result.paths.cancelled > 0 ? 130 : 0;
         if (result.paths.cancelled > 0) return interrupted(result.paths, c.options.checkpoint);
         if (c.json) c.json->write(equilibria::json_text(document(c.chain, c.options, result.json)));
         if (!to_stdout(c.json)) print(c.chain, result.json);

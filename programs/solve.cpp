@@ -24,6 +24,7 @@
 #include "support/options.hpp"
 #include "support/output_file.hpp"
 #include "support/progress_bar.hpp"
+#include "support/ranks.hpp"
 
 namespace {
 
@@ -205,6 +206,7 @@ void print(const Json& r) {
 }  // namespace
 
 int main(int argc, char** argv) {
+    const auto ranks = support::ranks(&argc, &argv);
     const Command c = read(argc, argv);
     const solve::Input input = read_input(c);
     std::optional<support::ProgressBar> bar("tracking");
@@ -213,14 +215,16 @@ int main(int argc, char** argv) {
             solve::solve(input, c.start, c.prove,
                          {.seed = c.seed,
                           .executor = equilibria::threads(c.threads),
+                          .ranks = ranks,
                           .progress = [&](std::uint64_t done, std::uint64_t all) { bar->update(done, all); }});
         bar.reset();
+        if (!ranks.first()) return 0;
         const Json result = document(c, input, solution);
         if (c.json) c.json->write(equilibria::json_text(result));
         if (!to_stdout(c.json)) print(result);
     } catch (const std::exception& error) {
         bar.reset();
-        std::fprintf(stderr, "solve: %s\n", error.what());
+        if (ranks.first()) std::fprintf(stderr, "solve: %s\n", error.what());
         return 1;
     }
 }

@@ -32,7 +32,7 @@ Solution solve(const Input& input, std::optional<equilibria::StartKind> asked, b
     y.tracking_seconds = seconds_since(tracking);
     if (prove)
         y.proof = equilibria::prove(input.system, y.found, equilibria::proved_bounds(input.system),
-                                    {.executor = run.executor});
+                                    {.executor = run.executor, .ranks = run.ranks});
     y.seconds = seconds_since(begin);
     return y;
 }

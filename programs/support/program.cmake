@@ -19,6 +19,10 @@ function(equilibria_program name source built)
         ${name}
         PRIVATE ${library} $<TARGET_NAME_IF_EXISTS:command_line> $<TARGET_NAME_IF_EXISTS:json_documents>
     )
+    if(EQUILIBRIA_MPI AND text MATCHES "\"support/ranks.hpp\"")
+        target_link_libraries(${name} PRIVATE MPI::MPI_CXX)
+        target_compile_definitions(${name} PRIVATE EQUILIBRIA_MPI)
+    endif()
     equilibria_warnings(${name})
     equilibria_read_first(${source} ${ARGN})
     equilibria_native(${name} ${level})

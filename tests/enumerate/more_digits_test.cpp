@@ -84,6 +84,11 @@ TEST_CASE("badly conditioned regular roots are told from multiple ones with more
     CHECK(found.paths.finite == 64);
     CHECK(found.roots.size() == 64);
     CHECK(found.paths.more_digits >= in_double.paths.singular);
+    // of 8 unknowns roots of size 3e5 at which paths fail in double: they go on from where they stand
+    const auto larger = solve_polyhedral(sparse_system(families::chandra(8)), {}, {}, more_digits);
+    CHECK(larger.paths.accounted_for());
+    CHECK(larger.paths.failed == 0);
+    CHECK(larger.paths.finite >= 126);
     // (x - 1)^2 = 0, y^2 - x = 0: two double roots
     const SparseSystem twice(RuntimeSizes(0, 2), {{0, SparseMonomial({2, 0}), 1},
                                                   {0, SparseMonomial({1, 0}), -2},

@@ -60,7 +60,7 @@ Bytes with_right_sums(std::span<const std::uint8_t> input) {
 /// A sound file of two blocks, changed. input: places (2 bytes) and what is added there.
 Bytes with_changes(std::span<const std::uint8_t> input) {
     Bytes records;
-    const auto size = detail::Checkpoint::endpoint_size(sizes);
+    const auto size = detail::BlockCodec(sizes).endpoint_size();
     for (const auto& [which, ends] : {std::pair{2, 1}, std::pair{0, 2}}) {
         Bytes record(24 + static_cast<std::size_t>(ends) * size + 8);
         detail::put_number(&record[0], record.size() - 16);

@@ -138,9 +138,9 @@ TEST_CASE("every field of an endpoint comes back bit by bit, whatever it holds")
     CHECK(bits(two[0]) == bits(ends[23]));
     CHECK(bits(two[1]) == bits(ends[24]));
     // 5 points of the plane, 4 numbers, and the rest: 4 + 2 + 4 bytes
-    CHECK(Checkpoint::endpoint_size(sizes) == 5 * 16 + 4 * 8 + 10);
+    CHECK(detail::BlockCodec(sizes).endpoint_size() == 5 * 16 + 4 * 8 + 10);
     CHECK(scratch.bytes().size() ==
-          1536 + std::string("model: everything\n").size() + 2 * (16 + 16) + 15 * Checkpoint::endpoint_size(sizes));
+          1536 + std::string("model: everything\n").size() + 2 * (16 + 16) + 15 * detail::BlockCodec(sizes).endpoint_size());
 }
 
 TEST_CASE("records that do not fit the run are refused with their number") {
@@ -162,7 +162,7 @@ TEST_CASE("records that do not fit the run are refused with their number") {
         return wrong;
     };
     const auto record = [](std::uint8_t block, std::size_t size) {
-        detail::Bytes bytes(16 + size * detail::Checkpoint::endpoint_size(sizes));
+        detail::Bytes bytes(16 + size * detail::BlockCodec(sizes).endpoint_size());
         bytes[0] = block;
         return bytes;
     };

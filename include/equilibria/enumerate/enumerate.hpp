@@ -79,7 +79,7 @@ template <Model M>
     const detail::Stopwatch begin;
     const Parameters<M>& p = target.parameters;
     CheckpointFields fields;
-    if (!run.checkpoint.empty()) fields = model_fields<M>(p);
+    if (run.is_told_apart()) fields = model_fields<M>(p);
     auto set = typed<M>(enumerate_polyhedral(system, runtime_array(p),
                                              {Sizes<M>(), PotentialModel<M>, Formulation<M>::reflection_symmetric},
                                              std::make_shared<OwnEquationsOf<ModelValues<M>>>(ModelValues<M>{p}),
@@ -167,7 +167,7 @@ template <Model M>
     for (const auto& q : points) known.emplace_back(n_unknowns<M>), std::copy(q.begin(), q.end(), known.back().begin());
     auto paths =
         track_along_arc(family, known, from, to, std::make_shared<OwnEquationsOf<ModelValues<M>>>(ModelValues<M>{p}),
-                        run.checkpoint.empty() ? CheckpointFields() : model_fields<M>(p), run, options, arc_resort);
+                        run.is_told_apart() ? model_fields<M>(p) : CheckpointFields(), run, options, arc_resort);
     // what families of roots are looked for on: the system that all ways end at
     const PolynomialHomotopy homotopy = model_homotopy(target, Moving<M>(target.coefficients, gamma, {}));
     auto set = typed<M>(root_set_of(std::move(paths), to,

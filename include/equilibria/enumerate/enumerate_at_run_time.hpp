@@ -71,7 +71,7 @@ RootSet<RuntimeUnknowns> enumerate_from(const T& model, const RuntimeArray<doubl
                                                       formulation.reflection_symmetric()};
     const detail::RealRuntimeEquations<T> equations(model, p);
     detail::CheckpointFields fields;
-    if (!run.checkpoint.empty())
+    if (run.is_told_apart())
         fields = detail::model_fields(detail::type_name<T>(), sizes, target.terms, {p.begin(), p.end()});
 
     StartReport report{{}, "asked for", {}};
@@ -148,7 +148,7 @@ RootSet<RuntimeUnknowns> enumerate(const T& model, const RootSet<RuntimeUnknowns
     for (const auto& term : solved_system.terms) parts.from.push_back(gamma * term.coefficient);
     const PolynomialHomotopy line(std::move(parts));
     detail::CheckpointFields fields;
-    if (!run.checkpoint.empty())
+    if (run.is_told_apart())
         fields = detail::model_fields(detail::type_name<T>(), sizes, target.terms, {p.begin(), p.end()});
     const SystemFamily family = system_family(model);
     const KnownRoots start(sizes, points);

@@ -64,6 +64,9 @@ StreamedRoots<RuntimeUnknowns> stream_roots(PathSet paths, const RuntimeArray<do
 /// original, otherwise they come by path number; roots that are their own mirror images are last. Sorted by path they
 /// are those of `enumerate`, bit by bit.
 ///
+/// Of several ranks rank 0 alone hands roots on, and gets the result; the others help with the paths, and get an empty
+/// one.
+///
 /// run.checkpoint must name a file, of about 32 n + 40 bytes a tracked path for n angles. Of a cancelled run no root is
 /// handed on. Throws InvalidArgument as `enumerate` does, and what `take` throws.
 template <Model M, class StartSystem = NaturalStart<M>, RootTaker<M> Take>
@@ -78,6 +81,12 @@ StreamedRoots<M> enumerate(const Parameters<M>& p, const RunOptions& run, Take&&
     const StartSystem start(target, generator);
     auto paths = detail::track_paths(model_homotopy(target, start), detail::model_problem<M>(start, p, run, true), run,
                                      options, nullptr);
+    if (!run.ranks.first()) {
+        StreamedRoots<M> elsewhere;
+        elsewhere.parameters = p;
+        elsewhere.seed = run.seed;
+        return elsewhere;
+    }
     auto set = detail::stream_roots(std::move(paths), runtime_array(p),
                                     {Sizes<M>(), PotentialModel<M>, Formulation<M>::reflection_symmetric},
                                     detail::RealModelEquations<M>(p), run,

@@ -28,6 +28,7 @@
 #include <equilibria/homotopy/detail/closed_loop.hpp>
 #include <equilibria/homotopy/detail/divergence.hpp>
 #include <equilibria/homotopy/detail/segments.hpp>
+#include <equilibria/homotopy/newton_in_digits.hpp>
 #include <equilibria/homotopy/polish.hpp>
 
 namespace equilibria {
@@ -44,10 +45,10 @@ public:
     using Loop = ClosedLoop<R>;
 
     Endgame(const H& h, const Polisher<H>& polisher, const TrackerOptions& options)
-        : sizes_(h.sizes()), options_(options), tracker_(h, options, shortest_step),
+        : homotopy_(&h), sizes_(h.sizes()), options_(options), tracker_(h, options, shortest_step),
           closing_(h, closing(options), shortest_step), polisher_(&polisher), polishing_(h) {}
 
-    /// Ends paths that have come to t = ends[k]->t.
+    /// Ends paths that have come to ends[k]->q at t = ends[k]->t.
     void finish(std::span<Endpoint* const> ends) {
         std::vector<Path> paths;
         for (Endpoint* end : ends) paths.push_back(path_at(*end, 1 - end->t));
@@ -155,8 +156,10 @@ private:
             if (!path.decided) left.push_back(&path);
         conclude(left);
         for (const Path& path : paths)
-            if (path.end->status == PathStatus::at_infinity || path.end->status == PathStatus::failed)
+            if (path.end->status == PathStatus::at_infinity || path.end->status == PathStatus::failed) {
                 copy_lane(path.q, 0, path.end->q, 0);
+                path.end->t = 1 - path.r;
+            }
     }
 
     /// Whether the path is believed to diverge.
@@ -172,8 +175,9 @@ private:
         if (now.winding == 0 || last.winding == 0) return false;
         path.excluded = std::min(path.excluded, excluded_radius(now, path.r, last));
         if (path.excluded < slowly_diverging_radius) return true;
-        path.decided = now.has_mean && last.has_mean && distance(now.mean, last.mean) < settled &&
-                       settle(*path.end, now.mean, now.winding);
+        path.decided = (exact && now.winding == 1 && is_regular_at_the_end(path)) ||
+                       (now.has_mean && last.has_mean && distance(now.mean, last.mean) < settled &&
+                        settle(*path.end, now.mean, now.winding));
         return path.decided;
     }
     /// To the next scale: where the fastest unknown has grown e^3 times, a tenth at the most. Those that are stuck stay
@@ -233,7 +237,7 @@ private:
             // rounding may have led it along a family
             const bool strayed = distance(paths[k]->q, segments[k].q) > 1;
             paths[k]->q = segments[k].q;
-            if (strayed) continue;
+            if (strayed || is_regular_in_digits(segments[k].q, end)) continue;
             RuntimePoint<double> reached;
             copy_lane(segments[k].q, 0, reached, 0);
             RuntimePoint<double> q = reached;
@@ -316,6 +320,25 @@ private:
     static bool is_regular(const PolishedEvidence& evidence) {
         return evidence.condition < regular_condition && evidence.correction < 1e-8;
     }
+    /// Whether the endpoint is next to q and regular, which no condition tells where R has digits to spare.
+    bool is_regular_in_digits(At q, Endpoint& end) {
+        if constexpr (exact) {
+            if (!converges_in_digits(*homotopy_, q)) return false;
+            copy_lane(q, 0, end.q, 0);
+            polisher_->assess(end.q, &end.evidence, polishing_);
+            end.status = PathStatus::finite;
+            end.reason = FailureReason::none;
+            return true;
+        }
+        return false;
+    }
+    /// The same of the end of a path that has no branch point on its way.
+    bool is_regular_at_the_end(const Path& path) {
+        Segment<R> rest = segment(path, 0);
+        closing_.follow(std::span(&rest, 1));
+        path.end->steps = rest.steps;
+        return rest.progress == Progress::arrived && is_regular_in_digits(rest.q, *path.end);
+    }
     /// Decides at a settled estimate of the endpoint; false if the radius is still too large to tell.
     bool settle(Endpoint& end, const At& mean, int winding) {
         RuntimePoint<double> estimate;
@@ -339,6 +362,7 @@ private:
         return true;
     }
 
+    const H* homotopy_;
     Sizes<M> sizes_;
     TrackerOptions options_;
     SegmentLanes<H, R> tracker_, closing_;  // from the start, and near t = 1

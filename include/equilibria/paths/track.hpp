@@ -26,7 +26,7 @@ template <Model M, class StartSystem>
 PathProblem model_problem(const StartSystem& start, const Parameters<M>& p, const RunOptions& run,
                           bool streamed = false) {
     PathProblem problem{.start = StartPoints(start), .streamed = streamed};
-    if (!run.checkpoint.empty()) problem.model = model_fields<M>(p);
+    if (run.is_told_apart()) problem.model = model_fields<M>(p);
     return problem;
 }
 

@@ -9,6 +9,7 @@
 
 #include <equilibria/core/error.hpp>
 #include <equilibria/run/executor.hpp>
+#include <equilibria/run/ranks.hpp>
 #include <equilibria/run/threads.hpp>
 
 namespace equilibria {
@@ -16,17 +17,26 @@ namespace equilibria {
 struct RunOptions {
     std::uint64_t seed = 1;  ///< of all random numbers; the same seed gives the same result
     Executor executor{};     ///< serial, or threads(n); does not change the result
-    /// Called now and then with how much is done and how much there is (paths, roots, cells), from any thread, one call
-    /// at a time.
+    /// Processes that share the work, each of which calls with the same options; does not change the result, which each
+    /// of them gets.
+    Ranks ranks{};
+    /// Called at rank 0 now and then with how much is done and how much there is (paths, roots, cells), from any
+    /// thread, one call at a time.
     std::function<void(std::uint64_t done, std::uint64_t all)> progress{};
-    /// A file that keeps what is finished; if it exists already, the run goes on from there. Empty: none. An existing
-    /// file of another run is refused (CheckpointError). It does not change the result.
+    /// A file that keeps what is finished, rank 0's alone; if it exists already, the run goes on from there. Empty:
+    /// none. An existing file of another run is refused (CheckpointError). It does not change the result.
     std::string checkpoint{};
     /// The run ends soon after this has become true, with what is finished until then; the result says so. It may be
     /// set from a signal handler.
     const std::atomic<bool>* cancel = nullptr;
 
     bool cancelled() const { return cancel && cancel->load(std::memory_order_relaxed); }
+
+    /// Whether the run must be told from others: by its file, or by other ranks.
+    bool is_told_apart() const { return !checkpoint.empty() || ranks.several(); }
+
+    /// Whether any rank is: collective.
+    bool cancelled_anywhere() const { return ranks.any(cancelled()); }
 
     RunOptions with_seed(std::uint64_t other) const {
         RunOptions run = *this;

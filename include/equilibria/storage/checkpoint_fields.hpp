@@ -21,6 +21,12 @@ struct CheckpointField {
 };
 using CheckpointFields = std::vector<CheckpointField>;
 
+/// Lines "name: value", and back.
+std::string text_of(const CheckpointFields& fields);
+CheckpointFields fields_of(const std::string& text);
+/// What differs, up to three fields of it: "its seed is 2, this run's is 1; its ...", where `ours` is "this run's".
+std::string differences(const CheckpointFields& theirs, const CheckpointFields& here, const std::string& ours);
+
 /// The name of a type as the compiler spells it.
 template <class M>
 std::string type_name() {

@@ -22,7 +22,6 @@
 #include <algorithm>
 #include <array>
 #include <boost/crc.hpp>
-#include <boost/endian/conversion.hpp>
 #include <cerrno>
 #include <chrono>
 #include <cstdint>
@@ -31,22 +30,11 @@
 #include <utility>
 #include <vector>
 
+#include <equilibria/storage/bytes.hpp>
 #include <equilibria/storage/checkpoint_fields.hpp>
 #include <equilibria/storage/locked_file.hpp>
 
 namespace equilibria::detail {
-
-/// The lowest `bytes` bytes of a number, little-endian.
-template <int bytes = 8>
-void put_number(std::uint8_t* to, std::uint64_t value) {
-    using namespace boost::endian;
-    endian_store<std::uint64_t, bytes, order::little>(to, value);
-}
-template <int bytes = 8>
-std::uint64_t get_number(const std::uint8_t* from) {
-    using namespace boost::endian;
-    return endian_load<std::uint64_t, bytes, order::little>(from);
-}
 
 class Crc64 {
 public:
@@ -77,7 +65,7 @@ public:
     /// another header; the message names the fields that differ.
     template <class Visit>
     CheckpointFile(std::string path, const CheckpointFields& header, Visit&& visit) : file_(std::move(path)) {
-        for (const CheckpointField& f : header) header_ += f.name + ": " + f.value + "\n";
+        header_ = text_of(header);
         for (int attempt = 0; !file_.open(); ++attempt) {
             if (attempt == 2) file_.refuse("cannot be created", ENOENT);  // a link that leads nowhere
             if (create()) return;
@@ -240,36 +228,8 @@ private:
         if (end_ < size) file_.truncate(end_);
     }
 
-    static CheckpointFields fields(const std::string& header) {
-        CheckpointFields found;
-        for (std::size_t at = 0; at < header.size();) {
-            const std::size_t end = std::min(header.find('\n', at), header.size());
-            const std::string line = header.substr(at, end - at);
-            const std::size_t colon = std::min(line.find(": "), line.size());
-            found.push_back({line.substr(0, colon), line.substr(std::min(colon + 2, line.size()))});
-            at = end + 1;
-        }
-        return found;
-    }
     [[noreturn]] void refuse_header(const std::string& theirs) const {
-        const auto there = fields(theirs), here = fields(header_);
-        const auto value = [](const CheckpointFields& of, const std::string& name) -> std::string {
-            for (const CheckpointField& f : of)
-                if (f.name == name) return f.value;
-            return "nothing";
-        };
-        std::string text;
-        int differences = 0;
-        const auto compare = [&](const std::string& name) {
-            const std::string a = value(there, name), b = value(here, name);
-            if (a == b || ++differences > 3) return;
-            text += (text.empty() ? "its " : "; its ") + name + " is " + a + ", this run's is " + b;
-        };
-        for (const CheckpointField& f : here) compare(f.name);
-        for (const CheckpointField& f : there)
-            if (std::none_of(here.begin(), here.end(), [&](const CheckpointField& g) { return g.name == f.name; }))
-                compare(f.name);
-        if (differences > 3) text += "; " + std::to_string(differences - 3) + " more differ";
+        const std::string text = differences(fields_of(theirs), fields_of(header_), "this run's");
         refuse("is of another run: " + (text.empty() ? "its header is written otherwise" : text));
     }
 

@@ -66,7 +66,7 @@ class EndpointStore {
 public:
     /// For `size` paths in memory. sizes: of their unknowns.
     EndpointStore(std::uint64_t size, std::uint64_t block, const RuntimeSizes& sizes)
-        : sizes_(sizes), size_(size), block_(block), has_((size + block - 1) / block), ends_(sizes, size) {}
+        : EndpointStore(size, block, sizes, size) {}
 
     /// In a checkpoint, with what it holds already; `in_memory`: also there, which is faster. Throws CheckpointError.
     EndpointStore(std::uint64_t size, std::uint64_t block, std::string path, const CheckpointFields& header,
@@ -77,6 +77,11 @@ public:
             enter(which, ends, retracked);
         };
         file_ = std::make_unique<Checkpoint>(std::move(path), header, size, block, take, sizes);
+    }
+
+    /// Keeps no endpoints, but for which blocks are done: somebody else has them.
+    static EndpointStore elsewhere(std::uint64_t size, std::uint64_t block, const RuntimeSizes& sizes) {
+        return {size, block, sizes, 0};
     }
 
     const RuntimeSizes& sizes() const { return sizes_; }
@@ -143,6 +148,9 @@ private:
         std::uint64_t first = 0;
         std::vector<Endpoint> ends;
     };
+
+    EndpointStore(std::uint64_t size, std::uint64_t block, const RuntimeSizes& sizes, std::uint64_t in_memory)
+        : sizes_(sizes), size_(size), block_(block), has_((size + block - 1) / block), ends_(sizes, in_memory) {}
 
     void enter(std::uint64_t which, std::span<const Endpoint> ends, std::uint64_t retracked) {
         if (!ends_.empty())

@@ -14,13 +14,11 @@
 #include <string>
 #include <string_view>
 #include <utility>
-#include <vector>
 
+#include <equilibria/storage/bytes.hpp>
 #include <equilibria/storage/checkpoint_error.hpp>
 
 namespace equilibria::detail {
-
-using Bytes = std::vector<std::uint8_t>;
 
 class LockedFile {
 public:

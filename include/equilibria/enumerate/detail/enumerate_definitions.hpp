@@ -86,7 +86,7 @@ EQUILIBRIA_INLINE RootSet<RuntimeUnknowns> enumerate_polyhedral(
     const SparseSystem& system, const RuntimeArray<double>& p, const ModelProperties<RuntimeUnknowns>& model,
     std::shared_ptr<const OwnEquations> own, const RealEquations& equations, CheckpointFields fields,
     const RunOptions& run, const TrackerOptions& options, MoreDigits<> resort) {
-    const GenericInstance instance(system, {.seed = run.seed, .executor = run.executor}, options);
+    const GenericInstance instance(system, {.seed = run.seed, .executor = run.executor, .ranks = run.ranks}, options);
     const GenericInstance::Start start(instance);
     const PolynomialHomotopy homotopy = instance.homotopy(system, std::move(own));
     auto paths = track_paths(homotopy, {.start = StartPoints(start), .model = std::move(fields)}, run, options, resort);
@@ -127,11 +127,11 @@ EQUILIBRIA_INLINE PathSet track_along_arc(const SystemFamily& family, const Know
         if (attempt > 0) of.checkpoint.clear(), of.progress = nullptr;
         const auto path = CoefficientPath::between(family, complex_parameters(from), complex_parameters(to), generator);
         PathProblem problem{.start = StartPoints(start)};
-        if (!of.checkpoint.empty()) problem.model = model;
+        if (of.is_told_apart()) problem.model = model;
         PathSet paths = track_paths(ArcHomotopy(path, own), std::move(problem), of, options, resort);
         const std::uint64_t failed = account_for(paths).counts.failed;
         if (!best || failed < fewest) best.emplace(std::move(paths)), fewest = failed;
-        if (fewest == 0 || run.cancelled()) break;
+        if (fewest == 0 || run.cancelled_anywhere()) break;
     }
     return *std::move(best);
 }

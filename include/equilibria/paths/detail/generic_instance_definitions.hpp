@@ -16,6 +16,7 @@
 #include <equilibria/homotopy/polish.hpp>
 #include <equilibria/homotopy/polyhedral_homotopy.hpp>
 #include <equilibria/paths/detail/coincidence_finder.hpp>
+#include <equilibria/paths/detail/over_ranks.hpp>
 #include <equilibria/paths/generic_instance.hpp>
 #include <equilibria/run/elapsed.hpp>
 #include <equilibria/start/polyhedral_start.hpp>
@@ -55,21 +56,24 @@ private:
     void track(const std::vector<std::uint64_t>& paths, const TrackerOptions& options) {
         const std::size_t workers = run_.executor.workers();
         const std::size_t block =
-            std::clamp<std::size_t>(paths.size() / (8 * workers), 8 * native_lanes, workers == 1 ? 4096 : 512);
-        run_.executor.for_blocks(paths.size(), block, [&](std::size_t first, std::size_t last) {
+            run_.ranks.several()
+                ? shared_block(paths.size())
+                : std::clamp<std::size_t>(paths.size() / (8 * workers), 8 * native_lanes, workers == 1 ? 4096 : 512);
+        std::vector<Endpoint> tracked(paths.size());
+        compute_endpoints(run_, homotopy_.sizes(), tracked, block, [&](std::size_t first, std::size_t last) {
             const std::span numbers(paths.data() + first, last - first);
-            std::vector<Endpoint> ends(numbers.size());
+            const auto ends = std::span(tracked).subspan(first, last - first);
             const auto from = [this](std::uint64_t path) { return start_.point(path); };
             if (options.single_precision && paths.size() >= 3 * native_lanes)
-                track_single_first(homotopy_, homotopy_, options, numbers, from, std::span(ends));
+                track_single_first(homotopy_, homotopy_, options, numbers, from, ends);
             else
-                track_lanes<Pack, false>(homotopy_, options, numbers, from, std::span(ends));
+                track_lanes<Pack, false>(homotopy_, options, numbers, from, ends);
             polish(ends);
-            for (std::size_t k = 0; k < ends.size(); ++k) {
-                ends[k].steps += ends_[numbers[k]].steps;
-                ends_[numbers[k]] = std::move(ends[k]);
-            }
         });
+        for (std::size_t k = 0; k < paths.size(); ++k) {
+            tracked[k].steps += ends_[paths[k]].steps;
+            ends_[paths[k]] = std::move(tracked[k]);
+        }
     }
     void polish(std::span<Endpoint> ends) const {
         typename Polisher<PolyhedralHomotopy>::template Workspace<Pack> with(homotopy_);

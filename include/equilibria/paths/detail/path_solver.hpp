@@ -18,11 +18,14 @@
 #include <equilibria/homotopy/endgame.hpp>
 #include <equilibria/homotopy/lane_tracker.hpp>
 #include <equilibria/paths/detail/coincidence_finder.hpp>
+#include <equilibria/paths/detail/over_ranks.hpp>
 #include <equilibria/paths/detail/path_problem.hpp>
 #include <equilibria/paths/path_set.hpp>
 #include <equilibria/run/elapsed.hpp>
+#include <equilibria/run/ranks.hpp>
 #include <equilibria/run/run_options.hpp>
 #include <equilibria/storage/checkpoint.hpp>
+#include <equilibria/storage/endpoint_bytes.hpp>
 #include <equilibria/storage/endpoint_store.hpp>
 #include <equilibria/storage/fingerprint.hpp>
 
@@ -51,7 +54,7 @@ public:
     PathSet track() {
         PathSet paths(numbering_, store(), resting());
         track_unfinished(paths);
-        if (paths.ends().complete()) {
+        if (paths.ends().complete() && !elsewhere()) {
             track_with_more_digits(paths);
             const bool apart = uncross(paths);
             paths.apart = track_with_more_digits(paths) == 0 && apart;
@@ -85,8 +88,8 @@ private:
     /// Where the endpoints go: to memory, or to the checkpoint that the options name, and, unless streamed, to both.
     EndpointStore store() const {
         const std::uint64_t size = numbering_.tracked();
-        if (run_->checkpoint.empty()) return {size, block(size), homotopy_->sizes()};
-        require(!problem_.model.empty(), "checkpoint", run_->checkpoint,
+        if (!run_->is_told_apart()) return {size, block(size), homotopy_->sizes()};
+        require(run_->checkpoint.empty() || !problem_.model.empty(), "checkpoint", run_->checkpoint,
                 "must be empty: it keeps the enumeration of a model");
         Fingerprint numbers;
         homotopy_->for_each_number([&](const auto& number) { numbers(number); });
@@ -95,51 +98,101 @@ private:
             for (const auto* part : {&q.c, &q.s, &q.x})
                 for (const auto& z : *part) numbers(z.re), numbers(z.im);
         }
-        return {
-            size,
-            block(size),
-            run_->checkpoint,
-            checkpoint_header(problem_.model, {run_->seed, problem_.start.name, numbers, size, block(size)}, options_),
-            !problem_.streamed,
-            homotopy_->sizes()};
+        const auto header =
+            checkpoint_header(problem_.model, {run_->seed, problem_.start.name, numbers, size, block(size)}, options_);
+        require_same_run(run_->ranks, header);
+        if (elsewhere()) return EndpointStore::elsewhere(size, block(size), homotopy_->sizes());
+        if (run_->checkpoint.empty() || !run_->ranks.first()) return {size, block(size), homotopy_->sizes()};
+        return {size, block(size), run_->checkpoint, header, !problem_.streamed, homotopy_->sizes()};
     }
+    /// Whether the endpoints are at rank 0 alone, which goes on alone: this is another rank.
+    bool elsewhere() const { return problem_.streamed && !run_->ranks.first(); }
 
     void track_unfinished(PathSet& paths) {
         const detail::Stopwatch begin;
         EndpointStore& ends = paths.ends();
         std::atomic<std::int64_t> tracking = 0, working = 0;
         const auto now = [] { return std::chrono::steady_clock::now().time_since_epoch().count(); };
-        report(ends.finished(), ends.size());
-        run_->executor.for_blocks(ends.size(), ends.block(), [&](std::size_t first, std::size_t last) {
-            const std::uint64_t which = first / ends.block();
-            if (ends.has_block(which) || run_->cancelled()) return;
+        const auto track_from = [&](std::size_t first, std::size_t last, std::vector<Endpoint>& block) {
             const auto started = now();
             std::vector<std::uint64_t> numbers(last - first);
             std::iota(numbers.begin(), numbers.end(), first);
-            std::vector<Endpoint> block(numbers.size());
+            block.resize(numbers.size());
             track_block(numbers, block);
             tracking += now() - started;
             polish(block);
             const std::uint64_t retracked = finish(block, first);
             working += now() - started;
-            ends.put(which, block, retracked);
-            report(last - first, ends.size());
-        });
+            return retracked;
+        };
+        report(ends.finished(), ends.size());
+        if (run_->ranks.several()) {
+            share_blocks(ends, track_from);
+        } else {
+            run_->executor.for_blocks(ends.size(), ends.block(), [&](std::size_t first, std::size_t last) {
+                const std::uint64_t which = first / ends.block();
+                if (ends.has_block(which) || run_->cancelled()) return;
+                std::vector<Endpoint> block;
+                const std::uint64_t retracked = track_from(first, last, block);
+                ends.put(which, block, retracked);
+                report(last - first, ends.size());
+            });
+        }
         // the trackers' share, polishing and endgames left out
         paths.effort.tracking_seconds = begin.seconds();
         if (working > 0) paths.effort.tracking_seconds *= static_cast<double>(tracking) / static_cast<double>(working);
         paths.effort.retracked += ends.retracked();
     }
 
+    /// The blocks that are not there yet, over the ranks; rank 0 keeps them, and gives them to the others if it does
+    /// not go on alone.
+    void share_blocks(EndpointStore& ends, const auto& track_from) {
+        const BlockCodec codec(homotopy_->sizes());
+        const std::size_t size = ends.size(), length = ends.block(), blocks = (size + length - 1) / length;
+        const auto paths = [&](std::size_t which) { return std::min(length, size - which * length); };
+        std::vector<Endpoint> taken;
+        const auto take = [&](std::size_t which, Ranks::BytesView bytes) {
+            taken.resize(paths(which));
+            codec.decode(bytes.subspan(BlockCodec::head), taken);
+            ends.put(which, taken, BlockCodec::retracked(bytes));
+        };
+        const auto has = [&](std::size_t which) { return ends.has_block(which); };
+        run_->ranks.for_blocks({.size = blocks,
+                                .done = has,
+                                .work =
+                                    [&](std::size_t which) {
+                                        std::vector<Endpoint> block;
+                                        const std::size_t first = which * length;
+                                        const auto retracked = track_from(first, first + paths(which), block);
+                                        return codec.encode(block, retracked);
+                                    },
+                                .take =
+                                    [&](std::size_t which, Ranks::BytesView bytes) {
+                                        take(which, bytes);
+                                        report(paths(which), size);
+                                    },
+                                .cancelled = [this] { return run_->cancelled(); }},
+                               run_->executor);
+        if (problem_.streamed) return;
+        // how many were tracked again is known of all together: it goes with the first block
+        std::uint64_t retracked = ends.retracked();
+        const auto give = [&](std::size_t which) {
+            std::vector<Endpoint> block;
+            for (std::size_t k = 0; k < paths(which); ++k) block.push_back(ends[which * length + k]);
+            return codec.encode(block, std::exchange(retracked, 0));
+        };
+        run_->ranks.share(blocks, has, give, take);
+    }
+
     std::size_t block(std::size_t size) const {
         // lanes idle at the end of a block: few blocks, but enough to keep all workers busy, and to lose little of the
         // work where the run is cancelled or killed
-        if (run_->cancel || !run_->checkpoint.empty()) return std::clamp<std::size_t>(size / 64, 8 * native_lanes, 512);
+        if (run_->cancel || run_->is_told_apart()) return shared_block(size);
         if (run_->executor.workers() == 1) return 4096;
         return std::clamp<std::size_t>(size / (8 * run_->executor.workers()), 8 * native_lanes, 4096);
     }
     void report(std::uint64_t more, std::uint64_t all) {
-        if (!run_->progress) return;
+        if (!run_->progress || !run_->ranks.first()) return;
         const std::lock_guard lock(progress_guard_);
         run_->progress(done_ += more, all);
     }
@@ -212,25 +265,28 @@ private:
     std::size_t track_with_more_digits(PathSet& paths) const {
         if (!more_digits_) return 0;
         EndpointStore& ends = paths.ends();
-        std::vector<std::pair<std::uint64_t, Endpoint>> failed;
+        std::vector<std::uint64_t> failed;
+        std::vector<Endpoint> again;
         for (std::uint64_t k = 0; k < ends.size(); ++k) {
             const EndpointRecord end = ends.record(k);
             const bool doubtful =
                 end.status == PathStatus::failed || (end.status == PathStatus::singular && end.winding_number == 1);
-            if (doubtful && end.precision != Precision::more_digits) failed.emplace_back(k, ends[k]);
+            if (doubtful && end.precision != Precision::more_digits) failed.push_back(k), again.push_back(ends[k]);
         }
         TrackerOptions careful = options_.tightened();
         careful.most_steps = std::max(careful.most_steps, 20000);
-        run_->executor.for_blocks(failed.size(), 1, [&](std::size_t at, std::size_t) {
-            auto& [k, end] = failed[at];
+        RunOptions run = *run_;
+        if (problem_.streamed) run.ranks = {};
+        compute_endpoints(run, homotopy_->sizes(), again, 1, [&](std::size_t at, std::size_t) {
+            Endpoint& end = again[at];
             const PathStatus before = end.status;
-            more_digits_(*homotopy_, polisher_, careful, start_point(k), end);
+            more_digits_(*homotopy_, polisher_, careful, start_point(failed[at]), end);
             if (before == PathStatus::failed || end.status != before) end.precision = Precision::more_digits;
         });
         std::size_t changed = 0;
-        for (const auto& [k, end] : failed) {
-            if (end.precision != Precision::more_digits) continue;
-            ends.replace(k, end);
+        for (std::size_t at = 0; at < failed.size(); ++at) {
+            if (again[at].precision != Precision::more_digits) continue;
+            ends.replace(failed[at], again[at]);
             ++changed;
         }
         paths.effort.more_digits += changed;
@@ -250,12 +306,13 @@ private:
             const auto groups = finder.groups(paths.size(), point, 1e-9);
             if (groups.empty()) return true;
             careful = careful.tightened();
+            const bool cancelled = problem_.streamed ? run_->cancelled() : run_->cancelled_anywhere();
             std::vector<std::uint64_t> crossed;
             for (const auto& group : groups)
                 for (const std::size_t k : group)
                     if (paths.rests(k))
                         continue;
-                    else if (run_->cancelled())
+                    else if (cancelled)
                         ends.unsettle(k);
                     else
                         crossed.push_back(k);

@@ -38,7 +38,7 @@ EQUILIBRIA_INLINE ComplexRoots<> solve_along(const std::vector<Root<RuntimeUnkno
         const CoefficientPath path = CoefficientPath::between(family, from, to, generator);
         auto found = complex_roots(track(ArcHomotopy(path), KnownRoots(family.sizes(), points), run, options, resort));
         if (attempt == 0 || found.paths.failed < y.paths.failed) y = std::move(found);
-        if (y.paths.failed == 0 || run.cancelled()) break;
+        if (y.paths.failed == 0 || run.cancelled_anywhere()) break;
     }
     return y;
 }

@@ -1,0 +1,41 @@
+/// \file
+/// Regular solutions that doubles take for singular ones: far out, or where equations are badly scaled.
+#pragma once
+
+#include <equilibria/core/linear_solve.hpp>
+#include <equilibria/evaluation/point.hpp>
+#include <equilibria/homotopy/detail/segments.hpp>
+
+namespace equilibria::detail {
+
+/// Whether Newton's method in R converges from q at t = 1, quadratically and next to it: then a regular solution is
+/// there, whatever its condition, and q becomes it. (At a multiple one it converges linearly.)
+template <class H, class R>
+bool converges_in_digits(const H& homotopy, RuntimePoint<R>& q) {
+    constexpr int most_corrections = 8;
+    const int n = homotopy.sizes().unknowns;
+    typename H::template Evaluation<R, Complex<R>> evaluation(homotopy);
+    PivotedFactorization<R> lu(n);
+    RuntimeArray<Complex<R>> f(n);
+    RuntimeMatrix<Complex<R>> j(n);
+    RuntimePoint<R> at = q;
+    for (int k = 0; k < most_corrections; ++k) {
+        evaluation.target_jacobian(at, f, j);
+        if (homotopy.symmetric())
+            for (int r = 0; r < n; ++r)
+                for (int c = 0; c < r; ++c) j[r][c] = j[c][r];
+        lu.factor(j);
+        for (int i = 0; i < n; ++i) f[i] = -f[i];
+        lu.solve(f);
+        const auto size2 = static_cast<double>(correction_size(at, f));
+        if (!(size2 < 1e-6)) return false;
+        correct(at, f);
+        if (size2 > 1e-48) continue;
+        if (!(distance(at, q) < 1e-3)) return false;
+        q = at;
+        return true;
+    }
+    return false;
+}
+
+}  // namespace equilibria::detail

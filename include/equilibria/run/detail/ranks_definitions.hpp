@@ -1,0 +1,75 @@
+/// \file
+/// See run/ranks.hpp.
+#pragma once
+
+#include <algorithm>
+#include <mutex>
+
+#include <boost/endian/conversion.hpp>
+
+#include <equilibria/run/ranks.hpp>
+
+namespace equilibria {
+
+EQUILIBRIA_INLINE void Ranks::for_blocks(const Loop& loop, const Executor& executor) const {
+    if (several()) return backend_->for_blocks(loop, executor);
+    std::mutex guard;
+    executor.for_blocks(loop.size, 1, [&](std::size_t first, std::size_t) {
+        if ((loop.cancelled && loop.cancelled()) || (loop.done && loop.done(first))) return;
+        const Bytes bytes = loop.work(first);
+        const std::lock_guard lock(guard);
+        loop.take(first, bytes);
+    });
+}
+
+EQUILIBRIA_INLINE void Ranks::share(std::size_t size, const std::function<bool(std::size_t)>& has,
+                                    const std::function<Bytes(std::size_t)>& give,
+                                    const std::function<void(std::size_t, BytesView)>& take) const {
+    if (!several()) return;
+    constexpr std::size_t piece = std::size_t{1} << 24, head = 16;  // a block: its number, its length, its bytes
+    using namespace boost::endian;
+    for (std::size_t block = 0; block < size;) {
+        Bytes bytes;
+        if (first())
+            for (; block < size && bytes.size() < piece; ++block) {
+                if (!has(block)) continue;
+                const Bytes own = give(block);
+                const std::size_t at = bytes.size();
+                bytes.resize(at + head);
+                store_little_u64(&bytes[at], block);
+                store_little_u64(&bytes[at + 8], own.size());
+                bytes.insert(bytes.end(), own.begin(), own.end());
+            }
+        // how far rank 0 has come stands last
+        bytes.resize(bytes.size() + 8);
+        if (first()) store_little_u64(&bytes[bytes.size() - 8], block);
+        backend_->broadcast(bytes);
+        block = static_cast<std::size_t>(load_little_u64(&bytes[bytes.size() - 8]));
+        if (first()) continue;
+        const BytesView all(bytes.data(), bytes.size() - 8);
+        for (std::size_t at = 0; at < all.size();) {
+            const auto length = static_cast<std::size_t>(load_little_u64(&all[at + 8]));
+            take(static_cast<std::size_t>(load_little_u64(&all[at])), all.subspan(at + head, length));
+            at += head + length;
+        }
+    }
+}
+
+EQUILIBRIA_INLINE bool Ranks::any(bool own) const {
+    if (!several()) return own;
+    const auto all = backend_->gather({static_cast<std::uint8_t>(own)});
+    return std::any_of(all.begin(), all.end(), [](const Bytes& of) { return of[0] != 0; });
+}
+
+EQUILIBRIA_INLINE std::vector<std::string> Ranks::differing(const std::string& own) const {
+    if (!several()) return {};
+    Bytes first_text(own.begin(), own.end());
+    backend_->broadcast(first_text);
+    const Bytes ours(own.begin(), own.end());
+    if (!any(first_text != ours)) return {};
+    std::vector<std::string> y;
+    for (const Bytes& text : backend_->gather(ours)) y.emplace_back(text.begin(), text.end());
+    return y;
+}
+
+}  // namespace equilibria

@@ -24,9 +24,11 @@
 #include <equilibria/certify/refine_root.hpp>
 #include <equilibria/enumerate/enumerate_at_run_time.hpp>
 #include <equilibria/enumerate/prove.hpp>
+#include <equilibria/enumerate/stream.hpp>
 #include <equilibria/io/results/json.hpp>
 #include <equilibria/io/results/proof_output.hpp>
 #include <equilibria/io/results/root_set_output.hpp>
+#include <equilibria/io/results/streamed_roots_output.hpp>
 #include <equilibria/mechanisms/rotating_chain.hpp>
 #include <equilibria/storage/locked_file.hpp>
 
@@ -57,15 +59,23 @@ struct Options {
     std::string checkpoint;
     const std::atomic<bool>* cancel;
     bool prove;
-    int digits;  // 0: none
+    int digits;   // 0: none
+    bool counts;  // alone
 };
 
 /// What the command line says.
 struct Command {
     int links = 2;
     Chain chain{{}, {}, 2, 1};
-    Options options{
-        .seed = 1, .threads = 1, .ranks = {}, .progress = {}, .checkpoint = {}, .cancel = nullptr, .prove = false, .digits = 0};
+    Options options{.seed = 1,
+                    .threads = 1,
+                    .ranks = {},
+                    .progress = {},
+                    .checkpoint = {},
+                    .cancel = nullptr,
+                    .prove = false,
+                    .digits = 0,
+                    .counts = false};
     std::optional<support::OutputFile> json;
 };
 
@@ -97,8 +107,16 @@ Command read(int argc, char** argv) {
     app.add_flag("--prove", c.options.prove, "prove each root, its reality and index, and that none is missing");
     app.add_option("--digits", c.options.digits, "give the angles to that many digits, 1 to 1000, with a proved error")
         .transform(support::integer(1, 1000));
+    app.add_flag("--counts", c.options.counts,
+                 "count the equilibria by index and keep none: roots wait in the checkpoint, which must be given, and "
+                 "memory is 25 bytes for two paths");
     support::add_output(app, "--json", c.json, "write JSON to this file, or to stdout for -, instead of a table");
     app.parse("rotating_chain", argc, argv);
+    if (c.options.counts) {
+        if (c.options.checkpoint.empty()) support::fail("--counts", "", "needs --checkpoint FILE");
+        for (const std::string other : {"--prove", "--digits"})
+            if (app.given(other)) support::fail("--counts", "", "keeps no root for " + other);
+    }
 
     const std::vector<double> ones(static_cast<std::size_t>(c.links), 1.0);
     c.chain.lengths = app.given("--lengths") ? lengths.values : ones;
@@ -132,20 +150,24 @@ Result enumerate(const Chain& chain, const Options& options) {
     std::copy(chain.masses.begin(), chain.masses.end(), p.begin() + links);
     p[2 * links] = chain.omega;
     p[2 * links + 1] = chain.gravity;
-    const auto found = equilibria::enumerate(model, p,
-                                             {.seed = options.seed,
-                                              .executor = equilibria::threads(options.threads),
-                                              .ranks = options.ranks,
-                                              .progress = options.progress,
-                                              .checkpoint = options.checkpoint,
-                                              .cancel = options.cancel});
+    const equilibria::RunOptions run{.seed = options.seed,
+                                     .executor = equilibria::threads(options.threads),
+                                     .ranks = options.ranks,
+                                     .progress = options.progress,
+                                     .checkpoint = options.checkpoint,
+                                     .cancel = options.cancel};
+    if (options.counts) {
+        const auto counted = equilibria::enumerate(model, p, run, [](const auto&, const auto*) {});
+        return {counted.paths, equilibria::json_of(counted)};
+    }
+    const auto found = equilibria::enumerate(model, p, run);
     Result result{found.paths, equilibria::json_of(found, {.roots = false})};
     auto& out = result.json;
     out["complete"] = false;
     out["reason"] = "nothing was proved: --prove was not given";
     if (options.prove) {
-        const auto proof = equilibria::prove(
-            model, found, {.executor = equilibria::threads(options.threads), .ranks = options.ranks});
+        const auto proof =
+            equilibria::prove(model, found, {.executor = equilibria::threads(options.threads), .ranks = options.ranks});
         equilibria::add_proof(out, proof);
         equilibria::add_certificates(out["equilibria"], proof);
         // names of before
@@ -190,7 +212,8 @@ void print_equilibria(const Chain& chain, const Json& equilibria) {
 void print_verdicts(const Json& r) {
     const auto failed = count(r["failed"]), singular = count(r["singular"]), degenerate = count(r["degenerate"]);
     if (r["clean"]) std::printf("Each path is accounted for, each root regular and reached by a path of its own.\n");
-    for (const std::string family : r["families"]) std::printf("NOT ISOLATED: %s.\n", family.c_str());
+    if (r.contains("families"))
+        for (const std::string family : r["families"]) std::printf("NOT ISOLATED: %s.\n", family.c_str());
     if (const std::string alarms = r["alarms"]; !alarms.empty()) std::printf("ALARM: %s.\n", alarms.c_str());
     if (r.contains("proved_distinct")) {
         std::printf("%llu distinct roots proved, %llu real, %llu non-real, %llu undecided, %llu with their index.\n",
@@ -215,8 +238,8 @@ void print_verdicts(const Json& r) {
 void print(const Chain& chain, const Json& r) {
     std::printf("Rotating chain: lengths %s, masses %s, omega %g, gravity %g\n\n", joined(chain.lengths).c_str(),
                 joined(chain.masses).c_str(), chain.omega, chain.gravity);
-    print_equilibria(chain, r["equilibria"]);
-    std::printf("\n%llu paths: %llu finite, %llu at infinity, %llu singular, %llu failed; %llu tracked again\n",
+    if (r.contains("equilibria")) print_equilibria(chain, r["equilibria"]), std::printf("\n");
+    std::printf("%llu paths: %llu finite, %llu at infinity, %llu singular, %llu failed; %llu tracked again\n",
                 count(r["paths"]), count(r["finite"]), count(r["at_infinity"]), count(r["singular"]),
                 count(r["failed"]), count(r["retracked"]));
     std::printf("%llu distinct roots, %llu real", count(r["distinct"]), count(r["real"]));
@@ -233,7 +256,8 @@ void print(const Chain& chain, const Json& r) {
 std::atomic<bool> cancelled = false;
 static_assert(std::atomic<bool>::is_always_lock_free);
 
-/// The first Ctrl-C, or SIGTERM of a batch system, ends the enumeration with what is finished, a second one the program.
+/// The first Ctrl-C, or SIGTERM of a batch system, ends the enumeration with what is finished, a second one the
+/// program.
 void cancel_on_interrupt() {
     struct sigaction action{};
     action.sa_handler = [](int) { cancelled = true; };
@@ -321,6 +345,10 @@ int main(int argc, char** argv) {
     rotating_chain: --digits 0: must be an integer from 1 to 1000
 --digits 1001
     rotating_chain: --digits 1001: must be an integer from 1 to 1000
+--counts
+    rotating_chain: --counts: needs --checkpoint FILE
+--counts --checkpoint chain.ckpt --prove
+    rotating_chain: --counts: keeps no root for --prove
 --checkpoint missing/folder.ckpt
     rotating_chain: --checkpoint missing/folder.ckpt: cannot be created (No such file or directory)
 --checkpoint .

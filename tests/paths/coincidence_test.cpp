@@ -1,4 +1,5 @@
 #include <complex>
+#include <filesystem>
 #include <numbers>
 #include <vector>
 
@@ -7,6 +8,7 @@
 
 #include "support/catch.hpp"
 #include "support/models.hpp"
+#include "support/scratch_file.hpp"
 
 using namespace equilibria;
 
@@ -79,4 +81,29 @@ TEST_CASE("among many points, as comparing all pairs would") {
         points.push_back(point(theta, x));
     }
     CHECK(groups(points, 1e-9) == expected);
+}
+
+TEST_CASE("keys that do not fit into memory are sorted in files, and give the same groups") {
+    Generator generator(3);
+    std::vector<Q> points;
+    for (int k = 0; k < 20000; ++k) {
+        // far out as well, and twice or three times the same
+        const double out = k % 7 == 0 ? 1e6 : 1;
+        points.push_back(
+            point({uniform(generator, -3, 3), uniform(generator, -2, 2)}, out * uniform(generator, -1, 1)));
+        if (k % 11 == 0) points.push_back(points[points.size() / 2]);
+    }
+    const auto at = [&](std::size_t k) { return k % 13 == 5 ? PointView() : PointView(points[k]); };
+    for (const double tolerance : {1e-9, 1e-5}) {
+        const Groups whole = Finder(false, sizes).groups(points.size(), at, tolerance);
+        CHECK(whole.size() > 1000);
+        const tests::ScratchFile scratch("coincidences.ckpt");
+        for (const std::uint64_t memory : {100000u, 5000u}) {
+            const Finder small(false, sizes, {memory, scratch.name()});
+            CHECK(small.groups(points.size(), at, tolerance) == whole);
+        }
+        CHECK_FALSE(std::filesystem::exists(scratch.name() + ".keys"));
+    }
+    const Finder nowhere(false, sizes, {1000, "missing/folder.ckpt"});
+    CHECK_THROWS_AS(nowhere.groups(points.size(), at, 1e-9), CheckpointError);
 }

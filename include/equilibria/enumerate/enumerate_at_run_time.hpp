@@ -44,6 +44,45 @@ private:
     RuntimeArray<double> p_;
 };
 
+/// A model at run time at p, and what tracking and counting its paths takes.
+template <RuntimeModel T>
+struct RuntimeProblem {
+    /// Throws InvalidArgument for parameters that are not finite or not as many as the model's.
+    RuntimeProblem(const T& model_, const RuntimeArray<double>& p_, const RunOptions& run_)
+        : model((require_finite(p_, "parameters"), model_)), p(p_), run(run_), formulation(model),
+          target(formulation, model, p),
+          properties{formulation.sizes(), formulation.has_potential(), formulation.reflection_symmetric()},
+          equations(model, p) {
+        if (run.is_told_apart())
+            fields = model_fields(type_name<T>(), formulation.sizes(), target.terms, {p.begin(), p.end()});
+    }
+
+    PathCount total_degree() const {
+        PathCount y{1, false};
+        const RuntimeSizes& sizes = formulation.sizes();
+        for (int i = 0; i < sizes.unknowns; ++i)
+            y = y * PathCount{(i < sizes.angles ? 2 : 1) * formulation.degrees()[static_cast<std::size_t>(i)], false};
+        return y;
+    }
+    /// Reflected where the equations are odd. Throws InvalidArgument where its paths cannot be numbered.
+    TotalDegreeStart total_degree_start() const {
+        require(!total_degree().saturated, "model", "a total degree above 2^62",
+                "must have fewer paths than can be numbered");
+        Generator generator(run.seed);
+        return {formulation.reflection_symmetric() ? TotalDegreeKind::reflected : TotalDegreeKind::general,
+                formulation.sizes(), formulation.degrees(), target.scale, generator};
+    }
+
+    T model;
+    RuntimeArray<double> p;
+    RunOptions run;
+    RuntimeFormulation formulation;
+    RuntimeModelSystem target;
+    ModelProperties<RuntimeUnknowns> properties;
+    RealRuntimeEquations<T> equations;
+    CheckpointFields fields;
+};
+
 }  // namespace detail
 
 /// Every isolated equilibrium of a model at run time at the parameters p, from the start of the least predicted cost: a
@@ -58,27 +97,20 @@ template <class StartSystem, RuntimeModel T>
 RootSet<RuntimeUnknowns> enumerate_from(const T& model, const RuntimeArray<double>& p, const RunOptions& run = {},
                                         const TrackerOptions& options = {}, MoreDigits<> resort = nullptr) {
     const detail::Stopwatch begin;
-    require_finite(p, "parameters");
     options.validate();
-    const RuntimeFormulation formulation(model);
+    const detail::RuntimeProblem<T> problem(model, p, run);
+    const auto& formulation = problem.formulation;
+    const auto& target = problem.target;
+    const auto& properties = problem.properties;
+    const auto& equations = problem.equations;
+    const auto& fields = problem.fields;
     const RuntimeSizes& sizes = formulation.sizes();
-    PathCount paths{1, false};
-    for (int i = 0; i < sizes.unknowns; ++i)
-        paths =
-            paths * PathCount{(i < sizes.angles ? 2 : 1) * formulation.degrees()[static_cast<std::size_t>(i)], false};
-    const RuntimeModelSystem target(formulation, model, p);
-    const ModelProperties<RuntimeUnknowns> properties{sizes, formulation.has_potential(),
-                                                      formulation.reflection_symmetric()};
-    const detail::RealRuntimeEquations<T> equations(model, p);
-    detail::CheckpointFields fields;
-    if (run.is_told_apart())
-        fields = detail::model_fields(detail::type_name<T>(), sizes, target.terms, {p.begin(), p.end()});
 
     StartReport report{{}, "asked for", {}};
     if constexpr (!std::is_same_v<StartSystem, TotalDegreeStart>) {
         constexpr bool asked = std::is_same_v<StartSystem, Polyhedral>;
         const auto system = detail::system_of_terms(sizes, target.terms);
-        PathCount tracked = paths;
+        PathCount tracked = problem.total_degree();
         if (formulation.reflection_symmetric()) tracked.value /= 2;
         require(!asked || system, "parameters", "an equation that vanishes",
                 "must leave each equation a term for a polyhedral start");
@@ -93,15 +125,11 @@ RootSet<RuntimeUnknowns> enumerate_from(const T& model, const RuntimeArray<doubl
             report.why = "the roots are not all regular, and its paths meet every curve of solutions";
         }
     }
-    require(!paths.saturated, "model", "a total degree above 2^62", "must have fewer paths than can be numbered");
-    Generator generator(run.seed);
-    const TotalDegreeStart start(
-        formulation.reflection_symmetric() ? TotalDegreeKind::reflected : TotalDegreeKind::general, sizes,
-        formulation.degrees(), target.scale, generator);
+    const TotalDegreeStart start = problem.total_degree_start();
     const PolynomialHomotopy homotopy = model_homotopy(model, target, start);
     auto set = detail::root_set_of(
-        detail::track_paths(homotopy, {.start = StartPoints(start), .model = std::move(fields)}, run, options, resort),
-        p, properties, homotopy, equations, run);
+        detail::track_paths(homotopy, {.start = StartPoints(start), .model = fields}, run, options, resort), p,
+        properties, homotopy, equations, run);
     set.start = {std::string(start.name()), std::move(report.why), report.mixed_volume};
     set.seconds = begin.seconds();
     return set;

@@ -3,8 +3,9 @@
 /// where the endpoints wait until all paths are done. Only then is it known which paths had run into another one's
 /// endpoint.
 ///
-/// What stays in memory: 24 + 8 + 1 bytes a tracked path while coincident endpoints are looked for (a key, the sizes
-/// and the number of each), 5 a tracked path for the merging, and the endpoints that were tracked again.
+/// What stays in memory: 24 bytes a tracked path while coincident endpoints are looked for (a key, a size, a number),
+/// up to RunOptions::key_memory, beyond which they are sorted in files of as many bytes; a bit a path for the merging;
+/// 17 bytes a block; and the endpoints that were tracked again.
 #pragma once
 
 #include <concepts>
@@ -15,6 +16,7 @@
 #include <vector>
 
 #include <equilibria/enumerate/enumerate.hpp>
+#include <equilibria/enumerate/enumerate_at_run_time.hpp>
 #include <equilibria/run/elapsed.hpp>
 
 namespace equilibria {
@@ -107,6 +109,27 @@ StreamedRoots<M> enumerate(const Parameters<M>& p, const RunOptions& run, Take&&
     y.smallest_nonreal_imaginary = set.smallest_nonreal_imaginary;
     y.alarms = std::move(set.alarms);
     y.tracking_seconds = set.tracking_seconds;
+    y.seconds = begin.seconds();
+    return y;
+}
+
+/// The same of a model at run time, from its total degree.
+template <RuntimeModel T, RootTaker<RuntimeUnknowns> Take>
+StreamedRoots<RuntimeUnknowns> enumerate(const T& model, const RuntimeArray<double>& p, const RunOptions& run,
+                                         Take&& take, const TrackerOptions& options = {}) {
+    options.validate();
+    require(!run.checkpoint.empty(), "checkpoint", "''", "must name a file: roots that are streamed wait there");
+    const detail::Stopwatch begin;
+    const detail::RuntimeProblem<T> problem(model, p, run);
+    const TotalDegreeStart start = problem.total_degree_start();
+    auto paths = detail::track_paths(model_homotopy(model, problem.target, start),
+                                     {.start = StartPoints(start), .model = problem.fields, .streamed = true}, run,
+                                     options, nullptr);
+    StreamedRoots<RuntimeUnknowns> y;
+    y.parameters = p;
+    y.seed = run.seed;
+    if (!run.ranks.first()) return y;
+    y = detail::stream_roots(std::move(paths), p, problem.properties, problem.equations, run, take);
     y.seconds = begin.seconds();
     return y;
 }

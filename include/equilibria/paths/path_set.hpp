@@ -13,6 +13,7 @@
 #include <equilibria/paths/path_counts.hpp>
 #include <equilibria/paths/root.hpp>
 #include <equilibria/start/path_numbering.hpp>
+#include <equilibria/storage/key_files.hpp>
 
 namespace equilibria {
 
@@ -58,6 +59,8 @@ public:
         double tracking_seconds = 0;  ///< of the trackers proper, as a share of the time that went by
     };
     Effort effort;
+    /// How much memory is for keys, and beside which file they go beyond that.
+    detail::KeyLimits key_limits;
     /// Whether the finite endpoints are known to be different from one another.
     bool apart = false;
 

@@ -26,6 +26,9 @@ struct RunOptions {
     /// A file that keeps what is finished, rank 0's alone; if it exists already, the run goes on from there. Empty:
     /// none. An existing file of another run is refused (CheckpointError). It does not change the result.
     std::string checkpoint{};
+    /// Bytes that the search for coincident endpoints may take where the endpoints are streamed; what is more is sorted
+    /// in files beside the checkpoint. It does not change the result.
+    std::uint64_t key_memory = std::uint64_t{1} << 30;
     /// The run ends soon after this has become true, with what is finished until then; the result says so. It may be
     /// set from a signal handler.
     const std::atomic<bool>* cancel = nullptr;

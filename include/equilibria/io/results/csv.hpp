@@ -71,6 +71,12 @@ public:
         return *this;
     }
     const std::vector<std::string>& cells() const { return cells_; }
+    /// With its line feed.
+    std::string line() const {
+        std::string out;
+        for (const std::string& cell : cells_) out += (&cell == &cells_.front() ? "" : ",") + cell;
+        return out + '\n';
+    }
 
 private:
     std::vector<std::string> cells_;
@@ -87,19 +93,13 @@ public:
     void add(const CsvRow& row) {
         require(row.cells().size() == columns_.size(), "row", row.cells().size(),
                 "must have " + std::to_string(columns_.size()) + " cells, one a column");
-        text_ += line(row.cells());
+        text_ += row.line();
         ++rows_;
     }
     /// Header and lines, each with a line feed.
-    std::string text() const { return line(CsvRow().add_all(columns_).cells()) + text_; }
+    std::string text() const { return CsvRow().add_all(columns_).line() + text_; }
 
 private:
-    static std::string line(const std::vector<std::string>& cells) {
-        std::string out;
-        for (const std::string& cell : cells) out += (out.empty() && &cell == &cells.front() ? "" : ",") + cell;
-        return out + '\n';
-    }
-
     std::vector<std::string> columns_;
     std::string text_;
     std::size_t rows_ = 0;

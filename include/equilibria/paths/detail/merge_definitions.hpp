@@ -58,7 +58,7 @@ private:
     std::vector<Waiting> waiting_;
 };
 
-/// Which records are the same root. A byte a record, and more for those that others are merged with.
+/// Which records are the same root. A bit a record, and more for those that others are merged with.
 class MergedPaths {
 public:
     explicit MergedPaths(PathSet& paths) : paths_(&paths), merged_(paths.size()) {
@@ -106,14 +106,14 @@ private:
         const auto point = [&](std::size_t k) {
             return paths.finished(k) && paths.status(k) == status ? paths.point(k) : PointView();
         };
-        for (const auto& group :
-             CoincidenceFinder(paths.symmetric(), paths.sizes()).groups(paths.size(), point, tolerance)) {
+        for (const auto& group : CoincidenceFinder(paths.symmetric(), paths.sizes(), paths.key_limits)
+                                     .groups(paths.size(), point, tolerance)) {
             // a root that rests, its own mirror image, stands for the group; else the first path
             const std::size_t leader = paths.rests(group.back()) ? group.back() : group.front();
             Others& others = leaders_[leader];
             for (const std::size_t k : group) {
                 if (k == leader) continue;
-                merged_[k] = 1;
+                merged_[k] = true;
                 others.others += paths.rests(leader) ? static_cast<std::int32_t>(paths.weight(k)) : 1;
                 others.winding_number = std::max<std::int32_t>(others.winding_number, paths.record(k).winding_number);
             }
@@ -125,7 +125,7 @@ private:
     };
 
     PathSet* paths_;
-    std::vector<std::uint8_t> merged_;
+    std::vector<bool> merged_;
     std::unordered_map<std::size_t, Others> leaders_;
 };
 

@@ -53,6 +53,7 @@ public:
     /// Where it was cancelled, not all paths are finished.
     PathSet track() {
         PathSet paths(numbering_, store(), resting());
+        if (problem_.streamed) paths.key_limits = {run_->key_memory, run_->checkpoint};
         track_unfinished(paths);
         if (paths.ends().complete() && !elsewhere()) {
             track_with_more_digits(paths);
@@ -297,7 +298,7 @@ private:
     /// again. Returns whether no two do any more.
     bool uncross(PathSet& paths) const {
         EndpointStore& ends = paths.ends();
-        const CoincidenceFinder finder(paths.symmetric(), paths.sizes());
+        const CoincidenceFinder finder(paths.symmetric(), paths.sizes(), paths.key_limits);
         const auto point = [&](std::size_t k) {
             return paths.status(k) == PathStatus::finite ? paths.point(k) : PointView();
         };

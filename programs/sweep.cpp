@@ -22,6 +22,7 @@
 #include <utility>
 #include <vector>
 
+#include <equilibria/enumerate/more_digits.hpp>
 #include <equilibria/enumerate/sweep.hpp>
 #include <equilibria/io/read_text.hpp>
 #include <equilibria/io/results/csv.hpp>
@@ -188,7 +189,12 @@ public:
                 counts_[static_cast<std::size_t>(at)] = r.count;
     }
     void add(const SweptPoint& point) {
-        const double x = point.parameters[Chain::alpha], y = point.parameters[Chain::omega];
+        const auto& w = locus_.window;
+        const auto inside = [](const equilibria::Interval& axis, double at) {
+            const double edge = 1e-9 * axis.width();
+            return std::clamp(at, axis.low + edge, axis.high - edge);
+        };
+        const double x = inside(w.x, point.parameters[Chain::alpha]), y = inside(w.y, point.parameters[Chain::omega]);
         const int region = plane_.region_of(x, y);
         if (region < 0 || point.singular > 0 || point.vanishing_equation) {
             ++borders_;
@@ -292,7 +298,9 @@ Result run(const Command& c, const T& model, const equilibria::Ranks& ranks) {
     if (c.locus && ranks.first())
         locus = equilibria::trace_locus<Chain, Chain::alpha, Chain::omega>(
             {0.5, c.values[Chain::ratio], 1}, {{c.axes[0].low, c.axes[0].high}, {c.axes[1].low, c.axes[1].high}},
-            {.seed = c.seed, .executor = equilibria::threads(c.threads)}, {.lines = 12});
+            {.seed = c.seed, .executor = equilibria::threads(c.threads)},
+            // short chords: points may lie next to a curve
+            {.lines = 12, .branch = {.first_step = 1e-4, .largest_step = 1e-3, .largest_angle = 0.02}});
     std::optional<Comparison> comparison;
     if (locus) comparison.emplace(*locus);
     std::optional<Rows> rows;
@@ -315,7 +323,7 @@ Result run(const Command& c, const T& model, const equilibria::Ranks& ranks) {
                                   .progress = [&](std::uint64_t done, std::uint64_t all) { bar.update(done, all); },
                                   .checkpoint = c.checkpoint,
                                   .cancel = &cancelled},
-                                 {.prove = c.prove});
+                                 {.prove = c.prove, .resort = equilibria::more_digits});
     if (!ranks.first()) return y;
     rows->close();
     if (comparison) y.locus = comparison->json();

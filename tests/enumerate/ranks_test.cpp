@@ -30,13 +30,27 @@ std::vector<Found> at_each(int size, const std::function<Found(const Ranks&)>& r
 
 }  // namespace
 
-TEST_CASE("a chain's equilibria are the same at each of several ranks as at one") {
+TEST_CASE("a chain's equilibria and their proofs are the same at each of several ranks as at one") {
     const auto p = tests::benchmark_chain<4>();
     const auto alone = enumerate<tests::Chain<4>>(p);
+    const auto proof = prove(alone);
     for (const int size : {2, 3}) {
-        const auto found = at_each<RootSet<tests::Chain<4>>>(
-            size, [&](const Ranks& ranks) { return enumerate<tests::Chain<4>>(p, {.ranks = ranks}); });
-        for (const auto& set : found) CHECK(tests::identical(set, alone));
+        const auto found =
+            at_each<std::pair<RootSet<tests::Chain<4>>, Proof<tests::Chain<4>>>>(size, [&](const Ranks& ranks) {
+                auto set = enumerate<tests::Chain<4>>(p, {.ranks = ranks});
+                auto proved = prove(set, {.ranks = ranks});
+                return std::pair(std::move(set), std::move(proved));
+            });
+        for (const auto& [set, proved] : found) {
+            CHECK(tests::identical(set, alone));
+            CHECK(proved.complete);
+            CHECK(proved.by_index == proof.by_index);
+            for (std::size_t k = 0; k < proof.certificates.size(); ++k) {
+                const Certificate &a = proved.certificates[k], &b = proof.certificates[k];
+                CHECK((a.path == b.path && a.exists == b.exists && a.distinct == b.distinct));
+                CHECK((a.reality == b.reality && a.index == b.index && a.digits == b.digits && a.radius == b.radius));
+            }
+        }
     }
 }
 

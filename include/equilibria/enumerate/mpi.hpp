@@ -227,17 +227,25 @@ private:
             auto& [kept, request] = sent_.back();
             MPI_Isend(kept.data(), static_cast<int>(kept.size()), MPI_BYTE, to, tag, comm_, &request);
         }
+        /// The next message of any rank that is all there. A large one comes in parts, for which its sender has to be
+        /// awake: nobody waits for it but those that the same rank has sent after it.
         bool receive(Message& message) {
-            int there = 0;
-            MPI_Message handle = MPI_MESSAGE_NULL;
-            MPI_Status status;
-            MPI_Improbe(MPI_ANY_SOURCE, MPI_ANY_TAG, comm_, &there, &handle, &status);
-            if (there == 0) return false;
-            int length = 0;
-            MPI_Get_count(&status, MPI_BYTE, &length);
-            message = {status.MPI_SOURCE, status.MPI_TAG, Bytes(static_cast<std::size_t>(length))};
-            MPI_Mrecv(message.bytes.data(), length, MPI_BYTE, &handle, MPI_STATUS_IGNORE);
-            return true;
+            while (coming_.size() < most_coming && begin_receiving()) {
+            }
+            std::vector<int> late;
+            for (auto at = coming_.begin(); at != coming_.end(); ++at) {
+                int there = 0;
+                if (std::find(late.begin(), late.end(), at->message.from) == late.end())
+                    MPI_Test(&at->request, &there, MPI_STATUS_IGNORE);
+                if (there == 0) {
+                    late.push_back(at->message.from);
+                    continue;
+                }
+                message = std::move(at->message);
+                coming_.erase(at);
+                return true;
+            }
+            return false;
         }
         /// Whether all has been sent.
         bool empty() {
@@ -250,12 +258,34 @@ private:
         }
 
     private:
+        bool begin_receiving() {
+            int there = 0;
+            MPI_Message handle = MPI_MESSAGE_NULL;
+            MPI_Status status;
+            MPI_Improbe(MPI_ANY_SOURCE, MPI_ANY_TAG, comm_, &there, &handle, &status);
+            if (there == 0) return false;
+            int length = 0;
+            MPI_Get_count(&status, MPI_BYTE, &length);
+            coming_.push_back(
+                {{status.MPI_SOURCE, status.MPI_TAG, Bytes(static_cast<std::size_t>(length))}, MPI_REQUEST_NULL});
+            auto& [message, request] = coming_.back();
+            MPI_Imrecv(message.bytes.data(), length, MPI_BYTE, &handle, &request);
+            return true;
+        }
+
+        static constexpr std::size_t most_coming = 1024;  // some 200 MB; the others wait where they are
+
         struct Sent {
             Bytes bytes;
             MPI_Request request;
         };
+        struct Coming {
+            Message message;
+            MPI_Request request;
+        };
         MPI_Comm comm_;
         std::list<Sent> sent_;
+        std::list<Coming> coming_;
     };
 
     static void put(Bytes& to, std::uint64_t number) {

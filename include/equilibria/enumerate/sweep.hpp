@@ -4,7 +4,7 @@
 /// threads and ranks, and handed on in theirs.
 ///
 /// A point where paths fail, where two of them end at one regular root or an alarm is raised is done again from another
-/// generic instance, up to two more (Bates, Brake, Niemerg, Paramotopy: parameter homotopies in parallel, ICMS 2018, do
+/// generic instance, up to two more (Bates, Brake, Niemerg, "Paramotopy: parameter homotopies in parallel", ICMS 2018, do
 /// that). What remains is told.
 ///
 /// With a checkpoint the points that are finished are kept in the file; the same call goes on from there, and hands all
@@ -52,6 +52,7 @@ struct SweptPoint {
 struct SweepOptions {
     bool prove = false;  ///< each root, by Krawczyk's test (prove.hpp)
     TrackerOptions tracker{};
+    MoreDigits<> resort = nullptr;  ///< for paths that fail in double: more_digits of more_digits.hpp
 };
 
 /// What is known of all.

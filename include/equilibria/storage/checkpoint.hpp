@@ -7,6 +7,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <span>
 #include <string>
@@ -89,10 +90,13 @@ public:
 
     /// Appends a block. One call at a time.
     void append(std::uint64_t block, std::span<const Endpoint> ends, std::uint64_t retracked) {
-        Bytes bytes(number);
-        put_number(bytes.data(), block);
-        codec_.encode(ends, retracked, bytes);
-        offset_[block] = file_.append(bytes);
+        append(block, codec_.encode(ends, retracked));
+    }
+    /// The same of what a BlockCodec has written.
+    void append(std::uint64_t block, std::span<const std::uint8_t> encoded) {
+        std::array<std::uint8_t, number> head;
+        put_number(head.data(), block);
+        offset_[block] = file_.append(head, encoded);
     }
 
     /// The endpoints of a block from path number `first` of it on.

@@ -83,13 +83,17 @@ public:
     const LockedFile& file() const { return file_; }
     std::uint64_t records() const { return records_; }
 
-    /// Appends a record; returns where its bytes are. No kill of the process can lose it from then on. Throws
-    /// CheckpointError if it cannot be written; what is there already stays so. One call at a time.
-    std::uint64_t append(std::span<const std::uint8_t> bytes) {
-        Bytes record(bytes.size() + frame_size);
-        put_number(record.data(), bytes.size());
-        std::copy(bytes.begin(), bytes.end(), record.begin() + 8);
-        put_number(&record[bytes.size() + 8], record_sum(bytes));
+    /// Appends a record of two parts; returns where its bytes are. No kill of the process can lose it from then on.
+    /// Throws CheckpointError if it cannot be written; what is there already stays so. One call at a time.
+    std::uint64_t append(std::span<const std::uint8_t> first, std::span<const std::uint8_t> second = {}) {
+        const std::size_t size = first.size() + second.size();
+        Bytes record(8);
+        record.reserve(size + frame_size);
+        put_number(record.data(), size);
+        record.insert(record.end(), first.begin(), first.end());
+        record.insert(record.end(), second.begin(), second.end());
+        record.resize(size + frame_size);
+        put_number(&record[size + 8], record_sum(std::span(record).subspan(8, size)));
         file_.write(end_, record);
         const std::uint64_t at = end_ + 8;
         end_ += record.size();

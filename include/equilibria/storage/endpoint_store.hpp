@@ -102,6 +102,20 @@ public:
         enter(which, ends, retracked);
     }
 
+    /// The same of a block as BlockCodec writes it, of so many paths.
+    void put(std::uint64_t which, std::span<const std::uint8_t> encoded, std::uint64_t paths) {
+        if (!ends_.empty()) {
+            std::vector<Endpoint> ends(paths);
+            BlockCodec(sizes_).decode(encoded.subspan(BlockCodec::head), ends);
+            return put(which, ends, BlockCodec::retracked(encoded));
+        }
+        const std::lock_guard lock(*guard_);
+        if (file_) file_->append(which, encoded);
+        has_[which] = 1;
+        finished_ += paths;
+        retracked_ += BlockCodec::retracked(encoded);
+    }
+
     /// A finished endpoint; the reference outlives the next call, not the one after it.
     const Endpoint& operator[](std::uint64_t k) {
         if (!ends_.empty()) {

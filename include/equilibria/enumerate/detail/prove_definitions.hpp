@@ -29,6 +29,8 @@
 #include <equilibria/enumerate/prove.hpp>
 #include <equilibria/evaluation/point_of.hpp>
 #include <equilibria/run/elapsed.hpp>
+#include <equilibria/run/ranks.hpp>
+#include <equilibria/storage/endpoint_bytes.hpp>
 
 namespace equilibria {
 
@@ -118,9 +120,53 @@ private:
         }
     }
 
+    /// Calls prove(first, last) for blocks of the members, at some rank; all know what it found. Enclosures that
+    /// another rank kept are computed again where they are wanted, which is for few roots.
+    template <class Prove>
+    void over_ranks(const std::vector<std::size_t>& members, std::size_t block, const Prove& prove) {
+        if (!run_.ranks.several()) return run_.executor.for_blocks(members.size(), block, prove);
+        const auto each = [&](std::size_t which, auto&& archive) {
+            for (std::size_t at = which * block; at < std::min(members.size(), (which + 1) * block); ++at) {
+                const std::size_t k = members[at];
+                transfer(archive, proof_.certificates[k], intervals_[k]);
+                if (has_image(k)) transfer(archive, intervals_[mirror_->image[k]]);
+            }
+        };
+        const auto give = [&](std::size_t which) {
+            Bytes bytes;
+            each(which, Writer(bytes));
+            return bytes;
+        };
+        const auto take = [&](std::size_t which, Ranks::BytesView bytes) { each(which, Reader(bytes)); };
+        const std::size_t blocks = (members.size() + block - 1) / block;
+        run_.ranks.for_blocks({.size = blocks,
+                               .done = {},
+                               .work =
+                                   [&](std::size_t which) {
+                                       prove(which * block, std::min(members.size(), (which + 1) * block));
+                                       return give(which);
+                                   },
+                               .take = take,
+                               .cancelled = {}},
+                              run_.executor);
+        run_.ranks.share(blocks, [](std::size_t) { return true; }, give, take);
+    }
+    static void transfer(auto& archive, EnclosureInterval& interval) { archive(interval.low), archive(interval.high); }
+    static void transfer(auto& archive, Certificate& c, EnclosureInterval& interval) {
+        auto& [path, exists, distinct, reality, index_proved, index, digits, radius] = c;
+        for (bool* flag : {&exists, &index_proved}) {
+            auto byte = static_cast<std::uint8_t>(*flag);
+            archive(byte);
+            *flag = byte != 0;
+        }
+        archive(reality, Reality::non_real);
+        archive(index), archive(digits), archive(radius);
+        transfer(archive, interval);
+    }
+
     /// The test in doubles, a root a lane. keep: the enclosures as well, not only their intervals.
     void in_packs(const std::vector<std::size_t>& members, bool real, bool keep = false) {
-        run_.executor.for_blocks(members.size(), 64 * native_lanes, [&](std::size_t first, std::size_t last) {
+        over_ranks(members, 64 * native_lanes, [&](std::size_t first, std::size_t last) {
             KrawczykTest<Pack> test(system_);
             auto q = point_of_zeros<RuntimeUnknowns, Pack>(sizes_);
             for (std::size_t at = first; at < last; at += native_lanes) {
@@ -162,7 +208,7 @@ private:
         if (members.empty() || options_.most_digits < 34) return;
         const BallSystem<Multiprecision<34>> twice(set_.equations);
         const BallSystem<Most> most(set_.equations);
-        run_.executor.for_blocks(members.size(), 1, [&](std::size_t first, std::size_t last) {
+        over_ranks(members, 1, [&](std::size_t first, std::size_t last) {
             for (std::size_t at = first; at < last; ++at) {
                 const std::size_t k = members[at];
                 with_digits<34>(twice, k);

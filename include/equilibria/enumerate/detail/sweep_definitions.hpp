@@ -10,7 +10,7 @@
 
 #include <equilibria/core/random.hpp>
 #include <equilibria/enumerate/sweep.hpp>
-#include <equilibria/paths/detail/over_ranks.hpp>
+#include <equilibria/paths/over_ranks.hpp>
 #include <equilibria/paths/generic_instance.hpp>
 #include <equilibria/run/elapsed.hpp>
 #include <equilibria/storage/checkpoint.hpp>
@@ -172,7 +172,7 @@ private:
         const RunOptions run{.seed = run_.seed};
         const PolynomialHomotopy homotopy = from.homotopy(*member.system, member.own);
         const GenericInstance::Start start(from);
-        auto set = root_set_of(track_paths(homotopy, {.start = StartPoints(start)}, run, options_.tracker, nullptr), p,
+        auto set = root_set_of(track_paths(homotopy, {.start = StartPoints(start)}, run, options_.tracker, options_.resort), p,
                                model_.properties, homotopy, *member.equations, run);
         set.paths.total += from.failed();
         set.paths.failed += from.failed();

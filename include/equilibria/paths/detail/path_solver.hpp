@@ -18,8 +18,8 @@
 #include <equilibria/homotopy/endgame.hpp>
 #include <equilibria/homotopy/lane_tracker.hpp>
 #include <equilibria/paths/detail/coincidence_finder.hpp>
-#include <equilibria/paths/detail/over_ranks.hpp>
 #include <equilibria/paths/detail/path_problem.hpp>
+#include <equilibria/paths/over_ranks.hpp>
 #include <equilibria/paths/path_set.hpp>
 #include <equilibria/run/elapsed.hpp>
 #include <equilibria/run/ranks.hpp>
@@ -151,12 +151,7 @@ private:
         const BlockCodec codec(homotopy_->sizes());
         const std::size_t size = ends.size(), length = ends.block(), blocks = (size + length - 1) / length;
         const auto paths = [&](std::size_t which) { return std::min(length, size - which * length); };
-        std::vector<Endpoint> taken;
-        const auto take = [&](std::size_t which, Ranks::BytesView bytes) {
-            taken.resize(paths(which));
-            codec.decode(bytes.subspan(BlockCodec::head), taken);
-            ends.put(which, taken, BlockCodec::retracked(bytes));
-        };
+        const auto take = [&](std::size_t which, Ranks::BytesView bytes) { ends.put(which, bytes, paths(which)); };
         const auto has = [&](std::size_t which) { return ends.has_block(which); };
         run_->ranks.for_blocks({.size = blocks,
                                 .done = has,

@@ -13,8 +13,8 @@
 
 #include "support/enumeration.hpp"
 #include "support/families.hpp"
-#include "support/ranks.hpp"
 #include "support/scratch_file.hpp"
+#include "support/thread_ranks.hpp"
 
 using namespace equilibria;
 
@@ -102,6 +102,24 @@ TEST_CASE("roots that are streamed are handed on at rank 0 alone") {
     CHECK(found[0].clean());
     CHECK(found[1].distinct == 0);
     CHECK(at == std::vector<int>(64, 0));
+}
+
+TEST_CASE("streamed roots are the same where keys go to files for want of memory") {
+    using M = tests::Chain<4>;
+    const auto p = tests::benchmark_chain<4>();
+    const auto with_memory = [&](std::uint64_t bytes) {
+        const tests::ScratchFile scratch("few_keys.ckpt");
+        std::vector<std::pair<std::uint64_t, std::int32_t>> roots;
+        const auto set = enumerate<M>(
+            p, {.checkpoint = scratch.name(), .key_memory = bytes},
+            [&](const Root<M>& root, const Equilibrium<M>*) { roots.emplace_back(root.path, root.paths); });
+        CHECK(set.clean());
+        CHECK(set.distinct == 256);
+        return roots;
+    };
+    const auto whole = with_memory(std::uint64_t{1} << 30);
+    CHECK(with_memory(1000) == whole);
+    CHECK(with_memory(1) == whole);
 }
 
 TEST_CASE("ranks that do another run are refused, by all") {

@@ -14,10 +14,10 @@ using namespace equilibria;
 namespace {
 
 using Chain = mechanisms::TwoLinkChain;
-using Array = RuntimeArray<double>;
+using Values = RuntimeArray<double>;
 
 const ParameterPoints grid =
-    parameter_grid(Array{0.5, 1.5, 2.0}, {{Chain::alpha, 0.05, 0.95, 13}, {Chain::omega, 0.3, 4.7, 17}});
+    parameter_grid(Values{0.5, 1.5, 2.0}, {{Chain::alpha, 0.05, 0.95, 13}, {Chain::omega, 0.3, 4.7, 17}});
 
 struct Swept {
     std::vector<SweptPoint> points;
@@ -81,14 +81,14 @@ TEST_CASE("cancelled and resumed, a sweep is that which was never interrupted") 
     CHECK(first.size() == 128);
     CHECK(same(swept(grid, {.executor = threads(2), .checkpoint = scratch.name()}).points, whole.points));
     CHECK(same(swept(grid, {.checkpoint = scratch.name()}).points, whole.points));
-    const auto other = parameter_grid(Array{0.5, 1.5, 2.0}, {{Chain::omega, 0.3, 4.7, 17}});
+    const auto other = parameter_grid(Values{0.5, 1.5, 2.0}, {{Chain::omega, 0.3, 4.7, 17}});
     CHECK_THROWS_AS(swept(other, {.checkpoint = scratch.name()}), CheckpointError);
 }
 
 TEST_CASE("a point at which an equation vanishes, or roots are multiple, is told") {
-    const Array nowhere{0, 1.5, 2};  // no mass at the second link
+    const Values nowhere{0, 1.5, 2};  // no mass at the second link
     const auto y =
-        swept({3, [&](std::uint64_t k) { return k == 1 ? nowhere : Array{0.3, 1.5, 1.0 + static_cast<double>(k)}; }});
+        swept({3, [&](std::uint64_t k) { return k == 1 ? nowhere : Values{0.3, 1.5, 1.0 + static_cast<double>(k)}; }});
     CHECK(y.points[1].vanishing_equation);
     CHECK(y.points[1].paths == 0);
     CHECK(y.counts.vanishing == 1);
@@ -99,7 +99,7 @@ TEST_CASE("a point at which an equation vanishes, or roots are multiple, is told
 }
 
 TEST_CASE("grids, random points and lists") {
-    const Array fixed{1, 2, 3};
+    const Values fixed{1, 2, 3};
     const auto box = parameter_grid(fixed, {{0, 0, 1, 3}, {2, -1, 1, 2}});
     CHECK(box.size == 6);
     CHECK(box.at(0)[0] == 0.0);

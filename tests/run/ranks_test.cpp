@@ -4,9 +4,10 @@
 #include <vector>
 
 #include <equilibria/run/ranks.hpp>
+#include <equilibria/run/threads.hpp>
 
 #include "support/catch.hpp"
-#include "support/ranks.hpp"
+#include "support/thread_ranks.hpp"
 
 using namespace equilibria;
 

@@ -139,8 +139,8 @@ TEST_CASE("every field of an endpoint comes back bit by bit, whatever it holds")
     CHECK(bits(two[1]) == bits(ends[24]));
     // 5 points of the plane, 4 numbers, and the rest: 4 + 2 + 4 bytes
     CHECK(detail::BlockCodec(sizes).endpoint_size() == 5 * 16 + 4 * 8 + 10);
-    CHECK(scratch.bytes().size() ==
-          1536 + std::string("model: everything\n").size() + 2 * (16 + 16) + 15 * detail::BlockCodec(sizes).endpoint_size());
+    CHECK(scratch.bytes().size() == 1536 + std::string("model: everything\n").size() + 2 * (16 + 16) +
+                                        15 * detail::BlockCodec(sizes).endpoint_size());
 }
 
 TEST_CASE("records that do not fit the run are refused with their number") {

@@ -4,8 +4,8 @@
 /// threads and ranks, and handed on in theirs.
 ///
 /// A point where paths fail, where two of them end at one regular root or an alarm is raised is done again from another
-/// generic instance, up to two more (Bates, Brake, Niemerg, "Paramotopy: parameter homotopies in parallel", ICMS 2018, do
-/// that). What remains is told.
+/// generic instance, up to two more (Bates, Brake, Niemerg, "Paramotopy: parameter homotopies in parallel", ICMS 2018,
+/// do that). What remains is told.
 ///
 /// With a checkpoint the points that are finished are kept in the file; the same call goes on from there, and hands all
 /// points on once more, from the first: who writes them somewhere writes the same again.

@@ -10,8 +10,8 @@
 
 #include <equilibria/core/random.hpp>
 #include <equilibria/enumerate/sweep.hpp>
-#include <equilibria/paths/over_ranks.hpp>
 #include <equilibria/paths/generic_instance.hpp>
+#include <equilibria/paths/over_ranks.hpp>
 #include <equilibria/run/elapsed.hpp>
 #include <equilibria/storage/checkpoint.hpp>
 
@@ -172,8 +172,9 @@ private:
         const RunOptions run{.seed = run_.seed};
         const PolynomialHomotopy homotopy = from.homotopy(*member.system, member.own);
         const GenericInstance::Start start(from);
-        auto set = root_set_of(track_paths(homotopy, {.start = StartPoints(start)}, run, options_.tracker, options_.resort), p,
-                               model_.properties, homotopy, *member.equations, run);
+        auto set =
+            root_set_of(track_paths(homotopy, {.start = StartPoints(start)}, run, options_.tracker, options_.resort), p,
+                        model_.properties, homotopy, *member.equations, run);
         set.paths.total += from.failed();
         set.paths.failed += from.failed();
         return set;

@@ -16,8 +16,8 @@
 #include <equilibria/homotopy/polish.hpp>
 #include <equilibria/homotopy/polyhedral_homotopy.hpp>
 #include <equilibria/paths/detail/coincidence_finder.hpp>
-#include <equilibria/paths/over_ranks.hpp>
 #include <equilibria/paths/generic_instance.hpp>
+#include <equilibria/paths/over_ranks.hpp>
 #include <equilibria/run/elapsed.hpp>
 #include <equilibria/start/polyhedral_start.hpp>
 #include <equilibria/system/laurent_terms.hpp>

@@ -18,6 +18,7 @@
 #include <limits>
 #include <optional>
 #include <sstream>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -56,13 +57,13 @@ struct TwoLinks {
 
 /// What the command line says.
 struct Command {
-    std::string model = "two-links", fixed, grid, random, list, csv;
+    std::string model = "two-links", fixed, grid, random, list;
     int links = 2;
     std::uint64_t points = 10000, seed = 1;
     unsigned threads = 1;
     bool prove = false, locus = false;
     std::string checkpoint;
-    std::optional<support::OutputFile> json;
+    std::optional<support::OutputFile> csv, json;
     support::Pictures pictures;
 
     std::vector<std::string> names;  // of the parameters
@@ -127,7 +128,8 @@ Command read(int argc, char** argv) {
     app.add_option("--points", c.points, "of --random, 1 to 1e12 (default 10000)")
         .transform(support::integer(std::uint64_t{1}, std::uint64_t{1000000000000}));
     app.add_option("--list", c.list, "points of this CSV file, whose first line names the parameters");
-    app.add_option("--csv", c.csv, "write a line for each point to this file, in their order, as they come");
+    support::add_output(app, "--csv", c.csv,
+                        "write a line for each point to this file, in their order, as they come; - is stdout");
     support::add_output(app, "--json", c.json, "write the counts to this file, or to stdout for -, instead of a table");
     c.pictures.add_to(app, "the numbers over a grid of two parameters");
     app.add_flag("--locus", c.locus,
@@ -245,16 +247,17 @@ std::atomic<bool> cancelled = false;
 /// A line for each point.
 class Rows {
 public:
-    Rows(const Command& c, int unknowns) : name_(c.csv) {
-        if (name_.empty()) return;
-        file_.open(name_);
+    Rows(const Command& c, int unknowns) {
+        if (!c.csv) return;
+        name_ = c.csv->name();
+        if (!c.csv->to_stdout()) file_.open(name_);
         std::vector<std::string> columns = c.names;
         for (const char* column : {"paths", "finite", "at_infinity", "singular", "failed", "distinct", "real"})
             columns.emplace_back(column);
         equilibria::add_index_columns(columns, unknowns);
         for (const char* column : {"degenerate", "clean", "alarm", "instances", "proved", "proved_real"})
             columns.emplace_back(column);
-        file_ << equilibria::CsvTable(columns).text();
+        out() << equilibria::CsvTable(columns).text();
         check();
     }
     void add(const SweptPoint& p) {
@@ -263,18 +266,19 @@ public:
         row.add_all(p.parameters).add(p.paths).add(p.finite).add(p.at_infinity).add(p.singular).add(p.failed);
         row.add(p.distinct).add(p.real).add_all(p.by_index).add(p.degenerate).add(p.clean).add(p.alarm);
         row.add(static_cast<int>(p.instances)).add(p.proved).add(p.proved_real);
-        file_ << row.line();
+        out() << row.line();
         check();
     }
     void close() {
         if (name_.empty()) return;
-        file_.close();
+        out().flush();
         check();
     }
 
 private:
+    std::ostream& out() { return file_.is_open() ? file_ : std::cout; }
     void check() {
-        if (!file_) support::fail("--csv", name_, "cannot be written");
+        if (!out()) throw std::runtime_error("--csv " + name_ + ": cannot be written");
     }
     std::string name_;
     std::ofstream file_;
@@ -295,7 +299,7 @@ template <class T>
 Result run(const Command& c, const T& model, const equilibria::Ranks& ranks) {
     const auto points = points_of(c);
     std::optional<Locus> locus;
-    if (c.locus && ranks.first())
+    if (c.locus)  // at each rank: what goes wrong there goes wrong at all
         locus = equilibria::trace_locus<Chain, Chain::alpha, Chain::omega>(
             {0.5, c.values[Chain::ratio], 1}, {{c.axes[0].low, c.axes[0].high}, {c.axes[1].low, c.axes[1].high}},
             {.seed = c.seed, .executor = equilibria::threads(c.threads)},
@@ -410,7 +414,7 @@ int main(int argc, char** argv) {
             return 130;
         }
         if (c.json) c.json->write(equilibria::json_text(document(c, result)));
-        if (!to_stdout(c.json)) print(c, result);
+        if (!to_stdout(c.json) && !to_stdout(c.csv)) print(c, result);
     } catch (const equilibria::CheckpointError& error) {
         support::fail("--checkpoint", c.checkpoint, error.wrong());
     } catch (const std::exception& error) {

@@ -15,6 +15,7 @@ class OutputFile {
 public:
     OutputFile(std::string option, const std::string& name);
 
+    const std::string& name() const { return name_; }
     bool to_stdout() const { return name_ == "-"; }
 
     /// Writes the file, or ends the program; text for stdout is written and flushed.

@@ -1,5 +1,6 @@
 // Loops shared by ranks, here threads of one process that speak through memory: what each has afterwards.
 #include <atomic>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -56,4 +57,21 @@ TEST_CASE("ranks agree, or are told who differs") {
     });
     CHECK(equal == 6);
     CHECK(told == 3);
+}
+
+TEST_CASE("what goes wrong at rank 0 goes wrong at all") {
+    std::atomic<int> done = 0, own = 0, others = 0;
+    tests::on_ranks(3, [&](const Ranks& ranks) {
+        ranks.at_first([&] { done += 1 + 100 * ranks.rank(); });
+        try {
+            ranks.at_first([] { throw std::out_of_range("no room"); });
+        } catch (const std::out_of_range&) {
+            ++own;
+        } catch (const RankError& error) {
+            others += std::string(error.what()) == "rank 0: no room";
+        }
+    });
+    CHECK(done == 1);
+    CHECK(own == 1);
+    CHECK(others == 2);
 }

@@ -74,6 +74,8 @@ public:
     void share(std::size_t size, const std::function<bool(std::size_t)>& has,
                const std::function<Bytes(std::size_t)>& give,
                const std::function<void(std::size_t, BytesView)>& take) const;
+    /// Does at rank 0 what the others wait for. Where that throws all throw: the others a RankError.
+    void at_first(const std::function<void()>& act) const;
     /// Whether any rank says so.
     bool any(bool own) const;
     /// The texts of all ranks where they are not all the same; else nothing.

@@ -86,8 +86,9 @@ public:
         y_.points = points_.size;
         y_.mixed_volume = instances_[0] ? instances_[0]->mixed_volume() : 0;
         waiting_.resize(blocks());
-        open_file();
-        emit(take);
+        begin();
+        // what is in the file already
+        run_.ranks.at_first([&] { emit(take); });
         run_.ranks.for_blocks({.size = blocks(),
                                .done = [this](std::size_t which) { return kept(which) || which < next_; },
                                .work = [this](std::size_t which) { return work(which); },
@@ -205,8 +206,8 @@ private:
         return y;
     }
 
-    /// Rank 0 has the file.
-    void open_file() {
+    /// Makes sure that all ranks do this sweep; rank 0 has the file.
+    void begin() {
         if (!run_.is_told_apart()) return;
         Fingerprint numbers;
         for (std::uint64_t k = 0; k < points_.size; ++k)
@@ -216,7 +217,9 @@ private:
         const auto header = checkpoint_header(
             fields, {run_.seed, "a sweep of parameters", numbers, points_.size, block}, options_.tracker);
         require_same_run(run_.ranks, header);
-        if (run_.checkpoint.empty() || !run_.ranks.first()) return;
+        if (!run_.checkpoint.empty()) run_.ranks.at_first([&] { open_file(header); });
+    }
+    void open_file(const CheckpointFields& header) {
         offsets_.resize(blocks());
         file_ = std::make_unique<CheckpointFile>(
             run_.checkpoint, header, [this](std::uint64_t offset, std::span<const std::uint8_t> bytes) -> std::string {

@@ -102,9 +102,14 @@ private:
         const auto header =
             checkpoint_header(problem_.model, {run_->seed, problem_.start.name, numbers, size, block(size)}, options_);
         require_same_run(run_->ranks, header);
+        std::optional<EndpointStore> kept;
+        if (!run_->checkpoint.empty())
+            run_->ranks.at_first([&] {
+                kept.emplace(size, block(size), run_->checkpoint, header, !problem_.streamed, homotopy_->sizes());
+            });
+        if (kept) return std::move(*kept);
         if (elsewhere()) return EndpointStore::elsewhere(size, block(size), homotopy_->sizes());
-        if (run_->checkpoint.empty() || !run_->ranks.first()) return {size, block(size), homotopy_->sizes()};
-        return {size, block(size), run_->checkpoint, header, !problem_.streamed, homotopy_->sizes()};
+        return {size, block(size), homotopy_->sizes()};
     }
     /// Whether the endpoints are at rank 0 alone, which goes on alone: this is another rank.
     bool elsewhere() const { return problem_.streamed && !run_->ranks.first(); }

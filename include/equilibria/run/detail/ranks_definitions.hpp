@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <exception>
 #include <mutex>
 
 #include <boost/endian/conversion.hpp>
@@ -53,6 +54,22 @@ EQUILIBRIA_INLINE void Ranks::share(std::size_t size, const std::function<bool(s
             at += head + length;
         }
     }
+}
+
+EQUILIBRIA_INLINE void Ranks::at_first(const std::function<void()>& act) const {
+    if (!several()) return act();
+    Bytes wrong;
+    std::exception_ptr failure;
+    if (first()) try {
+            act();
+        } catch (const std::exception& error) {
+            failure = std::current_exception();
+            const std::string text = std::string("rank 0: ") + error.what();
+            wrong.assign(text.begin(), text.end());
+        }
+    backend_->broadcast(wrong);
+    if (failure) std::rethrow_exception(failure);
+    if (!wrong.empty()) throw RankError(std::string(wrong.begin(), wrong.end()));
 }
 
 EQUILIBRIA_INLINE bool Ranks::any(bool own) const {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include <equilibria/run/ranks.hpp>
+#include <equilibria/run/run_options.hpp>
 #include <equilibria/run/threads.hpp>
 
 #include "support/catch.hpp"
@@ -74,4 +75,19 @@ TEST_CASE("what goes wrong at rank 0 goes wrong at all") {
     CHECK(done == 1);
     CHECK(own == 1);
     CHECK(others == 2);
+}
+
+TEST_CASE("what is not shared refuses ranks") {
+    std::atomic<int> refused = 0;
+    tests::on_ranks(2, [&](const Ranks& ranks) {
+        const RunOptions run{.ranks = ranks};
+        run.require_whole("a proof");
+        try {
+            run.require_alone("a locus");
+        } catch (const InvalidArgument& error) {
+            refused += std::string(error.what()).find("a locus is not shared by ranks") != std::string::npos;
+        }
+    });
+    CHECK(refused == 2);
+    RunOptions().require_alone("a locus");
 }

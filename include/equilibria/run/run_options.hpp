@@ -51,6 +51,12 @@ struct RunOptions {
         require(checkpoint.empty(), "checkpoint", checkpoint, "must be empty: it keeps a single enumeration");
         require(cancel == nullptr, "cancel", "given", std::string("must be empty: ") + what + " cannot be cancelled");
     }
+    /// For what moreover does not share its work with other ranks. Throws InvalidArgument where there are some.
+    [[gnu::cold]] void require_alone(const char* what) const {
+        require_whole(what);
+        require(!ranks.several(), "ranks", ranks.size(),
+                std::string("must be one: ") + what + " is not shared by ranks");
+    }
 };
 
 }  // namespace equilibria

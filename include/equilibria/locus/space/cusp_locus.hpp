@@ -228,7 +228,7 @@ CuspLocus<M> find_cusp_locus(const Parameters<M>& p, const Box& box, const RunOp
     require_finite(p, "p");
     box.validate();
     options.validate();
-    run.require_whole("a search for cusps");
+    run.require_alone("a search for cusps");
     return detail::CuspLocusFinder<M, X, Y, Z>(p, box, run, options).run();
 }
 

@@ -340,7 +340,7 @@ EQUILIBRIA_INLINE LineEvents<RuntimeUnknowns> find_events(const SearchedModel& m
                                                           int active, const Interval& range, const RunOptions& run) {
     require_finite(p, "parameters");
     range.validate("interval");
-    run.require_whole("a search for events");
+    run.require_alone("a search for events");
     return detail::LineEventFinder(model, p, active, range, run).run();
 }
 

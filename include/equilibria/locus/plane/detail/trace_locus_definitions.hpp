@@ -14,7 +14,7 @@ EQUILIBRIA_INLINE Locus<RuntimeUnknowns> trace_locus(const SearchedModel& model,
     require_finite(p, "parameters");
     window.validate();
     options.validate();
-    run.require_whole("a locus");
+    run.require_alone("a locus");
     require(active.size() == 2, "active parameters", active.size(), "must be two");
     return detail::LocusTracer(model, active, p, window, run, options).run();
 }

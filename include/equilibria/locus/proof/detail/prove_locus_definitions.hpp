@@ -187,7 +187,7 @@ private:
 EQUILIBRIA_INLINE LocusProof prove_locus(const Locus<RuntimeUnknowns>& locus, const CriticalSystem& folds,
                                          const ExactPolynomials& exact, const ProveTable& prove_table,
                                          const RunOptions& run) {
-    run.require_whole("a proof");
+    run.require_alone("a proof");
     const Stopwatch begin;
     LocusProof proof = LocusProver(locus, folds, exact, prove_table, run).run();
     proof.seconds = begin.seconds();

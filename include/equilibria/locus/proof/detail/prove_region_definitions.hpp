@@ -197,7 +197,7 @@ EQUILIBRIA_INLINE RegionProof prove_region(const ProvedModel& model, const Windo
                                            const ProveRegionOptions& options) {
     window.validate();
     options.validate();
-    run.require_whole("a proof");
+    run.require_alone("a proof");
     return RegionProver(model, window, run, options).run();
 }
 

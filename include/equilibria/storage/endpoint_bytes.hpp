@@ -3,6 +3,7 @@
 #pragma once
 
 #include <bit>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <type_traits>
@@ -27,10 +28,10 @@ void transfer(Archive& a, E& end) {
     a(precision, Precision::more_digits);
 }
 
-/// Appends numbers to bytes, little-endian.
-class Writer {
+/// Puts numbers into bytes, little-endian. The caller has made sure that there is room.
+class PlacedWriter {
 public:
-    explicit Writer(Bytes& to) : to_(&to) {}
+    explicit PlacedWriter(std::uint8_t* at) : at_(at) {}
     void operator()(double value) { put<8>(std::bit_cast<std::uint64_t>(value)); }
     template <class T>
     requires std::is_integral_v<T>
@@ -45,9 +46,24 @@ public:
 private:
     template <int bytes>
     void put(std::uint64_t value) {
-        to_->resize(to_->size() + bytes);
-        put_number<bytes>(to_->data() + to_->size() - bytes, value);
+        put_number<bytes>(at_, value);
+        at_ += bytes;
     }
+    std::uint8_t* at_;
+};
+
+/// Appends numbers to bytes: where their size is not known before.
+class Writer {
+public:
+    explicit Writer(Bytes& to) : to_(&to) {}
+    template <class T, class... Largest>
+    void operator()(T value, Largest... largest) {
+        const std::size_t at = to_->size();
+        to_->resize(at + (sizeof...(largest) > 0 ? 1 : sizeof(T)));
+        PlacedWriter(to_->data() + at)(value, largest...);
+    }
+
+private:
     Bytes* to_;
 };
 
@@ -96,17 +112,19 @@ public:
     /// Bytes of so many in a block.
     std::uint64_t size(std::uint64_t endpoints) const { return head + endpoints * endpoint_size_; }
 
-    /// Appended to `to`.
-    void encode(std::span<const Endpoint> ends, std::uint64_t retracked, Bytes& to) const {
-        to.reserve(to.size() + size(ends.size()));
-        Writer write(to);
+    /// So many endpoints, end(k) or what has the same fields.
+    Bytes encode(std::uint64_t count, std::uint64_t retracked, const auto& end) const {
+        Bytes y(size(count));
+        PlacedWriter write(y.data());
         write(retracked);
-        for (const Endpoint& end : ends) transfer(write, end);
+        for (std::uint64_t k = 0; k < count; ++k) {
+            auto&& fields = end(k);
+            transfer(write, fields);
+        }
+        return y;
     }
     Bytes encode(std::span<const Endpoint> ends, std::uint64_t retracked) const {
-        Bytes y;
-        encode(ends, retracked, y);
-        return y;
+        return encode(ends.size(), retracked, [&](std::uint64_t k) -> const Endpoint& { return ends[k]; });
     }
     static std::uint64_t retracked(std::span<const std::uint8_t> block) { return get_number(block.data()); }
     /// Endpoints from their bytes, without a block's head. False where an enumeration has none of its values.

@@ -48,6 +48,33 @@ public:
         std::copy(from.s.begin(), from.s.end(), end.q.s.begin());
         std::copy(from.x.begin(), from.x.end(), end.q.x.begin());
     }
+    /// Endpoint k where it is, field by field in the order of Endpoint's.
+    struct Fields {
+        struct {
+            std::span<Complex<double>> c, s, x;
+        } q;
+        double& t;
+        std::int32_t& steps;
+        Arrival& arrival;
+        PathStatus& status;
+        FailureReason& reason;
+        Precision& precision;
+        std::int16_t& winding_number;
+        PolishedEvidence& evidence;
+    };
+    Fields fields(std::uint64_t k) {
+        auto& [t, evidence, steps, winding_number, arrival, status, reason, precision] = records_[k];
+        Complex<double>* const at = place(k);
+        return {{{at, angles_}, {at + angles_, angles_}, {at + 2 * angles_, coordinates_}},
+                t,
+                steps,
+                arrival,
+                status,
+                reason,
+                precision,
+                winding_number,
+                evidence};
+    }
     const EndpointRecord& record(std::uint64_t k) const { return records_[k]; }
     PointView point(std::uint64_t k) const {
         const Complex<double>* const at = place(k);
@@ -102,15 +129,21 @@ public:
         enter(which, ends, retracked);
     }
 
-    /// The same of a block as BlockCodec writes it, of so many paths.
+    /// A finished block of so many paths as BlockCodec writes it, and the same put elsewhere. Of those in memory.
+    Bytes encoded(std::uint64_t which, std::uint64_t paths, std::uint64_t retracked) {
+        return BlockCodec(sizes_).encode(paths, retracked,
+                                         [&](std::uint64_t k) { return ends_.fields(which * block_ + k); });
+    }
     void put(std::uint64_t which, std::span<const std::uint8_t> encoded, std::uint64_t paths) {
-        if (!ends_.empty()) {
-            std::vector<Endpoint> ends(paths);
-            BlockCodec(sizes_).decode(encoded.subspan(BlockCodec::head), ends);
-            return put(which, ends, BlockCodec::retracked(encoded));
-        }
         const std::lock_guard lock(*guard_);
         if (file_) file_->append(which, encoded);
+        if (!ends_.empty()) {
+            Reader read(encoded.subspan(BlockCodec::head));
+            for (std::uint64_t k = 0; k < paths; ++k) {
+                auto fields = ends_.fields(which * block_ + k);
+                transfer(read, fields);
+            }
+        }
         has_[which] = 1;
         finished_ += paths;
         retracked_ += BlockCodec::retracked(encoded);

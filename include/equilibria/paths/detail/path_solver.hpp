@@ -178,9 +178,7 @@ private:
         // how many were tracked again is known of all together: it goes with the first block
         std::uint64_t retracked = ends.retracked();
         const auto give = [&](std::size_t which) {
-            std::vector<Endpoint> block;
-            for (std::size_t k = 0; k < paths(which); ++k) block.push_back(ends[which * length + k]);
-            return codec.encode(block, std::exchange(retracked, 0));
+            return ends.encoded(which, paths(which), std::exchange(retracked, 0));
         };
         run_->ranks.share(blocks, has, give, take);
     }

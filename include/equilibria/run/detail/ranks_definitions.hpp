@@ -27,7 +27,8 @@ EQUILIBRIA_INLINE void Ranks::share(std::size_t size, const std::function<bool(s
                                     const std::function<Bytes(std::size_t)>& give,
                                     const std::function<void(std::size_t, BytesView)>& take) const {
     if (!several()) return;
-    constexpr std::size_t piece = std::size_t{1} << 24, head = 16;  // a block: its number, its length, its bytes
+    constexpr std::size_t piece = std::size_t{1} << 20,
+                          head = 16;  // as MPI sends it soonest; a block: its number, its length, its bytes
     using namespace boost::endian;
     for (std::size_t block = 0; block < size;) {
         Bytes bytes;

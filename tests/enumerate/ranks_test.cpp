@@ -136,16 +136,22 @@ TEST_CASE("ranks that do another run are refused, by all") {
         CHECK_THAT(text, Catch::Contains("rank 2 does another run than rank 0: its seed is 5, rank 0's is 1"));
 }
 
-TEST_CASE("the points of a sweep come at rank 0") {
+TEST_CASE("the points of a sweep come at rank 0, its counts at all") {
     using M = mechanisms::TwoLinkChain;
     const auto grid = parameter_grid(RuntimeArray<double>{0.3, 1.5, 2.0}, {{M::omega, 0.5, 4.5, 200}});
     std::vector<std::uint32_t> alone;
-    sweep<M>(grid, [&](const SweptPoint& point) { alone.push_back(point.real); });
-    const auto found = at_each<std::vector<std::uint32_t>>(2, [&](const Ranks& ranks) {
-        std::vector<std::uint32_t> y;
-        sweep<M>(grid, [&](const SweptPoint& point) { y.push_back(point.real); }, {.ranks = ranks});
+    const auto counts = sweep<M>(grid, [&](const SweptPoint& point) { alone.push_back(point.real); });
+    using Found = std::pair<std::vector<std::uint32_t>, SweepCounts>;
+    const auto found = at_each<Found>(2, [&](const Ranks& ranks) {
+        Found y;
+        y.second = sweep<M>(grid, [&](const SweptPoint& point) { y.first.push_back(point.real); }, {.ranks = ranks});
         return y;
     });
-    CHECK(found[0] == alone);
-    CHECK(found[1].empty());
+    CHECK(found[0].first == alone);
+    CHECK(found[1].first.empty());
+    for (const auto& [_, of] : found) {
+        CHECK(of.done == grid.size);
+        CHECK(of.paths == counts.paths);
+        CHECK(of.by_real == counts.by_real);
+    }
 }

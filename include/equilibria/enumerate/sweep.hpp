@@ -88,8 +88,8 @@ SweepCounts sweep_points(const SweptModel& model, const ParameterPoints& points,
 
 }  // namespace detail
 
-/// Hands each point's result to take(point), in their order, one call at a time, at rank 0. Every rank gets the counts
-/// but for what `take` was given: rank 0 has them.
+/// Hands each point's result to take(point), in their order, one call at a time, at rank 0. Every rank gets the
+/// counts.
 ///
 /// Throws InvalidArgument for options out of range and for points that do not fit the model, CheckpointError for a
 /// checkpoint that cannot be used, and what `take` throws.

@@ -100,6 +100,7 @@ public:
                                    },
                                .cancelled = [this] { return run_.cancelled(); }},
                               run_.executor);
+        share_counts();
         y_.seconds = clock.seconds();
         return y_;
     }
@@ -107,6 +108,32 @@ public:
 private:
     static constexpr std::size_t block = 64;
     static constexpr int most_instances = 3;
+
+    /// Rank 0 has counted.
+    void share_counts() {
+        const auto numbers = [this] {
+            return std::array{&y_.done,    &y_.paths, &y_.failed,    &y_.singular_points, &y_.alarms,
+                              &y_.unclean, &y_.again, &y_.vanishing, &y_.proved};
+        };
+        run_.ranks.share(
+            1, [](std::size_t) { return true; },
+            [&](std::size_t) {
+                Ranks::Bytes bytes;
+                Writer write(bytes);
+                for (const auto* number : numbers()) write(*number);
+                for (const auto& [real, points] : y_.by_real) write(real), write(points);
+                return bytes;
+            },
+            [&](std::size_t, Ranks::BytesView bytes) {
+                Reader read(bytes);
+                for (auto* number : numbers()) read(*number);
+                for (std::size_t left = bytes.size() - 8 * numbers().size(); left > 0; left -= 16) {
+                    std::uint64_t real = 0, points = 0;
+                    read(real), read(points);
+                    y_.by_real[real] = points;
+                }
+            });
+    }
 
     std::size_t blocks() const { return static_cast<std::size_t>((points_.size + block - 1) / block); }
     std::size_t length(std::size_t which) const {

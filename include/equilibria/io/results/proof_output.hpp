@@ -2,7 +2,9 @@
 /// What is proved of an enumeration as JSON.
 #pragma once
 
+#include <cstdint>
 #include <optional>
+#include <unordered_map>
 
 #include <equilibria/certify/certificate.hpp>
 #include <equilibria/enumerate/prove.hpp>
@@ -57,17 +59,13 @@ inline void add_proof(Json& out, const ProofOfRoots& p) {
                    {"proving_seconds", p.seconds}});
 }
 
-/// The certificate of the root that the path number `path` led to; nothing where there is none.
-inline std::optional<Certificate> certificate_of(const ProofOfRoots& p, std::uint64_t path) {
-    for (const auto& c : p.certificates)
-        if (c.path == path) return c;
-    return std::nullopt;
-}
-
-/// Gives each entry of "equilibria" its "certificate".
+/// Gives each entry of "equilibria" its "certificate": that of the root to which the same path led.
 inline void add_certificates(Json& equilibria, const ProofOfRoots& p) {
+    std::unordered_map<std::uint64_t, const Certificate*> of_path(2 * p.certificates.size());
+    for (const auto& c : p.certificates) of_path.emplace(c.path, &c);
     for (auto& e : equilibria)
-        if (const auto c = certificate_of(p, e.at("path").get<std::uint64_t>())) e["certificate"] = json_of(*c);
+        if (const auto at = of_path.find(e.at("path").get<std::uint64_t>()); at != of_path.end())
+            e["certificate"] = json_of(*at->second);
 }
 
 }  // namespace equilibria

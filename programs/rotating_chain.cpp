@@ -5,8 +5,6 @@
 //   rotating_chain --links 3 --prove --digits 100
 //   rotating_chain --links 8 --checkpoint chain.ckpt    (after Ctrl-C, or worse, the same command goes on)
 //   mpirun -n 4 rotating_chain --links 10 --checkpoint chain.ckpt    (built with MPI: docs/scale.md)
-#include <signal.h>
-
 #include <algorithm>
 #include <atomic>
 #include <cmath>
@@ -32,6 +30,7 @@
 #include <equilibria/mechanisms/rotating_chain.hpp>
 #include <equilibria/storage/locked_file.hpp>
 
+#include "support/interrupt.hpp"
 #include "support/joined.hpp"
 #include "support/options.hpp"
 #include "support/output_file.hpp"
@@ -253,19 +252,6 @@ void print(const Chain& chain, const Json& r) {
     if (r.contains("proving_seconds")) std::printf("%.3g s for the proofs\n", r["proving_seconds"].get<double>());
 }
 
-std::atomic<bool> cancelled = false;
-static_assert(std::atomic<bool>::is_always_lock_free);
-
-/// The first Ctrl-C, or SIGTERM of a batch system, ends the enumeration with what is finished, a second one the
-/// program.
-void cancel_on_interrupt() {
-    struct sigaction action{};
-    action.sa_handler = [](int) { cancelled = true; };
-    action.sa_flags = static_cast<int>(SA_RESETHAND);
-    sigaction(SIGINT, &action, nullptr);
-    sigaction(SIGTERM, &action, nullptr);
-}
-
 /// One line on stderr: how much is done, and how to go on.
 int interrupted(const equilibria::PathCounts& paths, const std::string& checkpoint) {
     std::fprintf(stderr, "rotating_chain: interrupted, %llu of %llu paths are finished; %s\n",
@@ -284,8 +270,7 @@ int main(int argc, char** argv) {
     c.options.ranks = ranks;
     std::optional<support::ProgressBar> bar("tracking");
     c.options.progress = [&](std::uint64_t done, std::uint64_t all) { bar->update(done, all); };
-    c.options.cancel = &cancelled;
-    cancel_on_interrupt();
+    c.options.cancel = &support::cancelled_by_signal();
     try {
         const Result result = enumerate(c.chain, c.options);
         bar.reset();

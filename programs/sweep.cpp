@@ -3,19 +3,17 @@
 //
 //   sweep --grid alpha=0:1:201,omega=0:5:201 --locus --png counts.png
 //   sweep --model chain --links 3 --random m3=0.1:2,omega=0.5:5 --points 100000 --csv points.csv --threads 0
-//   mpirun -n 16 sweep --grid alpha=0:1:10001,omega=0:5:10001 --checkpoint sweep.ckpt    (built with MPI:
-//   docs/scale.md)
+//   mpirun -n 16 sweep --grid alpha=0:1:10001,omega=0:5:10001 --checkpoint sweep.ckpt
+//
+// The last when it is built with MPI (docs/scale.md).
 #include <algorithm>
-#include <atomic>
 #include <cmath>
-#include <csignal>
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
 #include <exception>
 #include <fstream>
 #include <iostream>
-#include <limits>
 #include <optional>
 #include <sstream>
 #include <stdexcept>
@@ -29,16 +27,17 @@
 #include <equilibria/io/results/csv.hpp>
 #include <equilibria/io/results/json.hpp>
 #include <equilibria/locus/plane/trace_locus.hpp>
-#include <equilibria/locus/regions/regions.hpp>
 #include <equilibria/mechanisms/rotating_chain.hpp>
 
 #include "plots/sweep.hpp"
+#include "support/interrupt.hpp"
 #include "support/locus_figure.hpp"
 #include "support/options.hpp"
 #include "support/output_file.hpp"
 #include "support/pictures.hpp"
 #include "support/progress_bar.hpp"
 #include "support/ranks.hpp"
+#include "sweep/comparison.hpp"
 
 namespace {
 
@@ -181,69 +180,6 @@ equilibria::ParameterPoints points_of(const Command& c) {
                                          [&](const std::string& name) { return number_of(c, "--list", name); });
 }
 
-/// Counts of a traced locus's regions against those of points.
-class Comparison {
-public:
-    explicit Comparison(const Locus& locus) : locus_(locus), plane_(locus.window, lines(locus)) {
-        counts_.resize(static_cast<std::size_t>(plane_.regions()), 0);
-        for (const auto& r : locus.regions)
-            if (const int at = plane_.region_of(r.point.x, r.point.y); at >= 0)
-                counts_[static_cast<std::size_t>(at)] = r.count;
-    }
-    void add(const SweptPoint& point) {
-        const auto& w = locus_.window;
-        const auto inside = [](const equilibria::Interval& axis, double at) {
-            const double edge = 1e-9 * axis.width();
-            return std::clamp(at, axis.low + edge, axis.high - edge);
-        };
-        const double x = inside(w.x, point.parameters[Chain::alpha]), y = inside(w.y, point.parameters[Chain::omega]);
-        const int region = plane_.region_of(x, y);
-        if (region < 0 || point.singular > 0 || point.vanishing_equation) {
-            ++borders_;
-        } else if (counts_[static_cast<std::size_t>(region)] == point.real) {
-            ++agree_;
-        } else {
-            ++differ_;
-            farthest_ = std::max(farthest_, distance(x, y));
-        }
-    }
-    Json json() const {
-        return {{"agree", agree_}, {"on_borders", borders_}, {"differ", differ_}, {"farthest_from_a_curve", farthest_}};
-    }
-
-private:
-    static std::vector<std::vector<equilibria::PlanePoint>> lines(const Locus& locus) {
-        std::vector<std::vector<equilibria::PlanePoint>> y;
-        for (const auto& curve : locus.curves) {
-            y.emplace_back();
-            for (const auto& p : curve.points) y.back().push_back({p.x(), p.y()});
-        }
-        return y;
-    }
-    /// To the next curve, in units of the window.
-    double distance(double x, double y) const {
-        double least = std::numeric_limits<double>::infinity();
-        const auto& w = locus_.window;
-        for (const auto& curve : lines(locus_))
-            for (std::size_t k = 1; k < curve.size(); ++k) {
-                const double ax = (curve[k - 1].x - x) / w.width(), ay = (curve[k - 1].y - y) / w.height();
-                const double dx = (curve[k].x - x) / w.width() - ax, dy = (curve[k].y - y) / w.height() - ay;
-                const double length2 = dx * dx + dy * dy;
-                const double t = length2 > 0 ? std::clamp(-(ax * dx + ay * dy) / length2, 0.0, 1.0) : 0;
-                least = std::min(least, std::hypot(ax + t * dx, ay + t * dy));
-            }
-        return least;
-    }
-
-    const Locus& locus_;
-    equilibria::PlaneDecomposition plane_;
-    std::vector<std::uint64_t> counts_;
-    std::uint64_t agree_ = 0, borders_ = 0, differ_ = 0;
-    double farthest_ = 0;
-};
-
-std::atomic<bool> cancelled = false;
-
 /// A line for each point.
 class Rows {
 public:
@@ -305,7 +241,7 @@ Result run(const Command& c, const T& model, const equilibria::Ranks& ranks) {
             {.seed = c.seed, .executor = equilibria::threads(c.threads)},
             // short chords: points may lie next to a curve
             {.lines = 12, .branch = {.first_step = 1e-4, .largest_step = 1e-3, .largest_angle = 0.02}});
-    std::optional<Comparison> comparison;
+    std::optional<sweeps::Comparison> comparison;
     if (locus) comparison.emplace(*locus);
     std::optional<Rows> rows;
     if (ranks.first()) rows.emplace(c, model.angles());
@@ -326,7 +262,7 @@ Result run(const Command& c, const T& model, const equilibria::Ranks& ranks) {
                                   .ranks = ranks,
                                   .progress = [&](std::uint64_t done, std::uint64_t all) { bar.update(done, all); },
                                   .checkpoint = c.checkpoint,
-                                  .cancel = &cancelled},
+                                  .cancel = &support::cancelled_by_signal()},
                                  {.prove = c.prove, .resort = equilibria::more_digits});
     if (!ranks.first()) return y;
     rows->close();
@@ -385,9 +321,9 @@ void print(const Command& c, const Result& r) {
     std::cout << r.counts << '\n';
     if (r.locus)
         std::printf(
-            "Regions of the traced locus: %llu points agree, %llu lie on borders, %llu differ, at most %.1e of the "
+            "Regions of the traced locus: %llu points agree, %llu cannot be compared, %llu differ, at most %.1e of the "
             "window from a curve\n",
-            (*r.locus)["agree"].get<unsigned long long>(), (*r.locus)["on_borders"].get<unsigned long long>(),
+            (*r.locus)["agree"].get<unsigned long long>(), (*r.locus)["not_compared"].get<unsigned long long>(),
             (*r.locus)["differ"].get<unsigned long long>(), (*r.locus)["farthest_from_a_curve"].get<double>());
     if (c.prove) std::printf("At %llu points all roots are proved\n", static_cast<unsigned long long>(r.counts.proved));
     std::printf("%.3g s, %.0f points a second\n", r.counts.seconds,
@@ -399,7 +335,6 @@ void print(const Command& c, const Result& r) {
 int main(int argc, char** argv) {
     const auto ranks = support::ranks(&argc, &argv);
     const Command c = read(argc, argv);
-    for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, [](int) { cancelled = true; });
     try {
         const Result result = c.model == "two-links"
                                   ? run(c, TwoLinks{}, ranks)

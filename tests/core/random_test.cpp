@@ -1,7 +1,9 @@
 #include <cmath>
 #include <complex>
+#include <cstdint>
 
 #include <equilibria/core/random.hpp>
+#include <equilibria/core/splitmix.hpp>
 
 #include "support/catch.hpp"
 
@@ -13,6 +15,13 @@ TEST_CASE("draws are the same everywhere") {
     CHECK(uniform(generator) == static_cast<double>(9981545732273789042u >> 11) / 9007199254740992.0);
     Generator first(7), second(7);
     for (int k = 0; k < 10; ++k) CHECK(unit_complex(first) == unit_complex(second));
+}
+
+TEST_CASE("splitmix64 gives the numbers that its authors' program gives") {
+    std::uint64_t state = 1234567;  // of S. Vigna's splitmix64.c, by this seed
+    for (const std::uint64_t number : {6457827717110365317u, 3203168211198807973u, 9817491932198370423u,
+                                       4593380528125082431u, 16408922859458223821u})
+        CHECK(splitmix64(state) == number);
 }
 
 TEST_CASE("draws lie where they should, and about evenly") {

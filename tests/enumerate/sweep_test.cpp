@@ -3,10 +3,12 @@
 #include <sstream>
 #include <vector>
 
+#include <equilibria/enumerate/more_digits.hpp>
 #include <equilibria/enumerate/sweep.hpp>
 #include <equilibria/mechanisms/rotating_chain.hpp>
 
 #include "support/catch.hpp"
+#include "support/families.hpp"
 #include "support/scratch_file.hpp"
 
 using namespace equilibria;
@@ -81,8 +83,22 @@ TEST_CASE("cancelled and resumed, a sweep is that which was never interrupted") 
     CHECK(first.size() == 128);
     CHECK(same(swept(grid, {.executor = threads(2), .checkpoint = scratch.name()}).points, whole.points));
     CHECK(same(swept(grid, {.checkpoint = scratch.name()}).points, whole.points));
+    CHECK_THROWS_AS(swept(grid, {.checkpoint = scratch.name()}, {.resort = more_digits}), CheckpointError);
     const auto other = parameter_grid(Values{0.5, 1.5, 2.0}, {{Chain::omega, 0.3, 4.7, 17}});
     CHECK_THROWS_AS(swept(other, {.checkpoint = scratch.name()}), CheckpointError);
+}
+
+TEST_CASE("the file of another model of the same type is refused, whose points are the same") {
+    const families::Edges first{{0, 1}, {1, 2}, {2, 3}}, second{{0, 1}, {1, 2}, {1, 3}};
+    const auto p = families::generic(6, 1);
+    const ParameterPoints points{3, [&](std::uint64_t) { return p; }};
+    const tests::ScratchFile scratch("models.ckpt");
+    const auto run = [&](const families::Edges& edges) {
+        return sweep(families::Oscillators{3, edges}, points, [](const SweptPoint&) {}, {.checkpoint = scratch.name()});
+    };
+    CHECK(run(first).done == 3);
+    CHECK(run(first).done == 3);
+    CHECK_THROWS_AS(run(second), CheckpointError);
 }
 
 TEST_CASE("a point at which an equation vanishes, or roots are multiple, is told") {

@@ -21,6 +21,7 @@
 #include <equilibria/algebra/trigonometric_polynomial.hpp>
 #include <equilibria/core/array.hpp>
 #include <equilibria/core/error.hpp>
+#include <equilibria/core/splitmix.hpp>
 #include <equilibria/model/model.hpp>
 
 namespace equilibria {
@@ -60,12 +61,7 @@ constexpr std::vector<PolynomialOf<M, C>> symbolic_equations(const Parameters<M,
 /// as p_0 - 2 p_1 + p_2 = 0 does for any arithmetic sequence.
 constexpr void set_generic(std::span<double> parameters) {
     std::uint64_t state = 0;
-    for (double& value : parameters) {
-        std::uint64_t z = state += 0x9e3779b97f4a7c15;
-        z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9;
-        z = (z ^ (z >> 27)) * 0x94d049bb133111eb;
-        value = 0.25 + 0.75 * (static_cast<double>((z ^ (z >> 31)) >> 11) * 0x1p-53);
-    }
+    for (double& value : parameters) value = 0.25 + 0.75 * unit_interval(splitmix64(state));
 }
 template <class M>
 constexpr Parameters<M> generic_parameters() {

@@ -8,12 +8,14 @@
 #include <numbers>
 #include <random>
 
+#include <equilibria/core/splitmix.hpp>
+
 namespace equilibria {
 
 using Generator = std::mt19937_64;
 
 /// Uniform in [0, 1), 53 bits.
-inline double uniform(Generator& generator) { return static_cast<double>(generator() >> 11) * 0x1p-53; }
+inline double uniform(Generator& generator) { return unit_interval(generator()); }
 
 /// Uniform in [low, high).
 inline double uniform(Generator& generator, double low, double high) { return low + (high - low) * uniform(generator); }

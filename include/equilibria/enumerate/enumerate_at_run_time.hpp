@@ -73,6 +73,12 @@ struct RuntimeProblem {
                 formulation.sizes(), formulation.degrees(), target.scale, generator};
     }
 
+    /// What endpoints are polished on.
+    std::shared_ptr<const OwnEquations> own() const {
+        return std::make_shared<OwnEquationsOf<RuntimeModelValues<T>>>(
+            RuntimeModelValues<T>{model, formulation.sizes(), p});
+    }
+
     T model;
     RuntimeArray<double> p;
     RunOptions run;
@@ -115,9 +121,7 @@ RootSet<RuntimeUnknowns> enumerate_from(const T& model, const RuntimeArray<doubl
         require(!asked || system, "parameters", "an equation that vanishes",
                 "must leave each equation a term for a polyhedral start");
         if (asked || detail::polyhedral_pays(system, tracked, formulation.reflection_symmetric(), report, run)) {
-            auto own = std::make_shared<detail::OwnEquationsOf<detail::RuntimeModelValues<T>>>(
-                detail::RuntimeModelValues<T>{model, sizes, p});
-            auto set = detail::enumerate_polyhedral(*system, p, properties, std::move(own), equations, fields, run,
+            auto set = detail::enumerate_polyhedral(*system, p, properties, problem.own(), equations, fields, run,
                                                     options, resort);
             set.seconds = begin.seconds();
             set.start.why = report.why;
@@ -151,21 +155,21 @@ RootSet<RuntimeUnknowns> enumerate(const T& model, const RootSet<RuntimeUnknowns
                                    const TrackerOptions& options = {}, MoreDigits<> resort = nullptr,
                                    MoreDigits<ArcHomotopy> arc_resort = nullptr) {
     const detail::Stopwatch begin;
-    require_finite(p, "parameters");
     options.validate();
     detail::require_start_instance(solved.paths);
-    const RuntimeFormulation formulation(model);
+    const detail::RuntimeProblem<T> problem(model, p, run);
+    const auto& formulation = problem.formulation;
+    const auto& target = problem.target;
     const RuntimeSizes& sizes = formulation.sizes();
     KnownRoots::Points points;
     for (const auto& root : solved.roots) {
         require(root.q.size() == sizes.unknowns, "unknowns of solved", root.q.size(), "must be as many as the model's");
         points.push_back(root.q);
     }
-    const RuntimeModelSystem target(formulation, model, p), solved_system(formulation, model, solved.parameters);
+    const RuntimeModelSystem solved_system(formulation, model, solved.parameters);
     Generator generator(run.seed);
     const auto gamma = unit_complex(generator);
-    const auto own = std::make_shared<detail::OwnEquationsOf<detail::RuntimeModelValues<T>>>(
-        detail::RuntimeModelValues<T>{model, sizes, p});
+    const auto own = problem.own();
     PolynomialHomotopy::Parts parts{.sizes = sizes,
                                     .terms = target.terms,
                                     .from = {},
@@ -175,18 +179,14 @@ RootSet<RuntimeUnknowns> enumerate(const T& model, const RootSet<RuntimeUnknowns
                                     .own = own};
     for (const auto& term : solved_system.terms) parts.from.push_back(gamma * term.coefficient);
     const PolynomialHomotopy line(std::move(parts));
-    detail::CheckpointFields fields;
-    if (run.is_told_apart())
-        fields = detail::model_fields(detail::type_name<T>(), sizes, target.terms, {p.begin(), p.end()});
     const SystemFamily family = system_family(model);
     const KnownRoots start(sizes, points);
     auto paths =
         detail::line_serves(points.size(), formulation.degrees(), family, solved.parameters, p)
-            ? detail::track_paths(line, {.start = StartPoints(start), .model = fields}, run, options, resort)
-            : detail::track_along_arc(family, points, solved.parameters, p, own, fields, run, options, arc_resort);
-    auto set = detail::root_set_of(std::move(paths), p,
-                                   {sizes, formulation.has_potential(), formulation.reflection_symmetric()}, line,
-                                   detail::RealRuntimeEquations<T>(model, p), run);
+            ? detail::track_paths(line, {.start = StartPoints(start), .model = problem.fields}, run, options, resort)
+            : detail::track_along_arc(family, points, solved.parameters, p, own, problem.fields, run, options,
+                                      arc_resort);
+    auto set = detail::root_set_of(std::move(paths), p, problem.properties, line, problem.equations, run);
     set.seconds = begin.seconds();
     return set;
 }

@@ -38,27 +38,15 @@ inline void require_same_run(const Ranks& ranks, const CheckpointFields& fields)
 template <class Work>
 void compute_endpoints(const RunOptions& run, const RuntimeSizes& sizes, std::span<Endpoint> ends, std::size_t block,
                        Work&& work) {
-    if (!run.ranks.several()) return run.executor.for_blocks(ends.size(), block, work);
     const BlockCodec codec(sizes);
     const auto part = [&](std::size_t which) {
         return ends.subspan(which * block, std::min(block, ends.size() - which * block));
     };
-    const auto give = [&](std::size_t which) { return codec.encode(part(which), 0); };
-    const auto take = [&](std::size_t which, Ranks::BytesView bytes) {
-        codec.decode(bytes.subspan(BlockCodec::head), part(which));
-    };
-    const std::size_t blocks = (ends.size() + block - 1) / block;
-    run.ranks.for_blocks({.size = blocks,
-                          .done = {},
-                          .work =
-                              [&](std::size_t which) {
-                                  work(which * block, std::min(ends.size(), (which + 1) * block));
-                                  return give(which);
-                              },
-                          .take = take,
-                          .cancelled = {}},
-                         run.executor);
-    run.ranks.share(blocks, [](std::size_t) { return true; }, give, take);
+    run.ranks.for_blocks_at_all(
+        (ends.size() + block - 1) / block, run.executor,
+        [&](std::size_t which) { work(which * block, std::min(ends.size(), (which + 1) * block)); },
+        [&](std::size_t which) { return codec.encode(part(which), 0); },
+        [&](std::size_t which, Ranks::BytesView bytes) { codec.decode(bytes.subspan(BlockCodec::head), part(which)); });
 }
 
 }  // namespace equilibria::detail

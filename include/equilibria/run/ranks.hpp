@@ -36,7 +36,8 @@ public:
     /// A loop over the blocks 0 .. size - 1.
     struct Loop {
         std::size_t size = 0;
-        std::function<bool(std::size_t block)> done;                   ///< asked at rank 0: it has the block already
+        /// Asked at rank 0, of all blocks before any begins: whether it has the block already.
+        std::function<bool(std::size_t block)> done;
         std::function<Bytes(std::size_t block)> work;                  ///< at any rank, from any thread
         std::function<void(std::size_t block, BytesView bytes)> take;  ///< at rank 0, one call at a time
         std::function<bool()> cancelled;                               ///< at any rank: no more blocks are begun then
@@ -69,6 +70,11 @@ public:
 
     /// Does a loop's blocks; rank 0 has taken them all afterwards, but for those left by a cancelled run.
     void for_blocks(const Loop& loop, const Executor& executor) const;
+    /// Calls work(block) for each block, at some rank, and gives every other rank what that did: give(block) is asked
+    /// where it has been done, take(block, bytes) gets it.
+    void for_blocks_at_all(std::size_t size, const Executor& executor, const std::function<void(std::size_t)>& work,
+                           const std::function<Bytes(std::size_t)>& give,
+                           const std::function<void(std::size_t, BytesView)>& take) const;
     /// Gives every rank what rank 0 has: give(block) is asked there, take(block, bytes) gets it at the others. Only
     /// blocks for which has(block) at rank 0.
     void share(std::size_t size, const std::function<bool(std::size_t)>& has,

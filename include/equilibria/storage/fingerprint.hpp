@@ -7,16 +7,16 @@
 #include <cstdint>
 #include <string>
 
+#include <equilibria/core/splitmix.hpp>
+
 namespace equilibria::detail {
 
 /// A hash of numbers, word by word (the mixing of splitmix64).
 class Fingerprint {
 public:
     void operator()(std::uint64_t word) {
-        std::uint64_t z = (value_ ^ word) + 0x9e3779b97f4a7c15;
-        z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9;
-        z = (z ^ (z >> 27)) * 0x94d049bb133111eb;
-        value_ = z ^ (z >> 31);
+        std::uint64_t state = value_ ^ word;
+        value_ = splitmix64(state);
     }
     void operator()(double number) { (*this)(std::bit_cast<std::uint64_t>(number)); }
     void operator()(const std::complex<double>& z) { (*this)(z.real()), (*this)(z.imag()); }

@@ -11,8 +11,12 @@
 #include <string_view>
 #include <system_error>
 
-#include <equilibria/core/random.hpp>
+#include <boost/algorithm/string/split.hpp>
+#include <boost/algorithm/string/trim.hpp>
+
+#include <equilibria/core/splitmix.hpp>
 #include <equilibria/enumerate/parameter_points.hpp>
+#include <equilibria/paths/complex_roots.hpp>
 
 namespace equilibria {
 
@@ -32,17 +36,10 @@ EQUILIBRIA_INLINE void require_axes(const RuntimeArray<double>& fixed, const std
     }
 }
 
-EQUILIBRIA_INLINE std::string_view trimmed(std::string_view text) {
-    const auto first = text.find_first_not_of(" \t\r");
-    return first == text.npos ? std::string_view() : text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
-}
-EQUILIBRIA_INLINE std::vector<std::string_view> cells(std::string_view line) {
-    std::vector<std::string_view> y;
-    for (std::size_t at = 0; at <= line.size();) {
-        const std::size_t end = std::min(line.find(',', at), line.size());
-        y.push_back(trimmed(line.substr(at, end - at)));
-        at = end + 1;
-    }
+EQUILIBRIA_INLINE std::vector<std::string> cells(std::string_view line) {
+    std::vector<std::string> y;
+    boost::algorithm::split(y, line, [](char c) { return c == ','; });
+    for (std::string& cell : y) boost::algorithm::trim(cell);
     return y;
 }
 
@@ -77,14 +74,9 @@ EQUILIBRIA_INLINE ParameterPoints random_parameters(const RuntimeArray<double>& 
     detail::require_axes(fixed, axes);
     return {size, [fixed, axes, seed](std::uint64_t k) {
                 RuntimeArray<double> p = fixed;
-                std::uint64_t state = seed + 0x9e3779b97f4a7c15 * (k + 1);
-                for (const auto& axis : axes) {  // splitmix64: a generator a point would take longer than its draws
-                    std::uint64_t z = state += 0x9e3779b97f4a7c15;
-                    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9;
-                    z = (z ^ (z >> 27)) * 0x94d049bb133111eb;
-                    z ^= z >> 31;
-                    p[axis.parameter] = axis.low + (axis.high - axis.low) * (static_cast<double>(z >> 11) * 0x1p-53);
-                }
+                std::uint64_t state = seed_of_attempt(seed, k + 1);  // a Mersenne twister takes longer to seed
+                for (const auto& axis : axes)
+                    p[axis.parameter] = axis.low + (axis.high - axis.low) * unit_interval(splitmix64(state));
                 return p;
             }};
 }
@@ -96,7 +88,7 @@ EQUILIBRIA_INLINE ParameterPoints listed_parameters(const std::string& csv, cons
     int number = 0;
     for (std::size_t at = 0; at < csv.size();) {
         const std::size_t end = std::min(csv.find('\n', at), csv.size());
-        const std::string_view line = detail::trimmed(std::string_view(csv).substr(at, end - at));
+        const std::string line = boost::algorithm::trim_copy(csv.substr(at, end - at));
         at = end + 1;
         ++number;
         if (line.empty()) continue;
@@ -106,11 +98,11 @@ EQUILIBRIA_INLINE ParameterPoints listed_parameters(const std::string& csv, cons
         };
         if (columns.empty()) {
             for (std::size_t k = 0; k < cells.size(); ++k) {
-                const int parameter = parameter_of(std::string(cells[k]));
-                require(parameter >= 0 && parameter < fixed.size(), place(k), '"' + std::string(cells[k]) + '"',
+                const int parameter = parameter_of(cells[k]);
+                require(parameter >= 0 && parameter < fixed.size(), place(k), '"' + cells[k] + '"',
                         "must name a parameter");
                 require(std::find(columns.begin(), columns.end(), parameter) == columns.end(), place(k),
-                        '"' + std::string(cells[k]) + '"', "must be there once");
+                        '"' + cells[k] + '"', "must be there once");
                 columns.push_back(parameter);
             }
             continue;
@@ -121,7 +113,7 @@ EQUILIBRIA_INLINE ParameterPoints listed_parameters(const std::string& csv, cons
             double value = 0;
             const auto [rest, error] = std::from_chars(cells[k].data(), cells[k].data() + cells[k].size(), value);
             require(error == std::errc() && rest == cells[k].data() + cells[k].size() && std::isfinite(value), place(k),
-                    '"' + std::string(cells[k]) + '"', "must be a finite number");
+                    '"' + cells[k] + '"', "must be a finite number");
             values->push_back(value);
         }
     }

@@ -124,7 +124,6 @@ private:
     /// another rank kept are computed again where they are wanted, which is for few roots.
     template <class Prove>
     void over_ranks(const std::vector<std::size_t>& members, std::size_t block, const Prove& prove) {
-        if (!run_.ranks.several()) return run_.executor.for_blocks(members.size(), block, prove);
         const auto each = [&](std::size_t which, auto&& archive) {
             for (std::size_t at = which * block; at < std::min(members.size(), (which + 1) * block); ++at) {
                 const std::size_t k = members[at];
@@ -132,24 +131,15 @@ private:
                 if (has_image(k)) transfer(archive, intervals_[mirror_->image[k]]);
             }
         };
-        const auto give = [&](std::size_t which) {
-            Bytes bytes;
-            each(which, Writer(bytes));
-            return bytes;
-        };
-        const auto take = [&](std::size_t which, Ranks::BytesView bytes) { each(which, Reader(bytes)); };
-        const std::size_t blocks = (members.size() + block - 1) / block;
-        run_.ranks.for_blocks({.size = blocks,
-                               .done = {},
-                               .work =
-                                   [&](std::size_t which) {
-                                       prove(which * block, std::min(members.size(), (which + 1) * block));
-                                       return give(which);
-                                   },
-                               .take = take,
-                               .cancelled = {}},
-                              run_.executor);
-        run_.ranks.share(blocks, [](std::size_t) { return true; }, give, take);
+        run_.ranks.for_blocks_at_all(
+            (members.size() + block - 1) / block, run_.executor,
+            [&](std::size_t which) { prove(which * block, std::min(members.size(), (which + 1) * block)); },
+            [&](std::size_t which) {
+                Bytes bytes;
+                each(which, Writer(bytes));
+                return bytes;
+            },
+            [&](std::size_t which, Ranks::BytesView bytes) { each(which, Reader(bytes)); });
     }
     static void transfer(auto& archive, EnclosureInterval& interval) { archive(interval.low), archive(interval.high); }
     static void transfer(auto& archive, Certificate& c, EnclosureInterval& interval) {

@@ -90,7 +90,7 @@ public:
         // what is in the file already
         run_.ranks.at_first([&] { emit(take); });
         run_.ranks.for_blocks({.size = blocks(),
-                               .done = [this](std::size_t which) { return kept(which) || which < next_; },
+                               .done = [this](std::size_t which) { return kept(which); },
                                .work = [this](std::size_t which) { return work(which); },
                                .take =
                                    [&](std::size_t which, Ranks::BytesView bytes) {
@@ -158,7 +158,7 @@ private:
     /// None where an equation vanishes at all points.
     std::unique_ptr<const GenericInstance> instance(int number) const {
         if (points_.size == 0) return nullptr;
-        const std::uint64_t seed = run_.seed + 0x9e3779b97f4a7c15 * static_cast<std::uint64_t>(number);
+        const std::uint64_t seed = seed_of_attempt(run_.seed, static_cast<std::uint64_t>(number));
         Generator generator(seed);
         const ModelMember member = model_.member(typical(generator));
         if (!member.system) return nullptr;
@@ -237,10 +237,20 @@ private:
     void begin() {
         if (!run_.is_told_apart()) return;
         Fingerprint numbers;
+        Generator generator(run_.seed);
+        if (const ModelMember member = points_.size > 0 ? model_.member(typical(generator)) : ModelMember();
+            member.system)
+            for (const auto& term : member.system->terms()) {
+                numbers(static_cast<std::uint64_t>(term.equation));
+                for (int u = 0; u < model_.properties.sizes.unknowns; ++u)
+                    numbers(static_cast<std::uint64_t>(term.monomial.code(u)));
+                numbers(term.coefficient);
+            }
         for (std::uint64_t k = 0; k < points_.size; ++k)
             for (const double value : points_.at(k)) numbers(value);
         CheckpointFields fields = model_.fields;
         fields.push_back({"proofs", options_.prove ? "yes" : "no"});
+        fields.push_back({"more digits", options_.resort ? "yes" : "no"});
         const auto header = checkpoint_header(
             fields, {run_.seed, "a sweep of parameters", numbers, points_.size, block}, options_.tracker);
         require_same_run(run_.ranks, header);

@@ -57,6 +57,20 @@ Json parameters_json(const ParameterArray<M, double>& p, const std::vector<std::
     return out;
 }
 
+/// What speaks for or against a count, with its times and failures: "clean", "alarms", "morse_applies", "morse",
+/// "tracking_seconds", "seconds", "failures". Of a root set, or of one whose roots were handed on.
+void add_verdict(Json& out, const auto& set) {
+    Json failures = Json::array();
+    for (const auto& f : set.failures) failures.push_back({{"path", f.path}, {"reason", to_string(f.reason)}});
+    add_keys(out, {{"clean", set.clean()},
+                   {"alarms", set.alarms.sentences()},
+                   {"morse_applies", set.morse_applies()},
+                   {"morse", set.morse()},
+                   {"tracking_seconds", set.tracking_seconds},
+                   {"seconds", set.seconds},
+                   {"failures", std::move(failures)}});
+}
+
 /// The keys "parameters", "seed", "start", "start_reason", those of the paths, "distinct", "real", "by_index",
 /// "degenerate", "multiplicities", "winding_numbers", "families", "clean", "alarms", "morse_applies", "morse",
 /// "tracking_seconds", "seconds", "failures", "equilibria" and "roots": see docs/output.md.
@@ -66,13 +80,12 @@ Json json_of(const RootSet<M>& set, const RootSetJson& how = {}) {
     add_keys(out, {{"start", set.start.name}, {"start_reason", set.start.why}});
     add_paths(out, set.paths);
     Json multiplicities = Json::array(), winding_numbers = Json::array(), families = Json::array(),
-         failures = Json::array(), equilibria = Json::array();
+         equilibria = Json::array();
     for (const auto& root : set.roots) {
         multiplicities.push_back(root.paths);
         winding_numbers.push_back(root.winding_number);
     }
     for (const auto& family : set.families) families.push_back(in_words(family));
-    for (const auto& f : set.failures) failures.push_back({{"path", f.path}, {"reason", to_string(f.reason)}});
     for (const auto& e : set.equilibria) equilibria.push_back(json_of(e, set.model.sizes));
     add_keys(out, {{"distinct", set.distinct()},
                    {"real", set.real()},
@@ -80,14 +93,8 @@ Json json_of(const RootSet<M>& set, const RootSetJson& how = {}) {
                    {"degenerate", set.degenerate()},
                    {"multiplicities", std::move(multiplicities)},
                    {"winding_numbers", std::move(winding_numbers)},
-                   {"families", std::move(families)},
-                   {"clean", set.clean()},
-                   {"alarms", set.alarms.sentences()},
-                   {"morse_applies", set.morse_applies()},
-                   {"morse", set.morse()},
-                   {"tracking_seconds", set.tracking_seconds},
-                   {"seconds", set.seconds},
-                   {"failures", std::move(failures)}});
+                   {"families", std::move(families)}});
+    add_verdict(out, set);
     out["equilibria"] = std::move(equilibria);
     if (how.roots) {
         out["roots"] = Json::array();

@@ -14,21 +14,41 @@ namespace equilibria {
 
 EQUILIBRIA_INLINE void Ranks::for_blocks(const Loop& loop, const Executor& executor) const {
     if (several()) return backend_->for_blocks(loop, executor);
+    std::vector<std::size_t> open;
+    for (std::size_t k = 0; k < loop.size; ++k)
+        if (!loop.done || !loop.done(k)) open.push_back(k);
     std::mutex guard;
-    executor.for_blocks(loop.size, 1, [&](std::size_t first, std::size_t) {
-        if ((loop.cancelled && loop.cancelled()) || (loop.done && loop.done(first))) return;
-        const Bytes bytes = loop.work(first);
+    executor.for_blocks(open.size(), 1, [&](std::size_t at, std::size_t) {
+        if (loop.cancelled && loop.cancelled()) return;
+        const Bytes bytes = loop.work(open[at]);
         const std::lock_guard lock(guard);
-        loop.take(first, bytes);
+        loop.take(open[at], bytes);
     });
+}
+
+EQUILIBRIA_INLINE void Ranks::for_blocks_at_all(std::size_t size, const Executor& executor,
+                                                const std::function<void(std::size_t)>& work,
+                                                const std::function<Bytes(std::size_t)>& give,
+                                                const std::function<void(std::size_t, BytesView)>& take) const {
+    if (!several()) {
+        executor.for_blocks(size, 1, [&](std::size_t block, std::size_t) { work(block); });
+        return;
+    }
+    for_blocks({.size = size,
+                .done = {},
+                .work = [&](std::size_t block) { return work(block), give(block); },
+                .take = take,
+                .cancelled = {}},
+               executor);
+    share(size, [](std::size_t) { return true; }, give, take);
 }
 
 EQUILIBRIA_INLINE void Ranks::share(std::size_t size, const std::function<bool(std::size_t)>& has,
                                     const std::function<Bytes(std::size_t)>& give,
                                     const std::function<void(std::size_t, BytesView)>& take) const {
     if (!several()) return;
-    constexpr std::size_t piece = std::size_t{1} << 20,
-                          head = 16;  // as MPI sends it soonest; a block: its number, its length, its bytes
+    constexpr std::size_t piece = std::size_t{1} << 20;  // which MPI sends soonest
+    constexpr std::size_t head = 16;                     // of a block: its number, its length
     using namespace boost::endian;
     for (std::size_t block = 0; block < size;) {
         Bytes bytes;

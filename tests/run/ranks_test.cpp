@@ -1,5 +1,7 @@
 // Loops shared by ranks, here threads of one process that speak through memory: what each has afterwards.
+#include <array>
 #include <atomic>
+#include <cstdint>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -37,7 +39,7 @@ TEST_CASE("what rank 0 has is shared with all, in pieces, but for the blocks tha
             auto& own = got[static_cast<std::size_t>(ranks.rank())];
             ranks.share(
                 40, [](std::size_t k) { return k % 7 != 2; },
-                [](std::size_t k) { return Ranks::Bytes(k == 5 ? std::size_t{1} << 25 : k, 1); },
+                [](std::size_t k, Ranks::Bytes& to) { to.resize(to.size() + (k == 5 ? std::size_t{1} << 25 : k), 1); },
                 [&](std::size_t k, Ranks::BytesView bytes) {
                     own.push_back(k);
                     if (k != 5 && bytes.size() != k) own.push_back(1000);
@@ -46,6 +48,20 @@ TEST_CASE("what rank 0 has is shared with all, in pieces, but for the blocks tha
         CHECK(got[0].empty());
         for (std::size_t r = 1; r < got.size(); ++r) CHECK(got[r].size() == 34);
     }
+}
+
+TEST_CASE("numbers are added up over the ranks, and rank 0's is told") {
+    std::atomic<int> right = 0;
+    for (const int size : {1, 3})
+        tests::on_ranks(size, [&](const Ranks& ranks) {
+            const auto rank = static_cast<std::uint64_t>(ranks.rank());
+            std::array<std::uint64_t, 2> numbers{rank, std::uint64_t{1} << 60};
+            ranks.add_up(numbers);
+            right +=
+                numbers == std::array<std::uint64_t, 2>{size == 1 ? 0U : 3U, static_cast<std::uint64_t>(size) << 60};
+            right += ranks.of_first(rank + 7) == 7;
+        });
+    CHECK(right == 8);
 }
 
 TEST_CASE("ranks agree, or are told who differs") {

@@ -29,11 +29,17 @@ public:
     int rank() const override { return rank_; }
     int size() const override { return static_cast<int>(meeting_->said.size()); }
     void for_blocks(const Ranks::Loop& loop, const equilibria::Executor&) const override {
-        for (std::size_t first = 0; first < loop.size; first += meeting_->said.size()) {
+        Ranks::Bytes done(loop.size);
+        for (std::size_t k = 0; rank_ == 0 && loop.done && k < loop.size; ++k) done[k] = loop.done(k);
+        broadcast(done);
+        std::vector<std::size_t> open;
+        for (std::size_t k = 0; k < loop.size; ++k)
+            if (done[k] == 0) open.push_back(k);
+        for (std::size_t first = 0; first < open.size(); first += meeting_->said.size()) {
             const std::size_t own = first + static_cast<std::size_t>(rank_);
-            const auto given = gather(own < loop.size ? loop.work(own) : Ranks::Bytes());
-            for (std::size_t k = 0; rank_ == 0 && k < given.size() && first + k < loop.size; ++k)
-                if (!loop.done || !loop.done(first + k)) loop.take(first + k, given[k]);
+            const auto given = gather(own < open.size() ? loop.work(open[own]) : Ranks::Bytes());
+            for (std::size_t k = 0; rank_ == 0 && k < given.size() && first + k < open.size(); ++k)
+                loop.take(open[first + k], given[k]);
         }
     }
     void broadcast(Ranks::Bytes& bytes) const override { bytes = gather(bytes)[0]; }

@@ -22,7 +22,7 @@ namespace equilibria::detail {
 /// How many paths a block has where blocks are kept or shared: few enough that little is lost with one, and that no
 /// rank waits long for another's last; whatever the ranks and threads.
 inline std::size_t shared_block(std::size_t paths) {
-    return std::clamp<std::size_t>(paths / 64, 8 * native_lanes, 512);
+    return std::clamp<std::size_t>(paths / 64, 8 * native_lanes, std::clamp<std::size_t>(paths / 512, 512, 1024));
 }
 
 /// Throws RankError, at each rank, where not all do the run that the fields describe.
@@ -45,7 +45,7 @@ void compute_endpoints(const RunOptions& run, const RuntimeSizes& sizes, std::sp
     run.ranks.for_blocks_at_all(
         (ends.size() + block - 1) / block, run.executor,
         [&](std::size_t which) { work(which * block, std::min(ends.size(), (which + 1) * block)); },
-        [&](std::size_t which) { return codec.encode(part(which), 0); },
+        [&](std::size_t which, Ranks::Bytes& to) { codec.append(to, part(which), 0); },
         [&](std::size_t which, Ranks::BytesView bytes) { codec.decode(bytes.subspan(BlockCodec::head), part(which)); });
 }
 

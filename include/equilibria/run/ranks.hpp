@@ -70,18 +70,22 @@ public:
 
     /// Does a loop's blocks; rank 0 has taken them all afterwards, but for those left by a cancelled run.
     void for_blocks(const Loop& loop, const Executor& executor) const;
-    /// Calls work(block) for each block, at some rank, and gives every other rank what that did: give(block) is asked
-    /// where it has been done, take(block, bytes) gets it.
+    /// Calls work(block) for each block, at some rank, and gives every other rank what that did: give(block, to)
+    /// appends it where that has been done, take(block, bytes) gets it.
     void for_blocks_at_all(std::size_t size, const Executor& executor, const std::function<void(std::size_t)>& work,
-                           const std::function<Bytes(std::size_t)>& give,
+                           const std::function<void(std::size_t, Bytes&)>& give,
                            const std::function<void(std::size_t, BytesView)>& take) const;
-    /// Gives every rank what rank 0 has: give(block) is asked there, take(block, bytes) gets it at the others. Only
-    /// blocks for which has(block) at rank 0.
+    /// Gives every rank what rank 0 has: give(block, to) appends it there, take(block, bytes) gets it at the others.
+    /// Only blocks for which has(block) at rank 0.
     void share(std::size_t size, const std::function<bool(std::size_t)>& has,
-               const std::function<Bytes(std::size_t)>& give,
+               const std::function<void(std::size_t, Bytes&)>& give,
                const std::function<void(std::size_t, BytesView)>& take) const;
     /// Does at rank 0 what the others wait for. Where that throws all throw: the others a RankError.
     void at_first(const std::function<void()>& act) const;
+    /// Rank 0's number.
+    std::uint64_t of_first(std::uint64_t own) const;
+    /// Sums over the ranks, in place.
+    void add_up(std::span<std::uint64_t> numbers) const;
     /// Whether any rank says so.
     bool any(bool own) const;
     /// The texts of all ranks where they are not all the same; else nothing.

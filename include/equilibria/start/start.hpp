@@ -36,7 +36,7 @@ public:
     template <class T>
     explicit StartPoints(const T& start)
         : numbering(start.numbering()), name(start.name()),
-          point([&start](std::uint64_t k) { return runtime_point(start.point(k)); }) {
+          point([&start](std::uint64_t k) { return runtime_point(start.point(k)); }), of_system(of_start_system<T>()) {
         if constexpr (requires { start.resting_point(std::uint64_t{}); })
             resting_point = [&start](std::uint64_t k) { return runtime_point(start.resting_point(k)); };
     }
@@ -46,6 +46,15 @@ public:
     std::function<Point(std::uint64_t)> point;
     /// The k-th solution that rests at every t; none where the numbering has none.
     std::function<Point(std::uint64_t)> resting_point;
+    /// Whether they are roots of G by their numbers, so that the homotopy's coefficients say all of them.
+    bool of_system;
+
+private:
+    template <class T>
+    static constexpr bool of_start_system() {
+        if constexpr (requires { T::moving; }) return !T::moving;
+        return false;
+    }
 };
 
 }  // namespace equilibria

@@ -29,7 +29,7 @@ namespace equilibria::detail {
 struct CheckpointRun {
     std::uint64_t seed;
     std::string_view start;
-    Fingerprint numbers;  ///< the coefficients of the homotopy and all start points
+    Fingerprint numbers;  ///< the coefficients of the homotopy and start points
     std::uint64_t paths, block;
 };
 

@@ -112,19 +112,24 @@ public:
     /// Bytes of so many in a block.
     std::uint64_t size(std::uint64_t endpoints) const { return head + endpoints * endpoint_size_; }
 
-    /// So many endpoints, end(k) or what has the same fields.
-    Bytes encode(std::uint64_t count, std::uint64_t retracked, const auto& end) const {
-        Bytes y(size(count));
-        PlacedWriter write(y.data());
+    /// Appends so many endpoints, end(k) or what has the same fields.
+    void append(Bytes& to, std::uint64_t count, std::uint64_t retracked, const auto& end) const {
+        const std::size_t at = to.size();
+        to.resize(at + size(count));
+        PlacedWriter write(&to[at]);
         write(retracked);
         for (std::uint64_t k = 0; k < count; ++k) {
             auto&& fields = end(k);
             transfer(write, fields);
         }
-        return y;
+    }
+    void append(Bytes& to, std::span<const Endpoint> ends, std::uint64_t retracked) const {
+        append(to, ends.size(), retracked, [&](std::uint64_t k) -> const Endpoint& { return ends[k]; });
     }
     Bytes encode(std::span<const Endpoint> ends, std::uint64_t retracked) const {
-        return encode(ends.size(), retracked, [&](std::uint64_t k) -> const Endpoint& { return ends[k]; });
+        Bytes y;
+        append(y, ends, retracked);
+        return y;
     }
     static std::uint64_t retracked(std::span<const std::uint8_t> block) { return get_number(block.data()); }
     /// Endpoints from their bytes, without a block's head. False where an enumeration has none of its values.

@@ -117,6 +117,7 @@ public:
     /// Paths that are finished, and how many of them were tracked again.
     std::uint64_t finished() const { return finished_ - unsettled_.size(); }
     std::uint64_t retracked() const { return retracked_; }
+    void set_retracked(std::uint64_t count) { retracked_ = count; }
     bool complete() const { return finished() == size_; }
 
     bool has_block(std::uint64_t which) const { return has_[which] != 0; }
@@ -129,10 +130,10 @@ public:
         enter(which, ends, retracked);
     }
 
-    /// A finished block of so many paths as BlockCodec writes it, and the same put elsewhere. Of those in memory.
-    Bytes encoded(std::uint64_t which, std::uint64_t paths, std::uint64_t retracked) {
-        return BlockCodec(sizes_).encode(paths, retracked,
-                                         [&](std::uint64_t k) { return ends_.fields(which * block_ + k); });
+    /// Appends a finished block of so many paths as BlockCodec writes it, and the same put elsewhere. Of those in
+    /// memory.
+    void append_to(Bytes& to, std::uint64_t which, std::uint64_t paths) {
+        BlockCodec(sizes_).append(to, paths, 0, [&](std::uint64_t k) { return ends_.fields(which * block_ + k); });
     }
     void put(std::uint64_t which, std::span<const std::uint8_t> encoded, std::uint64_t paths) {
         const std::lock_guard lock(*guard_);

@@ -36,7 +36,8 @@ class PartnerFinder {
 public:
     RootPartners found;
 
-    PartnerFinder(const RuntimeSizes& sizes, const std::vector<RootView>& roots, const Executor& executor)
+    PartnerFinder(const RuntimeSizes& sizes, const std::vector<RootView>& roots, const Executor& executor,
+                  const Ranks& ranks)
         : sizes_(sizes), roots_(&roots), weight_(3 * sizes.unknowns), entries_(roots.size()) {
         Generator generator(0xa1a2);  // any numbers without relations
         for (double& w : weight_) w = uniform(generator, 0.5, 1);
@@ -47,16 +48,22 @@ public:
             }
         });
         sort_by_key(entries_);
-        std::vector<std::array<std::uint8_t, 3>> images(roots.size());
-        executor.for_blocks(roots.size(), 4096, [&](std::size_t first, std::size_t last) {
-            for (std::size_t e = first; e < last; ++e) {
+        const auto share = [&](int rank) {
+            return roots.size() * static_cast<std::size_t>(rank) / static_cast<std::size_t>(ranks.size());
+        };
+        const std::size_t begin = share(ranks.rank()), end = share(ranks.rank() + 1);
+        std::vector<std::array<std::uint8_t, 3>> images(end - begin);
+        executor.for_blocks(images.size(), 4096, [&](std::size_t first, std::size_t last) {
+            for (std::size_t e = begin + first; e < begin + last; ++e) {
                 if (e + 2 * soon < roots.size()) __builtin_prefetch(&roots[entries_[e + 2 * soon].root]);
                 if (e + soon < roots.size()) fetch(roots[entries_[e + soon].root]);
-                images[e] = partners(e);
+                images[e - begin] = partners(e);
             }
         });
-        for (const auto& f : images)
-            found.without_conjugate += !f[0], found.without_mirror_image += !f[1], found.doubled += f[2];
+        std::array<std::uint64_t, 3> counts{};
+        for (const auto& f : images) counts[0] += !f[0], counts[1] += !f[1], counts[2] += f[2];
+        ranks.add_up(counts);
+        found = {counts[0], counts[1], counts[2]};
     }
 
 private:
@@ -131,8 +138,8 @@ private:
 };
 
 EQUILIBRIA_INLINE RootPartners find_partners(const RuntimeSizes& sizes, const std::vector<RootView>& roots,
-                                             const Executor& executor) {
-    return PartnerFinder(sizes, roots, executor).found;
+                                             const Executor& executor, const Ranks& ranks) {
+    return PartnerFinder(sizes, roots, executor, ranks).found;
 }
 
 EQUILIBRIA_INLINE std::string counted(const Alarm& a) { return std::to_string(static_cast<std::int64_t>(a.value)); }

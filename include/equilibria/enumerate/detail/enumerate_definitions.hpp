@@ -52,7 +52,7 @@ EQUILIBRIA_INLINE RootSet<RuntimeUnknowns> root_set_of(PathSet paths, const Runt
                                  .seconds = 0,
                                  .start = {},
                                  .model = model};
-    set.alarms = check_alarms(set, run.executor);
+    set.alarms = check_alarms(set, run.executor, run.ranks);
     return set;
 }
 

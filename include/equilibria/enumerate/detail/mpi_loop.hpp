@@ -3,6 +3,7 @@
 /// at.
 #pragma once
 
+#include <algorithm>
 #include <chrono>
 #include <cstddef>
 #include <deque>
@@ -17,9 +18,19 @@
 
 namespace equilibria::detail {
 
-/// How long the one that speaks sleeps when there is nothing to do: a message is late by that much, while blocks
-/// are at hand.
-inline constexpr std::chrono::microseconds nap{500};
+/// How long the one that speaks sleeps when there is nothing to do, longer each time: a message is late by that much,
+/// while blocks are at hand. It takes its time from a thread that tracks.
+class Nap {
+public:
+    std::chrono::microseconds next(bool busy) {
+        next_ = busy ? shortest : std::min(2 * next_, longest);
+        return next_;
+    }
+
+private:
+    static constexpr std::chrono::microseconds shortest{250}, longest{4000};
+    std::chrono::microseconds next_ = shortest;
+};
 
 /// Rank 0: hands out blocks, takes what they give.
 class MpiLead {
@@ -34,14 +45,16 @@ public:
         for (std::size_t k = 0; k < loop_.size; ++k)
             if (!loop_.done || !loop_.done(k)) open_.push_back(k);
         fill(0);
+        Nap nap;
+        MpiMessage message;
+        bool busy = false, was_busy = false;
         while (true) {
-            bool busy = false;
             if (loop_.cancelled && loop_.cancelled()) open_.clear();
-            for (auto& [block, bytes] : workers_.results(busy_ ? std::chrono::microseconds{0} : nap))
-                busy = true, take(0, block, bytes);
+            const auto patience = busy ? std::chrono::microseconds{0} : nap.next(was_busy);
+            was_busy = std::exchange(busy, false);
+            for (auto& [block, bytes] : workers_.results(patience)) busy = true, take(0, block, bytes);
             if (const auto failed = workers_.failed(); failed && !failure_) fail(failed);
-            for (MpiMessage message; post_.receive(message);) busy = true, handle(message);
-            busy_ = busy;
+            while (post_.receive(message)) busy = true, handle(message);
             if (!ended_ && open_.empty() && in_hands_ == 0) finish();
             if (ended_ && left_ == 0 && workers_.idle()) break;
         }
@@ -52,6 +65,7 @@ public:
 private:
     struct Hand {
         std::size_t threads = 0, blocks = 0;  ///< at work there, and given to it
+        std::size_t told = 0;                 ///< the block whose bytes come next
     };
 
     /// As many blocks as a rank has threads, and as many ahead, which towards the end somebody else may do sooner.
@@ -90,7 +104,10 @@ private:
                 if (ended_) return tell_end(message.from);
                 return fill(message.from);
             case MpiTag::result:
-                return take(message.from, get_u64(message.bytes, 0), Ranks::BytesView(message.bytes).subspan(8));
+                hands_[static_cast<std::size_t>(message.from)].told = get_u64(message.bytes, 0);
+                return;
+            case MpiTag::bytes:
+                return take(message.from, hands_[static_cast<std::size_t>(message.from)].told, message.bytes);
             case MpiTag::cancel: open_.clear(); return;
             case MpiTag::failure:
                 return fail(std::make_exception_ptr(
@@ -131,7 +148,7 @@ private:
     std::deque<std::size_t> open_;
     std::size_t in_hands_ = 0, all_threads_ = 0;
     std::size_t left_;  // ranks that have not said that they are done
-    bool ended_ = false, busy_ = false;
+    bool ended_ = false;
     std::exception_ptr failure_;
 };
 
@@ -145,16 +162,19 @@ public:
         Ranks::Bytes wanted;
         put_u64(wanted, workers_.threads());
         post_.send(0, MpiTag::want, std::move(wanted));
-        bool ended = false, done = false, left = false, told_cancel = false;
+        Nap nap;
+        MpiMessage message;
+        bool ended = false, done = false, left = false, told_cancel = false, busy = false;
         std::string wrong;
         std::exception_ptr own;
         while (!left) {
-            for (auto& [block, bytes] : workers_.results(nap)) {
-                Ranks::Bytes with_number;
-                with_number.reserve(bytes.size() + 8);
-                put_u64(with_number, block);
-                with_number.insert(with_number.end(), bytes.begin(), bytes.end());
-                post_.send(0, MpiTag::result, std::move(with_number));
+            auto results = workers_.results(nap.next(busy));
+            busy = !results.empty();
+            for (auto& [block, bytes] : results) {
+                Ranks::Bytes number;
+                put_u64(number, block);
+                post_.send(0, MpiTag::result, std::move(number));
+                post_.send(0, MpiTag::bytes, std::move(bytes));
             }
             if (loop_.cancelled && !told_cancel && loop_.cancelled()) {
                 post_.send(0, MpiTag::cancel, {});
@@ -164,7 +184,8 @@ public:
                 own = failed;
                 post_.send(0, MpiTag::failure, bytes_of(sentence(own)));
             }
-            for (MpiMessage message; post_.receive(message);) {
+            while (post_.receive(message)) {
+                busy = true;
                 if (message.tag == MpiTag::blocks) {
                     for (std::size_t at = 0; at < message.bytes.size(); at += 8)
                         workers_.give(static_cast<std::size_t>(get_u64(message.bytes, at)));

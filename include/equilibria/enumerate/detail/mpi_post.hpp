@@ -29,11 +29,11 @@
 
 namespace equilibria::detail {
 
-/// What messages say, by their tag. To rank 0: threads that want blocks; a block and its bytes; that the run is
-/// cancelled; what went wrong; that no more comes. From rank 0: blocks; that there are no more; what went wrong;
+/// What messages say, by their tag. To rank 0: threads that want blocks; a block's number, and next its bytes; that the
+/// run is cancelled; what went wrong; that no more comes. From rank 0: blocks; that there are no more; what went wrong;
 /// that all have said so, and the next loop may begin.
 struct MpiTag {
-    enum : int { want = 1, result, cancel, failure, done, blocks, end, leave };
+    enum : int { want = 1, result, bytes, cancel, failure, done, blocks, end, leave };
 };
 
 inline void put_u64(Ranks::Bytes& to, std::uint64_t number) {
@@ -56,7 +56,7 @@ inline std::string sentence(const std::exception_ptr& failure) {
 }
 
 struct MpiMessage {
-    int from, tag;
+    int from = 0, tag = 0;
     Ranks::Bytes bytes;
 };
 /// Messages on their way, from and to this rank. Nothing here waits.
@@ -86,7 +86,8 @@ public:
                 late.push_back(at->message.from);
                 continue;
             }
-            message = std::move(at->message);
+            std::swap(message, at->message);
+            if (spare_.size() < most_spare) spare_.push_back(std::move(at->message.bytes));
             coming_.erase(at);
             return true;
         }
@@ -111,14 +112,19 @@ private:
         if (there == 0) return false;
         int length = 0;
         MPI_Get_count(&status, MPI_BYTE, &length);
-        coming_.push_back(
-            {{status.MPI_SOURCE, status.MPI_TAG, Ranks::Bytes(static_cast<std::size_t>(length))}, MPI_REQUEST_NULL});
+        coming_.push_back({{status.MPI_SOURCE, status.MPI_TAG, {}}, MPI_REQUEST_NULL});
         auto& [message, request] = coming_.back();
+        if (!spare_.empty()) {
+            message.bytes = std::move(spare_.back());
+            spare_.pop_back();
+        }
+        message.bytes.resize(static_cast<std::size_t>(length));
         MPI_Imrecv(message.bytes.data(), length, MPI_BYTE, &handle, &request);
         return true;
     }
 
-    static constexpr std::size_t most_coming = 1024;  // some 200 MB; the others wait where they are
+    static constexpr std::size_t most_coming = 512;  // some 200 MB; the others wait where they are
+    static constexpr std::size_t most_spare = 4;
 
     struct Sent {
         Ranks::Bytes bytes;
@@ -131,6 +137,7 @@ private:
     MPI_Comm comm_;
     std::list<Sent> sent_;
     std::list<Coming> coming_;
+    std::vector<Ranks::Bytes> spare_;  // memory that has been touched serves again
 };
 
 }  // namespace equilibria::detail

@@ -134,11 +134,7 @@ private:
         run_.ranks.for_blocks_at_all(
             (members.size() + block - 1) / block, run_.executor,
             [&](std::size_t which) { prove(which * block, std::min(members.size(), (which + 1) * block)); },
-            [&](std::size_t which) {
-                Bytes bytes;
-                each(which, Writer(bytes));
-                return bytes;
-            },
+            [&](std::size_t which, Bytes& to) { each(which, Writer(to)); },
             [&](std::size_t which, Ranks::BytesView bytes) { each(which, Reader(bytes)); });
     }
     static void transfer(auto& archive, EnclosureInterval& interval) { archive(interval.low), archive(interval.high); }

@@ -117,12 +117,10 @@ private:
         };
         run_.ranks.share(
             1, [](std::size_t) { return true; },
-            [&](std::size_t) {
-                Ranks::Bytes bytes;
-                Writer write(bytes);
+            [&](std::size_t, Ranks::Bytes& to) {
+                Writer write(to);
                 for (const auto* number : numbers()) write(*number);
                 for (const auto& [real, points] : y_.by_real) write(real), write(points);
-                return bytes;
             },
             [&](std::size_t, Ranks::BytesView bytes) {
                 Reader read(bytes);

@@ -94,7 +94,9 @@ private:
                 "must be empty: it keeps the enumeration of a model");
         Fingerprint numbers;
         homotopy_->for_each_number([&](const auto& number) { numbers(number); });
-        for (std::uint64_t k = 0; k < size; ++k) {
+        // roots of a start system follow from its numbers: some of them are a check of how they are numbered
+        const std::uint64_t step = problem_.start.of_system ? std::max<std::uint64_t>(size / 16, 1) : 1;
+        for (std::uint64_t k = 0; k < size; k += step) {
             const RuntimePoint<double> q = start_point(k);
             for (const auto* part : {&q.c, &q.s, &q.x})
                 for (const auto& z : *part) numbers(z.re), numbers(z.im);
@@ -150,37 +152,44 @@ private:
         paths.effort.retracked += ends.retracked();
     }
 
-    /// The blocks that are not there yet, over the ranks; rank 0 keeps them, and gives them to the others if it does
-    /// not go on alone.
+    /// The blocks that are not there yet, over the ranks. Rank 0 keeps all of them, each other rank its own; in the
+    /// end they get what they lack, where rank 0 does not go on alone.
     void share_blocks(EndpointStore& ends, const auto& track_from) {
         const BlockCodec codec(homotopy_->sizes());
+        const Ranks& ranks = run_->ranks;
         const std::size_t size = ends.size(), length = ends.block(), blocks = (size + length - 1) / length;
         const auto paths = [&](std::size_t which) { return std::min(length, size - which * length); };
-        const auto take = [&](std::size_t which, Ranks::BytesView bytes) { ends.put(which, bytes, paths(which)); };
-        const auto has = [&](std::size_t which) { return ends.has_block(which); };
-        run_->ranks.for_blocks({.size = blocks,
-                                .done = has,
-                                .work =
-                                    [&](std::size_t which) {
-                                        std::vector<Endpoint> block;
-                                        const std::size_t first = which * length;
-                                        const auto retracked = track_from(first, first + paths(which), block);
-                                        return codec.encode(block, retracked);
-                                    },
-                                .take =
-                                    [&](std::size_t which, Ranks::BytesView bytes) {
-                                        take(which, bytes);
-                                        report(paths(which), size);
-                                    },
-                                .cancelled = [this] { return run_->cancelled(); }},
-                               run_->executor);
+        std::vector<char> from_others(blocks, 0);  // at rank 0
+        ranks.for_blocks({.size = blocks,
+                          .done = [&](std::size_t which) { return ends.has_block(which); },
+                          .work =
+                              [&](std::size_t which) {
+                                  std::vector<Endpoint> block;
+                                  const std::size_t first = which * length;
+                                  const auto retracked = track_from(first, first + paths(which), block);
+                                  if (!problem_.streamed || ranks.first()) ends.put(which, block, retracked);
+                                  return ranks.first() ? Bytes() : codec.encode(block, retracked);
+                              },
+                          .take =
+                              [&](std::size_t which, Ranks::BytesView bytes) {
+                                  if (!bytes.empty()) {
+                                      ends.put(which, bytes, paths(which));
+                                      from_others[which] = 1;
+                                  }
+                                  report(paths(which), size);
+                              },
+                          .cancelled = [this] { return run_->cancelled(); }},
+                         run_->executor);
         if (problem_.streamed) return;
-        // how many were tracked again is known of all together: it goes with the first block
-        std::uint64_t retracked = ends.retracked();
-        const auto give = [&](std::size_t which) {
-            return ends.encoded(which, paths(which), std::exchange(retracked, 0));
+        const auto lacking = [&](std::size_t which) {
+            return ends.has_block(which) && (ranks.size() > 2 || from_others[which] == 0);
         };
-        run_->ranks.share(blocks, has, give, take);
+        ranks.share(
+            blocks, lacking, [&](std::size_t which, Ranks::Bytes& to) { ends.append_to(to, which, paths(which)); },
+            [&](std::size_t which, Ranks::BytesView bytes) {
+                if (!ends.has_block(which)) ends.put(which, bytes, paths(which));
+            });
+        ends.set_retracked(ranks.of_first(ends.retracked()));
     }
 
     std::size_t block(std::size_t size) const {

@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <mutex>
 #include <utility>
@@ -135,8 +136,16 @@ inline WalkCounts walk_tree(const Supports& supports, const RegenerationPlan& pl
             CellReport report(supports, plan);
             std::vector<std::unique_ptr<RegenerationNode>> stack;
             std::vector<StoredCell> found;
+            std::uint64_t left = most;
+            if (most != std::numeric_limits<std::uint64_t>::max()) {
+                const std::lock_guard lock(mutex);
+                if (counts.volume > most)
+                    stopped = true;
+                else
+                    left -= counts.volume.convert_to<std::uint64_t>();
+            }
             if (!stopped)
-                follow_branch(walk, stack, *branches[b], most, [&](RegenerationNode& node, RegenerationWalk& its) {
+                follow_branch(walk, stack, *branches[b], left, [&](RegenerationNode& node, RegenerationWalk& its) {
                     const auto cell = report.cell(node, its);
                     found.push_back({{cell.edges.begin(), cell.edges.end()},
                                      cell.volume,

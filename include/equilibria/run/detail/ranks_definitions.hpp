@@ -28,7 +28,7 @@ EQUILIBRIA_INLINE void Ranks::for_blocks(const Loop& loop, const Executor& execu
 
 EQUILIBRIA_INLINE void Ranks::for_blocks_at_all(std::size_t size, const Executor& executor,
                                                 const std::function<void(std::size_t)>& work,
-                                                const std::function<Bytes(std::size_t)>& give,
+                                                const std::function<void(std::size_t, Bytes&)>& give,
                                                 const std::function<void(std::size_t, BytesView)>& take) const {
     if (!several()) {
         executor.for_blocks(size, 1, [&](std::size_t block, std::size_t) { work(block); });
@@ -36,7 +36,13 @@ EQUILIBRIA_INLINE void Ranks::for_blocks_at_all(std::size_t size, const Executor
     }
     for_blocks({.size = size,
                 .done = {},
-                .work = [&](std::size_t block) { return work(block), give(block); },
+                .work =
+                    [&](std::size_t block) {
+                        work(block);
+                        Bytes bytes;
+                        give(block, bytes);
+                        return bytes;
+                    },
                 .take = take,
                 .cancelled = {}},
                executor);
@@ -44,23 +50,23 @@ EQUILIBRIA_INLINE void Ranks::for_blocks_at_all(std::size_t size, const Executor
 }
 
 EQUILIBRIA_INLINE void Ranks::share(std::size_t size, const std::function<bool(std::size_t)>& has,
-                                    const std::function<Bytes(std::size_t)>& give,
+                                    const std::function<void(std::size_t, Bytes&)>& give,
                                     const std::function<void(std::size_t, BytesView)>& take) const {
     if (!several()) return;
     constexpr std::size_t piece = std::size_t{1} << 20;  // which MPI sends soonest
     constexpr std::size_t head = 16;                     // of a block: its number, its length
     using namespace boost::endian;
+    Bytes bytes;  // whose memory serves all pieces
     for (std::size_t block = 0; block < size;) {
-        Bytes bytes;
+        bytes.clear();
         if (first())
             for (; block < size && bytes.size() < piece; ++block) {
                 if (!has(block)) continue;
-                const Bytes own = give(block);
                 const std::size_t at = bytes.size();
                 bytes.resize(at + head);
+                give(block, bytes);
                 store_little_u64(&bytes[at], block);
-                store_little_u64(&bytes[at + 8], own.size());
-                bytes.insert(bytes.end(), own.begin(), own.end());
+                store_little_u64(&bytes[at + 8], bytes.size() - at - head);
             }
         // how far rank 0 has come stands last
         bytes.resize(bytes.size() + 8);
@@ -91,6 +97,23 @@ EQUILIBRIA_INLINE void Ranks::at_first(const std::function<void()>& act) const {
     backend_->broadcast(wrong);
     if (failure) std::rethrow_exception(failure);
     if (!wrong.empty()) throw RankError(std::string(wrong.begin(), wrong.end()));
+}
+
+EQUILIBRIA_INLINE std::uint64_t Ranks::of_first(std::uint64_t own) const {
+    if (!several()) return own;
+    Bytes bytes(8);
+    boost::endian::store_little_u64(bytes.data(), own);
+    backend_->broadcast(bytes);
+    return boost::endian::load_little_u64(bytes.data());
+}
+
+EQUILIBRIA_INLINE void Ranks::add_up(std::span<std::uint64_t> numbers) const {
+    if (!several()) return;
+    Bytes own(8 * numbers.size());
+    for (std::size_t k = 0; k < numbers.size(); ++k) boost::endian::store_little_u64(&own[8 * k], numbers[k]);
+    std::fill(numbers.begin(), numbers.end(), 0);
+    for (const Bytes& of : backend_->gather(own))
+        for (std::size_t k = 0; k < numbers.size(); ++k) numbers[k] += boost::endian::load_little_u64(&of[8 * k]);
 }
 
 EQUILIBRIA_INLINE bool Ranks::any(bool own) const {

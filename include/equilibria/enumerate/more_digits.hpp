@@ -1,5 +1,6 @@
 /// \file
-/// The last resort for paths that fail in double: tracked from their start, and ended, with 32 digits, then with 64.
+/// For paths that rounding stops in double: from where they stand near their end, else from their start, with 31 digits
+/// (sums of two doubles), then with 64.
 ///
 /// More digits help where rounding is what stops a path: close passes to a singular point, endpoints far out, loops at
 /// small radii around an ill-conditioned endpoint. They do not make the coefficients more exact, which are doubles, nor
@@ -15,7 +16,7 @@ namespace equilibria {
 
 namespace detail {
 
-/// Tracks a path again with 32 digits, and if it fails once more with 64.
+/// Ends a path with 31 digits, and if that fails with 64.
 void track_with_more_digits(const PolynomialHomotopy& homotopy, const Polisher<PolynomialHomotopy>& polisher,
                             const TrackerOptions& options, const RuntimePoint<double>& start, Endpoint& end);
 /// The same along an arc of parameters.
@@ -29,8 +30,8 @@ inline constexpr MoreDigits<> more_digits = &detail::track_with_more_digits;
 /// For solve_along.
 inline constexpr MoreDigits<ArcHomotopy> more_digits_along_arcs = &detail::track_arc_with_more_digits;
 
-/// `enumerate`, but paths that fail in double, tightened steps included, are tracked with more digits before they count
-/// as failed; paths.more_digits says how many were. A path costs up to a second then.
+/// `enumerate`, but paths that fail in double are tracked with more digits before they count as failed: after tighter
+/// steps in double, or at once where only the endpoint was left. paths.more_digits says how many were.
 template <Model M, class StartSystem = LeastCost>
 RootSet<M> enumerate_with_more_digits(const Parameters<M>& p, const RunOptions& run = {},
                                       const TrackerOptions& options = {}) {

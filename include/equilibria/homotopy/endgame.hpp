@@ -44,8 +44,9 @@ public:
     using At = RuntimePoint<R>;
     using Loop = ClosedLoop<R>;
 
-    Endgame(const H& h, const Polisher<H>& polisher, const TrackerOptions& options)
-        : homotopy_(&h), sizes_(h.sizes()), options_(options), tracker_(h, options, shortest_step),
+    /// leaves: to those who go on with more digits, paths to what seems a regular endpoint that rounding hides.
+    Endgame(const H& h, const Polisher<H>& polisher, const TrackerOptions& options, bool leaves = false)
+        : homotopy_(&h), sizes_(h.sizes()), options_(options), leaves_(leaves), tracker_(h, options, shortest_step),
           closing_(h, closing(options), shortest_step), polisher_(&polisher), polishing_(h) {}
 
     /// Ends paths that have come to ends[k]->q at t = ends[k]->t.
@@ -114,7 +115,8 @@ private:
         bool diverging = false;
         double excluded = 1;  ///< no finite solution has its branch point between this radius and r
         Loop now, last;
-        bool decided = false;
+        int loops = 0;  ///< that were tried
+        bool decided = false, left = false;
     };
     using Paths = std::vector<Path*>;
 
@@ -132,6 +134,9 @@ private:
         return o;
     }
     static double size2(const At& q) { return static_cast<double>(farthest2(q)); }
+    static bool are_below(const Valuations& nu, double most) {
+        return std::all_of(nu.begin(), nu.end(), [&](double v) { return v < most; });
+    }
     static Paths select(const Paths& paths, const auto& which) {
         Paths y;
         std::copy_if(paths.begin(), paths.end(), std::back_inserter(y), [&](Path* path) { return which(*path); });
@@ -140,14 +145,20 @@ private:
 
     void finish(std::vector<Path>& paths) {
         Paths open;
-        for (Path& path : paths) open.push_back(&path);
+        for (Path& path : paths) {
+            // most that doubles cannot end are regular: to them R leads straight, and loops are dear
+            path.decided = exact && is_regular_at_the_end(path);
+            if (!path.decided) open.push_back(&path);
+        }
         while (true) {
             std::erase_if(open, [](Path* path) { return path->r <= smallest_radius; });
             if (open.empty()) break;
             find_valuations(open);
-            std::erase_if(open, [](Path* path) { return is_believed_to_diverge(*path); });
+            std::erase_if(open, [this](Path* path) { return is_believed_to_diverge(*path) || is_left(*path); });
             for (Path* path : open) path->last = std::exchange(path->now, Loop{});
-            find_loops(select(open, [](const Path& path) { return !recedes(path) && !(size2(path.q) > far_away2); }));
+            find_loops(select(open, [this](const Path& path) {
+                return !recedes(path) && !(size2(path.q) > far_away2) && (!leaves_ || are_below(path.nu, 0.25));
+            }));
             std::erase_if(open, [this](Path* path) { return closes(*path); });
             go_on(open);
         }
@@ -168,6 +179,12 @@ private:
         const double size = size2(path.q);
         return path.diverging &&
                (size > far_away2 || path.r < (size > 1e10 ? diverging_radius : slowly_diverging_radius));
+    }
+    /// Whether the path is left to more digits: no unknown shows a branch point, loops have told nothing, and rounding
+    /// can be seen.
+    bool is_left(Path& path) const {
+        path.left = leaves_ && path.loops > 5 && path.noise > 1e-7 && are_below(path.nu, 0.05);
+        return path.left;
     }
     /// Whether two loops settle what becomes of the path.
     bool closes(Path& path) {
@@ -211,7 +228,8 @@ private:
             return path.diverging || path.excluded < slowly_diverging_radius ||
                    (path.r > smallest_radius && path.excluded < pole_radius);
         };
-        Paths receding = select(left, [&](const Path& path) { return !infinite(path) && path.r > smallest_radius; });
+        Paths receding =
+            select(left, [&](const Path& path) { return !infinite(path) && path.r > smallest_radius && !path.left; });
         find_receding(receding);
         Paths regular;
         for (Path* path : left) {
@@ -221,7 +239,7 @@ private:
             }
             path->end->status = PathStatus::failed;
             path->end->reason = FailureReason::endgame_undecided;
-            if (path->r <= 10 * smallest_radius) regular.push_back(path);
+            if (path->r <= 10 * smallest_radius && !path->left) regular.push_back(path);
         }
         go_to_the_end(regular);
     }
@@ -282,6 +300,7 @@ private:
         closing_.follow(std::span(circles));
         for (std::size_t k = 0; k < paths.size(); ++k) {
             paths[k]->now = circles[k].loop();
+            ++paths[k]->loops;
             paths[k]->end->steps = circles[k].steps;
         }
     }
@@ -332,11 +351,14 @@ private:
         }
         return false;
     }
-    /// The same of the end of a path that has no branch point on its way.
+    /// The same of the end of a path, straight on. A regular one is not many steps away.
     bool is_regular_at_the_end(const Path& path) {
+        constexpr std::int32_t many_steps = 200;
         Segment<R> rest = segment(path, 0);
+        const std::int32_t before = rest.steps;
+        const auto counted_from = rest.steps = std::max(before, options_.most_steps - many_steps);
         closing_.follow(std::span(&rest, 1));
-        path.end->steps = rest.steps;
+        path.end->steps = before + (rest.steps - counted_from);
         return rest.progress == Progress::arrived && is_regular_in_digits(rest.q, *path.end);
     }
     /// Decides at a settled estimate of the endpoint; false if the radius is still too large to tell.
@@ -365,6 +387,7 @@ private:
     const H* homotopy_;
     Sizes<M> sizes_;
     TrackerOptions options_;
+    bool leaves_;
     SegmentLanes<H, R> tracker_, closing_;  // from the start, and near t = 1
     const Polisher<H>* polisher_;
     typename Polisher<H>::template Workspace<double> polishing_;

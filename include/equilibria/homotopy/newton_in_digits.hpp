@@ -9,10 +9,13 @@
 namespace equilibria::detail {
 
 /// Whether Newton's method in R converges from q at t = 1, quadratically and next to it: then a regular solution is
-/// there, whatever its condition, and q becomes it. (At a multiple one it converges linearly.)
+/// there, whatever its condition, and q becomes it. (At a multiple one it converges linearly: from a point that is
+/// known to more digits than doubles have it does not come closer in a few corrections, so that such a point is moved
+/// first.)
 template <class H, class R>
 bool converges_in_digits(const H& homotopy, RuntimePoint<R>& q) {
     constexpr int most_corrections = 8;
+    constexpr double moved = 1e-12;
     const int n = homotopy.sizes().unknowns;
     typename H::template Evaluation<R, Complex<R>> evaluation(homotopy);
     PivotedFactorization<R> lu(n);
@@ -30,10 +33,17 @@ bool converges_in_digits(const H& homotopy, RuntimePoint<R>& q) {
         const auto size2 = static_cast<double>(correction_size(at, f));
         if (!(size2 < 1e-6)) return false;
         correct(at, f);
-        if (size2 > 1e-48) continue;
-        if (!(distance(at, q) < 1e-3)) return false;
-        q = at;
-        return true;
+        if (k == 0 && size2 < moved * moved) {
+            for (int u = 0; u < n; ++u) {
+                const int x = u - at.c.size();
+                f[u] = Complex<R>(moved) * (x < 0 ? R(1.0) : R(1.0 + square_root(norm2(at.x[x]))));
+            }
+            correct(at, f);
+        } else if (size2 < 1e-36) {
+            if (!(distance(at, q) < 1e-3)) return false;
+            q = at;
+            return true;
+        }
     }
     return false;
 }

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 
+#include <equilibria/core/double_double.hpp>
 #include <equilibria/core/multiprecision.hpp>
 #include <equilibria/enumerate/more_digits.hpp>
 #include <equilibria/evaluation/point.hpp>
@@ -19,7 +20,7 @@ void track_again_with_more_digits(const H& homotopy, const Polisher<H>& polisher
     // far out, or where equations are badly scaled, regular solutions have conditions that doubles take for singular
     // ones, or that no step in double comes close to
     if (end.status == PathStatus::singular || end.status == PathStatus::failed) {
-        RuntimePoint<Multiprecision<32>> q;
+        RuntimePoint<DoubleDouble> q;
         copy_lane(end.q, 0, q, 0);
         if (converges_in_digits(homotopy, q)) {
             copy_lane(q, 0, end.q, 0);
@@ -48,7 +49,7 @@ void track_again_with_more_digits(const H& homotopy, const Polisher<H>& polisher
         end = endgame.from_start(start);
         end.steps += steps;
     };
-    track(Multiprecision<32>());
+    track(DoubleDouble());
     track(Multiprecision<64>());
 }
 

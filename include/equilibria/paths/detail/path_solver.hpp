@@ -240,13 +240,13 @@ private:
         std::vector<Endpoint*> arrived;
         for (Endpoint& end : block)
             if (end.status == PathStatus::failed && end.arrival == Arrival::endgame) arrived.push_back(&end);
-        if (!arrived.empty()) Endgame<H>(*homotopy_, polisher_, options_).finish(arrived);
+        if (!arrived.empty()) Endgame<H>(*homotopy_, polisher_, options_, more_digits_ != nullptr).finish(arrived);
         std::uint64_t retracked = 0;
         TrackerOptions careful = options_;
         for (int round = 0; round < 2; ++round) {
             std::vector<std::uint64_t> failed;
             for (std::size_t k = 0; k < block.size(); ++k)
-                if (block[k].status == PathStatus::failed) failed.push_back(k);
+                if (block[k].status == PathStatus::failed && !waits_for_more_digits(block[k])) failed.push_back(k);
             if (round == 0) retracked = failed.size();
             if (failed.empty()) break;
             careful = careful.tightened();
@@ -258,6 +258,10 @@ private:
             }
         }
         return retracked;
+    }
+    /// Whether rounding has stopped the path at its end, where more digits go on with it.
+    bool waits_for_more_digits(const Endpoint& end) const {
+        return more_digits_ && end.reason == FailureReason::endgame_undecided && end.t > 0.98;
     }
     /// The paths of these numbers, `first` added, from their start.
     std::vector<Endpoint> track_again(std::span<const std::uint64_t> paths, std::uint64_t first,

@@ -100,6 +100,14 @@ TEST_CASE("badly conditioned regular roots are told from multiple ones with more
     CHECK(larger.paths.accounted_for());
     CHECK(larger.paths.failed == 0);
     CHECK(larger.paths.finite == 128);
+    // of 9 roots of size 1e7, whose paths seem to diverge in some unknowns
+    for (const std::uint64_t seed : {1u, 2u, 3u}) {
+        const auto largest = solve_polyhedral(sparse_system(families::chandra(9)), {.seed = seed}, {}, more_digits);
+        CHECK(largest.paths.accounted_for());
+        CHECK(largest.paths.failed == 0);
+        CHECK(largest.paths.finite == 256);
+        CHECK(largest.roots.size() == 256);
+    }
     // (x - 1)^2 = 0, y^2 - x = 0: two double roots
     const SparseSystem twice(RuntimeSizes(0, 2), {{0, SparseMonomial({2, 0}), 1},
                                                   {0, SparseMonomial({1, 0}), -2},

@@ -31,6 +31,12 @@ TEST_CASE("a path that goes out like a power of 1-t diverges, a finite one does 
         CHECK_FALSE(diverges(q, {0.5 * power, 0}, {power, 0}));  // the valuation falls: far, and finite
     }
     CHECK_FALSE(diverges(at(0.5, 1), {1, 0}, {1, 0}));  // not far yet
+    // of two unknowns that are far out one has a valuation that changes
+    auto both = at(1e-4, 1);
+    both.x[1] = {1e3, 0};
+    CHECK(diverges(both, {1, 0.9}, {1, 0.7}));
+    CHECK_FALSE(diverges(both, {1, 0.9}, {1, 0.7}, true));
+    CHECK(diverges(both, {1, 0.9}, {1, 0.9}, true));
     CHECK_FALSE(is_far(at(1e-9, 0)));
     CHECK_FALSE(diverges(at(1e-9, 0), {0.5, 0.5}, {0.5, 0.5}));
 }
@@ -41,6 +47,11 @@ TEST_CASE("growth between two radii is the valuation's") {
     CHECK_FALSE(grows(at(1e-6, 1), {2, 0}, at(1e-5, 1), {2, 0}));  // grew by less
     CHECK_FALSE(grows(at(1e-3, 1), nu, at(1e-2, 1), nu));          // not very far out
     CHECK_FALSE(grows(at(1e-6, 1), {0.5, 0}, at(1e-5, 1), nu));    // the valuation falls
+    auto now = at(1e-6, 1), back = at(1e-5, 1);
+    now.x[1] = {1e3, 0}, back.x[1] = {1e2, 0};
+    CHECK(grows(now, {1, 2}, back, {1, 2}));
+    CHECK_FALSE(grows(now, {1, 2}, back, {1, 2}, true));
+    CHECK(grows(now, {1, 1}, back, {1, 1}, true));
 }
 
 TEST_CASE("loops exclude finite points only where both show the same pole") {

@@ -16,12 +16,12 @@ namespace equilibria {
 
 namespace detail {
 
-/// Ends a path with 31 digits, and if that fails with 64.
+/// Ends a path with 31 digits, and if that fails, and a start is given, with 64.
 void track_with_more_digits(const PolynomialHomotopy& homotopy, const Polisher<PolynomialHomotopy>& polisher,
-                            const TrackerOptions& options, const RuntimePoint<double>& start, Endpoint& end);
+                            const TrackerOptions& options, const RuntimePoint<double>* start, Endpoint& end);
 /// The same along an arc of parameters.
 void track_arc_with_more_digits(const ArcHomotopy& homotopy, const Polisher<ArcHomotopy>& polisher,
-                                const TrackerOptions& options, const RuntimePoint<double>& start, Endpoint& end);
+                                const TrackerOptions& options, const RuntimePoint<double>* start, Endpoint& end);
 
 }  // namespace detail
 

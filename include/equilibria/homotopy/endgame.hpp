@@ -56,6 +56,12 @@ public:
         for (std::size_t k = 0; k < ends.size(); ++k) copy_lane(ends[k]->q, 0, paths[k].q, 0);
         finish(paths);
     }
+    /// Ends a path that is at end.q at t = end.t if that leads straight to a regular solution; whether it does.
+    bool end_straight(Endpoint& end) {
+        Path path = path_at(end, 1 - end.t);
+        copy_lane(end.q, 0, path.q, 0);
+        return is_regular_at_the_end(path);
+    }
     /// Tracks the path from its start, slowly, and ends it with the endgame wherever it leads.
     Endpoint from_start(const RuntimePoint<double>& start) {
         Endpoint end;
@@ -173,9 +179,9 @@ private:
             }
     }
 
-    /// Whether the path is believed to diverge.
-    static bool is_believed_to_diverge(Path& path) {
-        path.diverging = detail::diverges(path.q, path.nu, path.before);
+    /// Whether the path is believed to diverge: less easily where somebody can tell better.
+    bool is_believed_to_diverge(Path& path) const {
+        path.diverging = detail::diverges(path.q, path.nu, path.before, leaves_);
         const double size = size2(path.q);
         return path.diverging &&
                (size > far_away2 || path.r < (size > 1e10 ? diverging_radius : slowly_diverging_radius));
@@ -330,8 +336,8 @@ private:
         for (std::size_t k = 0; k < paths.size(); ++k) {
             const Path &path = *paths[k], &at_wider = wider[k];
             const bool recedes = segments[k].progress == Progress::arrived &&
-                                 (grows(path.q, path.nu, at_wider.q, at_wider.nu) ||
-                                  excluded_radius(path.now, path.r, at_wider.now) < pole_radius);
+                                 (grows(path.q, path.nu, at_wider.q, at_wider.nu, leaves_) ||
+                                  (!leaves_ && excluded_radius(path.now, path.r, at_wider.now) < pole_radius));
             if (!recedes) paths[k] = nullptr;
         }
         std::erase(paths, nullptr);
@@ -353,7 +359,7 @@ private:
     }
     /// The same of the end of a path, straight on. A regular one is not many steps away.
     bool is_regular_at_the_end(const Path& path) {
-        constexpr std::int32_t many_steps = 200;
+        constexpr std::int32_t many_steps = 100;
         Segment<R> rest = segment(path, 0);
         const std::int32_t before = rest.steps;
         const auto counted_from = rest.steps = std::max(before, options_.most_steps - many_steps);

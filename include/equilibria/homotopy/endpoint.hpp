@@ -20,7 +20,7 @@ enum class Arrival : std::uint8_t {
 enum class Precision : std::uint8_t {
     as_begun,    ///< those of the whole run
     in_double,   ///< single precision could not carry it to its end: it went on in double from where it was
-    more_digits  ///< more than double has, from its start
+    more_digits  ///< more than double has, from its start or for its end
 };
 
 /// What became of a path, with the evidence.

@@ -16,7 +16,12 @@ namespace equilibria::detail {
 
 template <class H>
 void track_again_with_more_digits(const H& homotopy, const Polisher<H>& polisher, const TrackerOptions& options,
-                                  const RuntimePoint<double>& start, Endpoint& end) {
+                                  const RuntimePoint<double>* start, Endpoint& end) {
+    if (start == nullptr) {
+        Endpoint here = end;
+        if (Endgame<H, DoubleDouble>(homotopy, polisher, options).end_straight(here)) end = here;
+        return;
+    }
     // far out, or where equations are badly scaled, regular solutions have conditions that doubles take for singular
     // ones, or that no step in double comes close to
     if (end.status == PathStatus::singular || end.status == PathStatus::failed) {
@@ -46,7 +51,7 @@ void track_again_with_more_digits(const H& homotopy, const Polisher<H>& polisher
                 return;
             }
         }
-        end = endgame.from_start(start);
+        end = endgame.from_start(*start);
         end.steps += steps;
     };
     track(DoubleDouble());
@@ -55,12 +60,12 @@ void track_again_with_more_digits(const H& homotopy, const Polisher<H>& polisher
 
 EQUILIBRIA_INLINE void track_with_more_digits(const PolynomialHomotopy& homotopy,
                                               const Polisher<PolynomialHomotopy>& polisher,
-                                              const TrackerOptions& options, const RuntimePoint<double>& start,
+                                              const TrackerOptions& options, const RuntimePoint<double>* start,
                                               Endpoint& end) {
     track_again_with_more_digits(homotopy, polisher, options, start, end);
 }
 EQUILIBRIA_INLINE void track_arc_with_more_digits(const ArcHomotopy& homotopy, const Polisher<ArcHomotopy>& polisher,
-                                                  const TrackerOptions& options, const RuntimePoint<double>& start,
+                                                  const TrackerOptions& options, const RuntimePoint<double>* start,
                                                   Endpoint& end) {
     track_again_with_more_digits(homotopy, polisher, options, start, end);
 }

@@ -31,35 +31,41 @@ bool is_far(const RuntimePoint<R>& q) {
     return unknown_size2(q, farthest(q)) > 100;
 }
 
-/// Some unknowns are far out, and the valuations of all of these are the same on two scales, one at least positive; and
-/// that of the farthest one does not fall. Near a finite solution that is merely far away, they change.
+/// Some unknown is far out, and its valuation is positive and the same on two scales; and that of the farthest one
+/// does not fall, as it does near a finite solution that is merely far away. all: each unknown that is far out has such
+/// a valuation, or none; near a badly conditioned solution some may look so by chance.
 template <class R>
-bool diverges(const RuntimePoint<R>& q, const Valuations& nu, const Valuations& before) {
+bool diverges(const RuntimePoint<R>& q, const Valuations& nu, const Valuations& before, bool all = false) {
     const int last = farthest(q);
     if (!(nu[last] > 0.05 && nu[last] > 0.9 * before[last])) return false;
-    bool grows = false;
+    bool some = false;
     for (int u = 0; u < unknowns(q); ++u) {
         if (!(unknown_size2(q, u) > 100 && nu[u] > 0.05)) continue;
-        if (!(before[u] > 0 && std::abs(nu[u] - before[u]) < 0.05 * nu[u])) return false;
-        grows = true;
+        const bool settled = before[u] > 0 && std::abs(nu[u] - before[u]) < 0.05 * nu[u];
+        if (all && !settled) return false;
+        some = some || settled;
     }
-    return grows;
+    return some;
 }
 
-/// Whether unknowns are very far out, and all of these have grown since ten times the radius by a power of it between
-/// their valuations on both scales, which agree.
+/// Whether some unknown is very far out, and has grown since ten times the radius by a power of it between its
+/// valuations on both scales, which do not fall. all: each unknown that is far out has grown so, the
+/// farthest among them, and they agree.
 template <class R>
-bool grows(const RuntimePoint<R>& q, const Valuations& nu, const RuntimePoint<R>& back, const Valuations& before) {
-    bool very_far = false;
+bool grows(const RuntimePoint<R>& q, const Valuations& nu, const RuntimePoint<R>& back, const Valuations& before,
+           bool all = false) {
+    if (all && !(nu[farthest(q)] > 0.05)) return false;
+    bool some = false;
     for (int u = 0; u < unknowns(q); ++u) {
         const double size2 = static_cast<double>(unknown_size2(q, u));
-        if (!(size2 > 1e8 && nu[u] > 0.05)) continue;
+        if (!(size2 > 100 && nu[u] > 0.05)) continue;
         const double growth = 0.5 * std::log10(size2 / static_cast<double>(unknown_size2(back, u)));
-        const double least = std::min(nu[u], before[u]);
-        if (!(nu[u] < 1.1 * least && growth > 0.9 * least && growth < 1.1 * nu[u])) return false;
-        very_far = true;
+        const bool steady =
+            nu[u] > 0.9 * before[u] && growth > 0.9 * std::min(nu[u], before[u]) && growth < 1.1 * nu[u];
+        if (all && !(steady && nu[u] < 1.1 * before[u])) return false;
+        some = some || (steady && size2 > 1e8);
     }
-    return very_far;
+    return some;
 }
 
 /// Where loops at r and at a larger radius show the same pole: the radius down to which they exclude a finite

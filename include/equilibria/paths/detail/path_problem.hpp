@@ -15,11 +15,11 @@ template <class H>
 class Polisher;
 }
 
-/// Tracks a path again that failed in double, with more digits (see enumerate/more_digits.hpp). A pointer, so that only
-/// those who want it compile it.
+/// Ends a path that failed in double with more digits (see enumerate/more_digits.hpp): straight on from where it
+/// stands, where no start is given, else by all means. A pointer, so that only those who want it compile it.
 template <class H = PolynomialHomotopy>
 using MoreDigits = void (*)(const H&, const detail::Polisher<H>&, const TrackerOptions&,
-                            const RuntimePoint<double>& start, Endpoint& end);
+                            const RuntimePoint<double>* start, Endpoint& end);
 
 namespace detail {
 

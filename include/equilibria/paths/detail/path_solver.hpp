@@ -246,7 +246,7 @@ private:
         for (int round = 0; round < 2; ++round) {
             std::vector<std::uint64_t> failed;
             for (std::size_t k = 0; k < block.size(); ++k)
-                if (block[k].status == PathStatus::failed && !waits_for_more_digits(block[k])) failed.push_back(k);
+                if (block[k].status == PathStatus::failed && !is_ended_by_more_digits(block[k])) failed.push_back(k);
             if (round == 0) retracked = failed.size();
             if (failed.empty()) break;
             careful = careful.tightened();
@@ -259,9 +259,13 @@ private:
         }
         return retracked;
     }
-    /// Whether rounding has stopped the path at its end, where more digits go on with it.
-    bool waits_for_more_digits(const Endpoint& end) const {
-        return more_digits_ && end.reason == FailureReason::endgame_undecided && end.t > 0.98;
+    /// Whether rounding alone had stopped the path at its end.
+    bool is_ended_by_more_digits(Endpoint& end) const {
+        if (!more_digits_ || end.reason != FailureReason::endgame_undecided || !(end.t > 0.98)) return false;
+        more_digits_(*homotopy_, polisher_, options_, nullptr, end);
+        if (end.status == PathStatus::failed) return false;
+        end.precision = Precision::more_digits;
+        return true;
     }
     /// The paths of these numbers, `first` added, from their start.
     std::vector<Endpoint> track_again(std::span<const std::uint64_t> paths, std::uint64_t first,
@@ -279,8 +283,10 @@ private:
         EndpointStore& ends = paths.ends();
         std::vector<std::uint64_t> failed;
         std::vector<Endpoint> again;
+        paths.effort.more_digits = 0;
         for (std::uint64_t k = 0; k < ends.size(); ++k) {
             const EndpointRecord end = ends.record(k);
+            paths.effort.more_digits += end.precision == Precision::more_digits;
             const bool doubtful =
                 end.status == PathStatus::failed || (end.status == PathStatus::singular && end.winding_number == 1);
             if (doubtful && end.precision != Precision::more_digits) failed.push_back(k), again.push_back(ends[k]);
@@ -292,7 +298,8 @@ private:
         compute_endpoints(run, homotopy_->sizes(), again, 1, [&](std::size_t at, std::size_t) {
             Endpoint& end = again[at];
             const PathStatus before = end.status;
-            more_digits_(*homotopy_, polisher_, careful, start_point(failed[at]), end);
+            const RuntimePoint<double> start = start_point(failed[at]);
+            more_digits_(*homotopy_, polisher_, careful, &start, end);
             if (before == PathStatus::failed || end.status != before) end.precision = Precision::more_digits;
         });
         std::size_t changed = 0;
@@ -333,7 +340,7 @@ private:
                 const Endpoint before = ends[crossed[m]];
                 Endpoint end = again[m];
                 end.steps += before.steps;
-                end.precision = before.precision;
+                if (before.precision != Precision::more_digits) end.precision = before.precision;  // not with these
                 ++paths.effort.retracked;
                 paths.effort.crossed += end.status != PathStatus::finite || !finder.same(before.q, end.q, 1e-9);
                 ends.replace(crossed[m], end);

@@ -1,5 +1,7 @@
 // Paths that fail in double are tracked with more digits, and only then called failed. To have such paths whatever the
 // compiler, double is given too few steps for some of the paths to a surface of equilibria.
+#include <string>
+
 #include <equilibria/enumerate/more_digits.hpp>
 #include <equilibria/mechanisms/rotating_chain.hpp>
 #include <equilibria/paths/generic_instance.hpp>
@@ -7,6 +9,7 @@
 #include "support/enumeration.hpp"
 #include "support/families.hpp"
 #include "support/models.hpp"
+#include "support/scratch_file.hpp"
 
 using namespace equilibria;
 
@@ -63,6 +66,18 @@ TEST_CASE("more digits are the same for any number of threads") {
     CHECK(one.paths.more_digits > 0);
     CHECK(one.paths.more_digits == three.paths.more_digits);
     CHECK(tests::identical(one, three));
+}
+
+TEST_CASE("a checkpoint belongs to runs with more digits, or to those without") {
+    const tests::ScratchFile scratch("digits.ckpt");
+    const auto first = enumerate_with_more_digits<M>({1, 0.7}, {.checkpoint = scratch.name()}, starved);
+    CHECK(tests::identical(enumerate_with_more_digits<M>({1, 0.7}, {.checkpoint = scratch.name()}, starved), first));
+    try {
+        enumerate<M>({1, 0.7}, {.checkpoint = scratch.name()}, starved);
+        FAIL("not refused");
+    } catch (const CheckpointError& error) {
+        CHECK(error.wrong().find("its more digits is yes, this run's is no") != std::string::npos);
+    }
 }
 
 TEST_CASE("bad arguments are refused as by enumerate") {

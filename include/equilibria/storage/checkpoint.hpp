@@ -31,11 +31,12 @@ struct CheckpointRun {
     std::string_view start;
     Fingerprint numbers;  ///< the coefficients of the homotopy and start points
     std::uint64_t paths, block;
+    bool more_digits;  ///< whether they may end paths
 };
 
 inline CheckpointFields checkpoint_header(const CheckpointFields& model, const CheckpointRun& run,
                                           const TrackerOptions& tracker) {
-    const auto& [seed, start, numbers, paths, block] = run;
+    const auto& [seed, start, numbers, paths, block, more_digits] = run;
     CheckpointFields fields{{"equilibria", EQUILIBRIA_VERSION_STRING}};
     fields.insert(fields.end(), model.begin(), model.end());
     fields.push_back({"seed", std::to_string(seed)});
@@ -49,6 +50,7 @@ inline CheckpointFields checkpoint_header(const CheckpointFields& model, const C
     fields.push_back({"endgame_start", to_text(endgame_start)});
     fields.push_back({"most_steps", to_text(most_steps)});
     fields.push_back({"single_precision", single_precision ? "yes" : "no"});
+    fields.push_back({"more digits", more_digits ? "yes" : "no"});
     fields.push_back({"build", build_name()});
     fields.push_back({"start", std::string(start)});
     fields.push_back({"paths", std::to_string(paths) + " in blocks of " + std::to_string(block)});

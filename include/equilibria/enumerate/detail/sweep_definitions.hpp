@@ -248,9 +248,9 @@ private:
             for (const double value : points_.at(k)) numbers(value);
         CheckpointFields fields = model_.fields;
         fields.push_back({"proofs", options_.prove ? "yes" : "no"});
-        fields.push_back({"more digits", options_.resort ? "yes" : "no"});
         const auto header = checkpoint_header(
-            fields, {run_.seed, "a sweep of parameters", numbers, points_.size, block}, options_.tracker);
+            fields, {run_.seed, "a sweep of parameters", numbers, points_.size, block, options_.resort != nullptr},
+            options_.tracker);
         require_same_run(run_.ranks, header);
         if (!run_.checkpoint.empty()) run_.ranks.at_first([&] { open_file(header); });
     }

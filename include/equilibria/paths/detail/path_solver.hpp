@@ -101,8 +101,9 @@ private:
             for (const auto* part : {&q.c, &q.s, &q.x})
                 for (const auto& z : *part) numbers(z.re), numbers(z.im);
         }
-        const auto header =
-            checkpoint_header(problem_.model, {run_->seed, problem_.start.name, numbers, size, block(size)}, options_);
+        const auto header = checkpoint_header(
+            problem_.model, {run_->seed, problem_.start.name, numbers, size, block(size), more_digits_ != nullptr},
+            options_);
         require_same_run(run_->ranks, header);
         std::optional<EndpointStore> kept;
         if (!run_->checkpoint.empty())

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
+#include <equilibria/enumerate/more_digits.hpp>
 #include <equilibria/io/results/cusp_locus_output.hpp>
 #include <equilibria/locus/space/cusp_locus.hpp>
 #include <equilibria/mechanisms/rotating_chain.hpp>
@@ -222,7 +223,7 @@ int main(int argc, char** argv) {
     try {
         const Locus locus = equilibria::find_cusp_locus<Chain, Chain::alpha, Chain::omega, Chain::ratio>(
             {0.5, 1.5, 1}, {{c.alpha.low, c.alpha.high}, {c.omega.low, c.omega.high}, {c.ratio.low, c.ratio.high}},
-            c.run, c.options);
+            c.run, c.options, equilibria::more_digits);
         if (c.pictures.asked()) c.pictures.draw({1150, 620}, plotted(locus), plots::cusp_locus);
         if (c.json)
             c.json->write(

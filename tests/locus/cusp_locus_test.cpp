@@ -3,6 +3,7 @@
 #include <cmath>
 #include <string>
 
+#include <equilibria/enumerate/more_digits.hpp>
 #include <equilibria/locus/space/cusp_locus.hpp>
 #include <equilibria/mechanisms/rotating_chain.hpp>
 
@@ -99,6 +100,20 @@ TEST_CASE("at ratio 1, where the chain is degenerate, the plane is given up for 
     CHECK(curve.ends[reversed ? 1 : 0] == CurveEnd::degenerate);
     CHECK((reversed ? curve.points.front() : curve.points.back()).y() == 20);
     check_beak_to_beak(curve);
+}
+
+TEST_CASE("next to ratio 1 more digits leave no path undecided, and lose no solution") {
+    // where solutions come together
+    const auto locus = find_cusp_locus<Chain, Chain::alpha, Chain::omega, Chain::ratio>(
+        {0.5, 1.5, 1}, {{0, 1}, {0, 20}, {1.015, 1.05}}, {}, {.planes = 3}, more_digits);
+    CHECK(locus.complete());
+    REQUIRE(locus.planes.size() == 3);
+    for (const auto& plane : locus.planes) {
+        CHECK(plane.given_up.empty());
+        CHECK(plane.counts.paths.failed == 0);
+        CHECK(plane.counts.paths.singular == 0);
+        CHECK(plane.counts.solutions == 44);
+    }
 }
 
 TEST_CASE("bad boxes, parameters and options are refused") {

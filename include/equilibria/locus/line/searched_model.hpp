@@ -27,7 +27,8 @@ struct SearchedModel {
     const ModelFunctions<>* functions;
     const ModelPolynomials* polynomials;
     std::function<EquilibriaCount(const RuntimeArray<double>& p, const RunOptions& run)> count;
-    MoreDigits<> more_digits = nullptr;  ///< for paths to points of a plane that fail in double
+    MoreDigits<> more_digits = nullptr;   ///< for paths to points of a plane that fail in double
+    std::uint64_t systems_in_double = 4;  ///< start systems of a plane that are tried before
 
     const RuntimeSizes& sizes() const { return functions->sizes(); }
     int unknowns() const { return functions->unknowns(); }

@@ -123,9 +123,7 @@ public:
     }
 
 private:
-    /// Another start takes seconds, and decides most paths that one leaves; hundreds of paths with more digits,
-    /// minutes.
-    static constexpr std::uint64_t most_attempts = 12, attempts_in_double = 4;
+    static constexpr std::uint64_t most_attempts = 12;
 
     static std::size_t at(int axis) { return static_cast<std::size_t>(axis); }
     std::vector<double> scales() const { return {scales_[0], scales_[1]}; }
@@ -143,7 +141,9 @@ private:
                                 resort(attempts));
     }
     MoreDigits<> resort(std::uint64_t attempts) const {
-        return attempts > attempts_in_double ? model_->more_digits : nullptr;
+        // another start takes seconds, and decides most paths that one leaves; hundreds of paths with more digits,
+        // minutes
+        return attempts > model_->systems_in_double ? model_->more_digits : nullptr;
     }
 
     /// Start systems until one leaves no path undecided; solve(seed, generator, number of the attempt from 1) returns

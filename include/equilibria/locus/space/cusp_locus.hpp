@@ -55,8 +55,11 @@ class CuspLocusFinder {
 public:
     static constexpr int n = n_unknowns<M>;
 
-    CuspLocusFinder(const Parameters<M>& p, const Box& box, const RunOptions& run, const CuspLocusOptions& options)
+    CuspLocusFinder(const Parameters<M>& p, const Box& box, const RunOptions& run, const CuspLocusOptions& options,
+                    MoreDigits<> resort)
         : run_(run), options_(options) {
+        model_.more_digits = resort;
+        model_.systems_in_double = 0;  // few paths, and next to a degenerate plane badly conditioned ones
         locus_.box = box;
         locus_.parameters = p;
     }
@@ -218,18 +221,19 @@ private:
 }  // namespace detail
 
 /// The curves of cusps of the model within the box of its parameters number X, Y and Z, the others being those of p.
+/// resort: more_digits (enumerate/more_digits.hpp) ends paths that fail in double with more digits.
 ///
 /// Throws InvalidArgument for a box that is empty or not finite, for parameters that are not finite and for options out
 /// of range, and for a run with a checkpoint or a cancel.
 template <PotentialModel M, int X, int Y, int Z>
 CuspLocus<M> find_cusp_locus(const Parameters<M>& p, const Box& box, const RunOptions& run = {},
-                             const CuspLocusOptions& options = {}) {
+                             const CuspLocusOptions& options = {}, MoreDigits<> resort = nullptr) {
     detail::check_active<M, X, Y, Z>();
     require_finite(p, "p");
     box.validate();
     options.validate();
     run.require_alone("a search for cusps");
-    return detail::CuspLocusFinder<M, X, Y, Z>(p, box, run, options).run();
+    return detail::CuspLocusFinder<M, X, Y, Z>(p, box, run, options, resort).run();
 }
 
 }  // namespace equilibria

@@ -140,9 +140,6 @@ private:
         return o;
     }
     static double size2(const At& q) { return static_cast<double>(farthest2(q)); }
-    static bool are_below(const Valuations& nu, double most) {
-        return std::all_of(nu.begin(), nu.end(), [&](double v) { return v < most; });
-    }
     static Paths select(const Paths& paths, const auto& which) {
         Paths y;
         std::copy_if(paths.begin(), paths.end(), std::back_inserter(y), [&](Path* path) { return which(*path); });
@@ -189,8 +186,7 @@ private:
     /// Whether the path is left to more digits: no unknown shows a branch point, loops have told nothing, and rounding
     /// can be seen.
     bool is_left(Path& path) const {
-        path.left = leaves_ && path.loops > 5 && path.noise > 1e-7 && are_below(path.nu, 0.05);
-        return path.left;
+        return path.left = leaves_ && path.loops > 5 && path.noise > 1e-7 && are_below(path.nu, 0.05);
     }
     /// Whether two loops settle what becomes of the path.
     bool closes(Path& path) {

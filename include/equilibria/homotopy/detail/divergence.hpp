@@ -17,6 +17,10 @@ namespace equilibria::detail {
 /// |(1-t) q_u'(t)| of each angle, |(1-t) x'/x| of each coordinate; -1 without one.
 using Valuations = SizedArray<double, at_run_time>;
 
+inline bool are_below(const Valuations& nu, double most) {
+    return std::all_of(nu.begin(), nu.end(), [&](double v) { return v < most; });
+}
+
 /// The unknown that is farthest out.
 template <class R>
 int farthest(const RuntimePoint<R>& q) {

@@ -76,7 +76,7 @@ TEST_CASE("a checkpoint belongs to runs with more digits, or to those without") 
         enumerate<M>({1, 0.7}, {.checkpoint = scratch.name()}, starved);
         FAIL("not refused");
     } catch (const CheckpointError& error) {
-        CHECK(error.wrong().find("its more digits is yes, this run's is no") != std::string::npos);
+        CHECK(error.wrong().find("its more_digits is yes, this run's is no") != std::string::npos);
     }
 }
 

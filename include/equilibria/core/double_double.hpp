@@ -48,7 +48,6 @@ public:
         return ordered_sum(v.high_, t.low_ + v.low_);
     }
     friend Self operator-(const Self& a) { return {-a.high_, -a.low_}; }
-    friend Self operator+(const Self& a) { return a; }
     friend Self operator-(const Self& a, const Self& b) { return a + -b; }
     friend Self operator*(const Self& a, const Self& b) {
         const Self p = product(a.high_, b.high_);
@@ -79,15 +78,6 @@ public:
         if (!(a.high_ > 0)) return std::sqrt(a.high_);
         const double root = std::sqrt(a.high_);
         return ordered_sum(root, (a - product(root, root)).high_ / (2 * root));
-    }
-    /// Without guards against overflow.
-    friend Self hypot(const Self& a, const Self& b) { return sqrt(a * a + b * b); }
-    friend Self frexp(const Self& a, int* exponent) {
-        const double high = std::frexp(a.high_, exponent);
-        return {high, std::ldexp(a.low_, -*exponent)};
-    }
-    friend Self ldexp(const Self& a, int exponent) {
-        return {std::ldexp(a.high_, exponent), std::ldexp(a.low_, exponent)};
     }
     friend bool isfinite(const Self& a) { return std::isfinite(a.high_) && std::isfinite(a.low_); }
 

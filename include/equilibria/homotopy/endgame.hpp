@@ -44,9 +44,10 @@ public:
     using At = RuntimePoint<R>;
     using Loop = ClosedLoop<R>;
 
-    /// leaves: to those who go on with more digits, paths to what seems a regular endpoint that rounding hides.
-    Endgame(const H& h, const Polisher<H>& polisher, const TrackerOptions& options, bool leaves = false)
-        : homotopy_(&h), sizes_(h.sizes()), options_(options), leaves_(leaves), tracker_(h, options, shortest_step),
+    /// resort: more digits end what this leaves undecided. It leaves them what seems a regular endpoint that rounding
+    /// hides, loops only where all valuations are small, and believes that a path diverges where all far unknowns do.
+    Endgame(const H& h, const Polisher<H>& polisher, const TrackerOptions& options, bool resort = false)
+        : homotopy_(&h), sizes_(h.sizes()), options_(options), resort_(resort), tracker_(h, options, shortest_step),
           closing_(h, closing(options), shortest_step), polisher_(&polisher), polishing_(h) {}
 
     /// Ends paths that have come to ends[k]->q at t = ends[k]->t.
@@ -160,7 +161,7 @@ private:
             std::erase_if(open, [this](Path* path) { return is_believed_to_diverge(*path) || is_left(*path); });
             for (Path* path : open) path->last = std::exchange(path->now, Loop{});
             find_loops(select(open, [this](const Path& path) {
-                return !recedes(path) && !(size2(path.q) > far_away2) && (!leaves_ || are_below(path.nu, 0.25));
+                return !recedes(path) && !(size2(path.q) > far_away2) && (!resort_ || are_below(path.nu, 0.25));
             }));
             std::erase_if(open, [this](Path* path) { return closes(*path); });
             go_on(open);
@@ -178,7 +179,7 @@ private:
 
     /// Whether the path is believed to diverge: less easily where somebody can tell better.
     bool is_believed_to_diverge(Path& path) const {
-        path.diverging = detail::diverges(path.q, path.nu, path.before, leaves_);
+        path.diverging = detail::diverges(path.q, path.nu, path.before, resort_);
         const double size = size2(path.q);
         return path.diverging &&
                (size > far_away2 || path.r < (size > 1e10 ? diverging_radius : slowly_diverging_radius));
@@ -186,7 +187,7 @@ private:
     /// Whether the path is left to more digits: no unknown shows a branch point, loops have told nothing, and rounding
     /// can be seen.
     bool is_left(Path& path) const {
-        return path.left = leaves_ && path.loops > 5 && path.noise > 1e-7 && are_below(path.nu, 0.05);
+        return path.left = resort_ && path.loops > 5 && path.noise > 1e-7 && are_below(path.nu, 0.05);
     }
     /// Whether two loops settle what becomes of the path.
     bool closes(Path& path) {
@@ -332,8 +333,8 @@ private:
         for (std::size_t k = 0; k < paths.size(); ++k) {
             const Path &path = *paths[k], &at_wider = wider[k];
             const bool recedes = segments[k].progress == Progress::arrived &&
-                                 (grows(path.q, path.nu, at_wider.q, at_wider.nu, leaves_) ||
-                                  (!leaves_ && excluded_radius(path.now, path.r, at_wider.now) < pole_radius));
+                                 (grows(path.q, path.nu, at_wider.q, at_wider.nu, resort_) ||
+                                  (!resort_ && excluded_radius(path.now, path.r, at_wider.now) < pole_radius));
             if (!recedes) paths[k] = nullptr;
         }
         std::erase(paths, nullptr);
@@ -389,7 +390,7 @@ private:
     const H* homotopy_;
     Sizes<M> sizes_;
     TrackerOptions options_;
-    bool leaves_;
+    bool resort_;
     SegmentLanes<H, R> tracker_, closing_;  // from the start, and near t = 1
     const Polisher<H>* polisher_;
     typename Polisher<H>::template Workspace<double> polishing_;

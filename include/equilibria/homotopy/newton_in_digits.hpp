@@ -15,7 +15,7 @@ namespace equilibria::detail {
 template <class H, class R>
 bool converges_in_digits(const H& homotopy, RuntimePoint<R>& q) {
     constexpr int most_corrections = 8;
-    constexpr double moved = 1e-12;
+    constexpr double moved = 1e-12, settled = 1e-18;  // eight halvings of the one stay far above the other
     const int n = homotopy.sizes().unknowns;
     typename H::template Evaluation<R, Complex<R>> evaluation(homotopy);
     PivotedFactorization<R> lu(n);
@@ -39,7 +39,7 @@ bool converges_in_digits(const H& homotopy, RuntimePoint<R>& q) {
                 f[u] = Complex<R>(moved) * (x < 0 ? R(1.0) : R(1.0 + square_root(norm2(at.x[x]))));
             }
             correct(at, f);
-        } else if (size2 < 1e-36) {
+        } else if (size2 < settled * settled) {
             if (!(distance(at, q) < 1e-3)) return false;
             q = at;
             return true;

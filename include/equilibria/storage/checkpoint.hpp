@@ -50,7 +50,7 @@ inline CheckpointFields checkpoint_header(const CheckpointFields& model, const C
     fields.push_back({"endgame_start", to_text(endgame_start)});
     fields.push_back({"most_steps", to_text(most_steps)});
     fields.push_back({"single_precision", single_precision ? "yes" : "no"});
-    fields.push_back({"more digits", more_digits ? "yes" : "no"});
+    fields.push_back({"more_digits", more_digits ? "yes" : "no"});
     fields.push_back({"build", build_name()});
     fields.push_back({"start", std::string(start)});
     fields.push_back({"paths", std::to_string(paths) + " in blocks of " + std::to_string(block)});

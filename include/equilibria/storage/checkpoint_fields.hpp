@@ -66,25 +66,27 @@ CheckpointFields model_fields(const std::string& name, const RuntimeSizes& sizes
                               const std::vector<std::uint64_t>& support, std::span<const double> parameters,
                               const std::string& build);
 
+/// Equation and exponents of each term, word by word.
+inline std::vector<std::uint64_t> support_words(int unknowns, const auto& terms) {
+    std::vector<std::uint64_t> y;
+    for (const auto& term : terms) {
+        y.push_back(static_cast<std::uint64_t>(term.equation));
+        for (int u = 0; u < unknowns; ++u) y.push_back(static_cast<std::uint64_t>(term.monomial.code(u)));
+    }
+    return y;
+}
+
 template <Model M>
 [[gnu::cold]] CheckpointFields model_fields(const Parameters<M>& p) {
-    std::vector<std::uint64_t> support;
-    for (const auto& term : Formulation<M>::support) {
-        support.push_back(static_cast<std::uint64_t>(term.equation));
-        for (int u = 0; u < n_unknowns<M>; ++u) support.push_back(static_cast<std::uint64_t>(term.monomial.code(u)));
-    }
-    return model_fields(type_name<M>(), Sizes<M>(), Formulation<M>::terms, support, {p.begin(), p.end()}, build_name());
+    return model_fields(type_name<M>(), Sizes<M>(), Formulation<M>::terms,
+                        support_words(n_unknowns<M>, Formulation<M>::support), {p.begin(), p.end()}, build_name());
 }
 
 /// Of a model at run time.
 inline CheckpointFields model_fields(const std::string& name, const RuntimeSizes& sizes,
                                      const std::vector<SparseTerm>& terms, std::span<const double> parameters) {
-    std::vector<std::uint64_t> support;
-    for (const auto& term : terms) {
-        support.push_back(static_cast<std::uint64_t>(term.equation));
-        for (int u = 0; u < sizes.unknowns; ++u) support.push_back(static_cast<std::uint64_t>(term.monomial.code(u)));
-    }
-    return model_fields(name, sizes, static_cast<int>(terms.size()), support, parameters, build_name());
+    return model_fields(name, sizes, static_cast<int>(terms.size()), support_words(sizes.unknowns, terms), parameters,
+                        build_name());
 }
 
 }  // namespace equilibria::detail

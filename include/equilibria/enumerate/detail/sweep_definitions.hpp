@@ -153,12 +153,15 @@ private:
         }
         return y;
     }
+    ModelMember typical_member(std::uint64_t seed) const {
+        if (points_.size == 0) return {};
+        Generator generator(seed);
+        return model_.member(typical(generator));
+    }
     /// None where an equation vanishes at all points.
     std::unique_ptr<const GenericInstance> instance(int number) const {
-        if (points_.size == 0) return nullptr;
         const std::uint64_t seed = seed_of_attempt(run_.seed, static_cast<std::uint64_t>(number));
-        Generator generator(seed);
-        const ModelMember member = model_.member(typical(generator));
+        const ModelMember member = typical_member(seed);
         if (!member.system) return nullptr;
         return std::make_unique<const GenericInstance>(
             *member.system, RunOptions{.seed = seed, .executor = number == 0 ? run_.executor : Executor()},
@@ -235,15 +238,11 @@ private:
     void begin() {
         if (!run_.is_told_apart()) return;
         Fingerprint numbers;
-        Generator generator(run_.seed);
-        if (const ModelMember member = points_.size > 0 ? model_.member(typical(generator)) : ModelMember();
-            member.system)
-            for (const auto& term : member.system->terms()) {
-                numbers(static_cast<std::uint64_t>(term.equation));
-                for (int u = 0; u < model_.properties.sizes.unknowns; ++u)
-                    numbers(static_cast<std::uint64_t>(term.monomial.code(u)));
-                numbers(term.coefficient);
-            }
+        if (const ModelMember member = typical_member(run_.seed); member.system) {
+            for (const auto word : support_words(model_.properties.sizes.unknowns, member.system->terms()))
+                numbers(word);
+            for (const auto& term : member.system->terms()) numbers(term.coefficient);
+        }
         for (std::uint64_t k = 0; k < points_.size; ++k)
             for (const double value : points_.at(k)) numbers(value);
         CheckpointFields fields = model_.fields;

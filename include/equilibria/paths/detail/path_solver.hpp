@@ -247,7 +247,7 @@ private:
         for (int round = 0; round < 2; ++round) {
             std::vector<std::uint64_t> failed;
             for (std::size_t k = 0; k < block.size(); ++k)
-                if (block[k].status == PathStatus::failed && !is_ended_by_more_digits(block[k])) failed.push_back(k);
+                if (block[k].status == PathStatus::failed && !end_straight(block[k])) failed.push_back(k);
             if (round == 0) retracked = failed.size();
             if (failed.empty()) break;
             careful = careful.tightened();
@@ -260,8 +260,8 @@ private:
         }
         return retracked;
     }
-    /// Whether rounding alone had stopped the path at its end.
-    bool is_ended_by_more_digits(Endpoint& end) const {
+    /// Ends a path that rounding alone has stopped near its end, with more digits where there are; whether it did.
+    bool end_straight(Endpoint& end) const {
         if (!more_digits_ || end.reason != FailureReason::endgame_undecided || !(end.t > 0.98)) return false;
         more_digits_(*homotopy_, polisher_, options_, nullptr, end);
         if (end.status == PathStatus::failed) return false;

@@ -72,22 +72,26 @@ private:
         bool any = false;
         for (std::size_t i = 0; i < columns_; ++i)
             for (std::size_t j = i + 1; j < columns_; ++j) {
-                double ii = 0, jj = 0;
-                std::complex<double> ij = 0;
+                // products written out: those of std::complex ask for NaNs
+                double ii = 0, jj = 0, re = 0, im = 0;
                 for (std::size_t k = 0; k < rows_; ++k) {
-                    const auto &x = a_[i * rows_ + k], &y = a_[j * rows_ + k];
-                    ii += std::norm(x), jj += std::norm(y), ij += std::conj(x) * y;
+                    const auto x = a_[i * rows_ + k], y = a_[j * rows_ + k];
+                    ii += std::norm(x), jj += std::norm(y);
+                    re += x.real() * y.real() + x.imag() * y.imag();
+                    im += x.real() * y.imag() - x.imag() * y.real();
                 }
-                const double size = std::abs(ij);
+                const double size = std::sqrt(re * re + im * im);
                 if (!(size > 2 * std::numeric_limits<double>::epsilon() * std::sqrt(ii) * std::sqrt(jj))) continue;
                 any = true;
                 const double zeta = (jj - ii) / (2 * size);
-                const double t = (zeta < 0 ? -1 : 1) / (std::abs(zeta) + std::hypot(1.0, zeta));  // tan of the angle
-                const double c = 1 / std::hypot(1.0, t), s = c * t;
-                const std::complex<double> phase = std::conj(ij) / size;
+                const double t = (zeta < 0 ? -1 : 1) / (std::abs(zeta) + std::sqrt(1 + zeta * zeta));  // tan, the angle
+                const double c = 1 / std::sqrt(1 + t * t), s = c * t;
+                re /= size, im /= -size;
                 const auto turn = [&](Vector& m, std::size_t length) {
                     for (std::size_t k = 0; k < length; ++k) {
-                        const auto x = m[i * length + k], y = phase * m[j * length + k];
+                        const auto x = m[i * length + k], other = m[j * length + k];
+                        const std::complex<double> y(re * other.real() - im * other.imag(),
+                                                     re * other.imag() + im * other.real());
                         m[i * length + k] = c * x - s * y;
                         m[j * length + k] = s * x + c * y;
                     }

@@ -48,6 +48,9 @@ public:
         }
     }
 
+    /// As of TableEvaluation.
+    static constexpr bool symmetric() { return false; }
+
     /// The lane goes along this path from now on.
     void enter(int lane, std::uint64_t path) {
         const auto weights = h_->weights(path);

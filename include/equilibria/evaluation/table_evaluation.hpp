@@ -33,10 +33,14 @@ public:
     using Z = Complex<R>;
     static constexpr int order = FactorSeries<R>::order;
     static constexpr bool keeps_laws = H::law_order > 1;
+    /// Whether R has more digits than the coefficients. Then the Jacobian of a gradient has all its entries: from
+    /// rounded coefficients it is symmetric to double precision alone.
+    static constexpr bool more_digits = !std::is_floating_point_v<typename LaneTraits<R>::Scalar>;
 
     explicit TableEvaluation(const H& h)
-        : h_(&h), tables_(&h.tables()), n_(tables_->sizes.unknowns), moving_(h.moving()), symmetric_(h.symmetric()),
-          factors_(*tables_), form_(h.forms(), *tables_), groups_(tables_->groups.size()), start_(groups_),
+        : h_(&h), tables_(&h.tables()), n_(tables_->sizes.unknowns), moving_(h.moving()),
+          symmetric_(h.symmetric() && !more_digits), factors_(*tables_), form_(h.forms(), *tables_),
+          groups_(tables_->groups.size()), start_(groups_),
           sum_(static_cast<std::size_t>(moving_ ? H::law_order + 1 : 1) * (order + 1) * groups_),
           blend_((order + 1) * groups_), current_(moving_ ? tables_->operand.size() : 0),
           higher_(keeps_laws ? H::law_order * current_.size() : 0) {
@@ -59,7 +63,10 @@ public:
         });
     }
 
-    /// H(q, t) and its Jacobian; with a potential only the entries on and above the diagonal are set.
+    /// Whether the Jacobian is symmetric, and only its entries on and above the diagonal are set.
+    bool symmetric() const { return symmetric_; }
+
+    /// H(q, t) and its Jacobian.
     void jacobian(const RuntimePoint<R>& q, const Time& t, auto& f, auto& j) {
         set_higher_laws(t);
         begin<H::law_order>(q, t, f, [&]<bool moving>(std::bool_constant<moving>, int g, const Sums<moving>& sums) {

@@ -2,50 +2,74 @@
 /// Regular solutions that doubles take for singular ones: far out, or where equations are badly scaled.
 #pragma once
 
+#include <cmath>
+#include <cstdint>
+#include <numbers>
+
 #include <equilibria/core/linear_solve.hpp>
+#include <equilibria/core/splitmix.hpp>
 #include <equilibria/evaluation/point.hpp>
 #include <equilibria/homotopy/detail/segments.hpp>
 
 namespace equilibria::detail {
 
-/// Whether Newton's method in R converges from q at t = 1, quadratically and next to it: then a regular solution is
-/// there, whatever its condition, and q becomes it. (At a multiple one it converges linearly: from a point that is
-/// known to more digits than doubles have it does not come closer in a few corrections, so that such a point is moved
-/// first.)
+/// Newton's method in R, of more digits than double has, at t = 1.
 template <class H, class R>
-bool converges_in_digits(const H& homotopy, RuntimePoint<R>& q) {
-    constexpr int most_corrections = 8;
-    constexpr double moved = 1e-12, settled = 1e-18;  // eight halvings of the one stay far above the other
-    const int n = homotopy.sizes().unknowns;
-    typename H::template Evaluation<R, Complex<R>> evaluation(homotopy);
-    PivotedFactorization<R> lu(n);
-    RuntimeArray<Complex<R>> f(n);
-    RuntimeMatrix<Complex<R>> j(n);
-    RuntimePoint<R> at = q;
-    for (int k = 0; k < most_corrections; ++k) {
-        evaluation.target_jacobian(at, f, j);
-        if (homotopy.symmetric())
-            for (int r = 0; r < n; ++r)
-                for (int c = 0; c < r; ++c) j[r][c] = j[c][r];
-        lu.factor(j);
-        for (int i = 0; i < n; ++i) f[i] = -f[i];
-        lu.solve(f);
-        const auto size2 = static_cast<double>(correction_size(at, f));
-        if (!(size2 < 1e-6)) return false;
-        correct(at, f);
-        if (k == 0 && size2 < moved * moved) {
-            for (int u = 0; u < n; ++u) {
-                const int x = u - at.c.size();
-                f[u] = Complex<R>(moved) * (x < 0 ? R(1.0) : R(1.0 + square_root(norm2(at.x[x]))));
-            }
-            correct(at, f);
-        } else if (size2 < settled * settled) {
-            if (!(distance(at, q) < 1e-3)) return false;
-            q = at;
-            return true;
+class NewtonInDigits {
+public:
+    explicit NewtonInDigits(const H& homotopy)
+        : n_(homotopy.sizes().unknowns), evaluation_(homotopy), lu_(n_), f_(n_), j_(n_) {}
+
+    /// Whether q comes as near to a solution as doubles tell, by corrections that are small and of which each is far
+    /// smaller than the one before: next to a multiple solution they are halved at best.
+    bool settles(RuntimePoint<R>& q) {
+        double allowed2 = 1e-6;
+        while (true) {
+            evaluation_.target_jacobian(q, f_, j_);
+            lu_.factor(j_);
+            for (int i = 0; i < n_; ++i) f_[i] = -f_[i];
+            lu_.solve(f_);
+            const auto size2 = static_cast<double>(correction_size(q, f_));
+            if (!(size2 < allowed2)) return false;
+            correct(q, f_);
+            if (size2 < settled * settled) return true;
+            allowed2 = 0.01 * size2;
         }
     }
-    return false;
+    /// Whether q, which has settled, is settled to again from beside it: not at a multiple solution, nor on a family.
+    bool is_regular(const RuntimePoint<R>& q) {
+        RuntimePoint<R> beside = q;
+        std::uint64_t state = 1;
+        for (int u = 0; u < n_; ++u) {
+            const int x = u - q.c.size();
+            const double angle = 2 * std::numbers::pi * unit_interval(splitmix64(state));
+            const R size = x < 0 ? R(moved) : moved * R(1.0 + square_root(norm2(q.x[x])));
+            f_[u] = {std::cos(angle) * size, std::sin(angle) * size};
+        }
+        correct(beside, f_);
+        return settles(beside) && distance(beside, q) < 1e-3 * moved;
+    }
+
+private:
+    static constexpr double moved = 1e-14, settled = 1e-16;
+
+    int n_;
+    typename H::template Evaluation<R, Complex<R>> evaluation_;
+    PivotedFactorization<R> lu_;
+    RuntimeArray<Complex<R>> f_;
+    RuntimeMatrix<Complex<R>> j_;
+};
+
+/// Whether a regular solution is next to q at t = 1, whatever its condition; q becomes it. Newton's method in R comes
+/// to it quadratically, and again from a point beside it: to a multiple solution it converges linearly, and on a family
+/// to some other point.
+template <class H, class R>
+bool converges_in_digits(const H& homotopy, RuntimePoint<R>& q) {
+    NewtonInDigits<H, R> newton(homotopy);
+    RuntimePoint<R> at = q;
+    if (!newton.settles(at) || !(distance(at, q) < 1e-3) || !newton.is_regular(at)) return false;
+    q = at;
+    return true;
 }
 
 }  // namespace equilibria::detail

@@ -38,7 +38,7 @@ public:
 
     Stepper(const H& h, const TrackerOptions& options)
         : n_(h.sizes().unknowns), angles_(h.sizes().angles), control_(options), evaluation_(h),
-          lu_(n_, !Pivoted && h.symmetric()), mirrors_(Pivoted && h.symmetric()), origin_(Time{}),
+          lu_(n_, !Pivoted && evaluation_.symmetric()), mirrors_(Pivoted && evaluation_.symmetric()), origin_(Time{}),
           direction_(Time{} + 1.0), f_(n_), d_(n_), j_(n_) {
         outcome_.q = point_of_zeros<RuntimeUnknowns, R>(h.sizes());
         for (auto& coefficient : taylor_) coefficient.resize(n_);

@@ -10,11 +10,13 @@
 #include <utility>
 #include <vector>
 
+#include <equilibria/core/double_double.hpp>
 #include <equilibria/core/sorted_order.hpp>
 #include <equilibria/enumerate/detail/family_finder.hpp>
 #include <equilibria/enumerate/families.hpp>
 #include <equilibria/evaluation/point_of.hpp>
 #include <equilibria/evaluation/table_evaluation.hpp>
+#include <equilibria/homotopy/newton_in_digits.hpp>
 #include <equilibria/homotopy/polish.hpp>
 
 namespace equilibria::detail {
@@ -40,6 +42,21 @@ EQUILIBRIA_INLINE FamilyProbe::System family_system(const PolynomialHomotopy& ho
     };
 }
 
+/// Whether a root that is badly conditioned in double is regular nevertheless, and no probe is needed. Rounded
+/// coefficients may have regular solutions where exact ones have a family: with a condition beyond the digits of these.
+EQUILIBRIA_INLINE bool is_regular_in_digits(const Root<RuntimeUnknowns>& root, const PolynomialHomotopy& homotopy) {
+    constexpr double largest_condition = 1e12;
+    auto point = point_of<RuntimeUnknowns>(root.q, homotopy.sizes());
+    RuntimePoint<DoubleDouble> q;
+    copy_lane(point, 0, q, 0);
+    if (!converges_in_digits(homotopy, q)) return false;
+    copy_lane(q, 0, point, 0);
+    Polisher<PolynomialHomotopy>::Workspace<double> with(homotopy);
+    PolishedEvidence evidence;
+    Polisher(homotopy).assess(point, &evidence, with);
+    return evidence.condition < largest_condition;
+}
+
 EQUILIBRIA_INLINE FoundFamilies find_families(const PolynomialHomotopy& homotopy,
                                               const std::vector<Root<RuntimeUnknowns>>& roots,
                                               const Executor& executor) {
@@ -54,7 +71,7 @@ EQUILIBRIA_INLINE FoundFamilies find_families(const PolynomialHomotopy& homotopy
     executor.for_blocks(roots.size(), 16, [&](std::size_t first, std::size_t last) {
         for (std::size_t k = first; k < last; ++k) {
             for (std::size_t u = 0; u < n; ++u) points[k].push_back(roots[k].q[static_cast<int>(u)] / unit[u]);
-            found[k] = probe.at(points[k]);
+            if (!is_regular_in_digits(roots[k], homotopy)) found[k] = probe.at(points[k]);
         }
     });
     FoundFamilies y{{}, std::vector<std::uint8_t>(roots.size()), 0};

@@ -37,6 +37,10 @@ TEST_CASE("a path that goes out like a power of 1-t diverges, a finite one does 
     CHECK(diverges(both, {1, 0.9}, {1, 0.7}));
     CHECK_FALSE(diverges(both, {1, 0.9}, {1, 0.7}, true));
     CHECK(diverges(both, {1, 0.9}, {1, 0.9}, true));
+    // a million times nearer its valuation is rounding
+    auto unequal = at(1e-9, 1);
+    unequal.x[1] = {500, 0};
+    CHECK(diverges(unequal, {1, 0.9}, {1, 0.7}, true));
     CHECK_FALSE(is_far(at(1e-9, 0)));
     CHECK_FALSE(diverges(at(1e-9, 0), {0.5, 0.5}, {0.5, 0.5}));
 }

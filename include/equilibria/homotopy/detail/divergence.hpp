@@ -37,16 +37,19 @@ bool is_far(const RuntimePoint<R>& q) {
 
 /// Some unknown is far out, and its valuation is positive and the same on two scales; and that of the farthest one
 /// does not fall, as it does near a finite solution that is merely far away. all: each unknown that is far out has such
-/// a valuation, or none; near a badly conditioned solution some may look so by chance.
+/// a valuation, or none; near a badly conditioned solution some may look so by chance. One that is a million times
+/// nearer than the farthest has too few digits to say so.
 template <class R>
 bool diverges(const RuntimePoint<R>& q, const Valuations& nu, const Valuations& before, bool all = false) {
     const int last = farthest(q);
     if (!(nu[last] > 0.05 && nu[last] > 0.9 * before[last])) return false;
+    const auto with_digits2 = 1e-12 * unknown_size2(q, last);
     bool some = false;
     for (int u = 0; u < unknowns(q); ++u) {
-        if (!(unknown_size2(q, u) > 100 && nu[u] > 0.05)) continue;
+        const auto size2 = unknown_size2(q, u);
+        if (!(size2 > 100 && nu[u] > 0.05)) continue;
         const bool settled = before[u] > 0 && std::abs(nu[u] - before[u]) < 0.05 * nu[u];
-        if (all && !settled) return false;
+        if (all && !settled && size2 > with_digits2) return false;
         some = some || settled;
     }
     return some;

@@ -1,5 +1,5 @@
 // The time of whole loci and of all events on a line, with what was found; `complete` is 1 where nothing is left open.
-// Plane of three links: mass 3 and omega, some 24,000 paths.
+// Planes of three links: mass 3 and omega, off the borders where the model degenerates and up to them.
 #include <cstdint>
 #include <iostream>
 
@@ -16,10 +16,13 @@ namespace {
 
 using Two = mechanisms::TwoLinkChain;
 using Three = mechanisms::RotatingChain<3>;
+using Four = mechanisms::RotatingChain<4>;
 using Mechanism = mechanisms::HolonomicMechanism;
 
 /// Lengths, masses, omega, gravity.
 constexpr Parameters<Three> three_links{1, 1.1, 1.2, 1, 1.05, 1.2, 1, 1};
+constexpr Parameters<Four> four_links{1, 1.1, 1.2, 0.9, 1, 1.05, 1.2, 0.8, 1, 1};
+constexpr int mass_3 = Three::mass + 2;
 
 template <Model M, int X, int Y>
 void plane(benchmark::State& state, const Parameters<M>& p, const Window& window, MoreDigits<> digits = nullptr) {
@@ -49,6 +52,7 @@ void line(benchmark::State& state, const Parameters<M>& p, double low, double hi
 
 void events_two_links(benchmark::State& state) { line<Two, Two::omega>(state, {0.33, 1.5, 1}, 0, 10); }
 void events_three_links(benchmark::State& state) { line<Three, Three::omega>(state, three_links, 0, 10); }
+void events_four_links(benchmark::State& state) { line<Four, Four::omega>(state, four_links, 0, 10); }
 void plane_two_links(benchmark::State& state) {
     plane<Two, Two::alpha, Two::omega>(state, {0.5, 1.5, 1}, {0, 1, 0, 5});
 }
@@ -57,14 +61,18 @@ void plane_mechanism(benchmark::State& state) {
                                                                {{0, 600}, {-300, 300}});
 }
 void plane_three_links(benchmark::State& state) {
-    constexpr int mass_3 = Three::mass + 2;
     plane<Three, mass_3, Three::omega>(state, three_links, {0.1, 2, 0.5, 5}, more_digits);
+}
+void plane_three_links_up_to_the_borders(benchmark::State& state) {
+    plane<Three, mass_3, Three::omega>(state, three_links, {0, 2, 0, 5}, more_digits);
 }
 
 }  // namespace
 
 BENCHMARK(events_two_links)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(events_three_links)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(events_four_links)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(plane_two_links)->Unit(benchmark::kMillisecond)->UseRealTime()->Iterations(1);
 BENCHMARK(plane_mechanism)->Unit(benchmark::kMillisecond)->UseRealTime()->Iterations(1);
 BENCHMARK(plane_three_links)->Unit(benchmark::kMillisecond)->UseRealTime()->Iterations(1);
+BENCHMARK(plane_three_links_up_to_the_borders)->Unit(benchmark::kMillisecond)->UseRealTime()->Iterations(1);

@@ -24,6 +24,7 @@
 #include "buckling/model.hpp"
 #include "plots/buckling.hpp"
 #include "support/buckling_cases.hpp"
+#include "support/factors.hpp"
 #include "support/options.hpp"
 #include "support/output_file.hpp"
 #include "support/pictures.hpp"
@@ -363,11 +364,16 @@ void follow_model(const Command& c) {
                                      to_string(loose->component));
         follow(c, structure, setup);
     };
-    const equilibria::fem::StructureOptions options{.executor = equilibria::threads(c.data.threads)};
-    if (input.conservative)
-        run(equilibria::fem::Structure(std::move(input.model), options));
-    else
+    equilibria::fem::StructureOptions options{.executor = equilibria::threads(c.data.threads)};
+    if (input.conservative) {
+        const equilibria::fem::Structure structure(std::move(input.model), options);
+        options.factors = support::factors_for(structure);
+        if (!options.factors) return run(structure);
+        if (!c.quiet()) std::puts("Tangents are factored by MUMPS.");
+        run(equilibria::fem::Structure(structure.model(), options));
+    } else {
         run(equilibria::fem::NonconservativeStructure(std::move(input.model), options));
+    }
 }
 
 }  // namespace

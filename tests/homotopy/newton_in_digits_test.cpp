@@ -6,6 +6,7 @@
 #include <equilibria/evaluation/table_evaluation.hpp>
 #include <equilibria/homotopy/model_homotopy.hpp>
 #include <equilibria/homotopy/newton_in_digits.hpp>
+#include <equilibria/start/total_degree.hpp>
 
 #include "support/catch.hpp"
 

@@ -176,10 +176,12 @@ public:
     requires(std::is_same_v<TangentMatrix<P>, Matrix>)
     explicit AnyProblem(const P& problem)
         : functions_(std::make_shared<const detail::ProblemFunctionsOf<P>>(problem)),
-          properties_(detail::properties_of<P>()), multipliers_(equilibria::multipliers(problem)) {}
+          properties_(detail::properties_of<P>()), multipliers_(equilibria::multipliers(problem)),
+          symmetric_factors_(equilibria::symmetric_factors(problem)) {}
 
     const ProblemProperties& properties() const { return properties_; }
     int multipliers() const { return multipliers_; }
+    MakeSymmetricFactors symmetric_factors() const { return symmetric_factors_; }
 
     Vector residual(const Q& q, double p) const { return functions_->residual(q, p); }
     Matrix tangent(const Q& q, double p) const { return functions_->tangent(q, p); }
@@ -211,6 +213,7 @@ private:
     std::shared_ptr<const detail::ProblemFunctions<Matrix>> functions_;
     ProblemProperties properties_;
     int multipliers_;
+    MakeSymmetricFactors symmetric_factors_;
 };
 
 /// What a problem of the type P becomes.

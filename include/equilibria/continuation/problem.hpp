@@ -22,6 +22,7 @@
 ///     double control(q, p)                            what StepConstraint::scalar controls
 ///     Direction control_gradient(q, p)                its derivatives; central differences, 2 n + 2 evaluations
 ///     int multipliers()                               how many unknowns, the last ones, are Lagrange multipliers; 0
+///     MakeSymmetricFactors symmetric_factors()        what factors a sparse symmetric K; null: SparseLDLT
 /// On a curved space g and K are taken at q itself: derivatives of the energy by increments of q at increment 0.
 #pragma once
 
@@ -34,6 +35,8 @@
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
+
+#include <equilibria/continuation/factorization/symmetric_factors.hpp>
 
 namespace equilibria {
 
@@ -144,6 +147,15 @@ int multipliers(const P& problem) {
         return problem.multipliers();
     else
         return 0;
+}
+
+/// What factors the problem's tangents, where they are sparse and symmetric; null: SparseLDLT.
+template <ContinuationProblem P>
+MakeSymmetricFactors symmetric_factors(const P& problem) {
+    if constexpr (requires { problem.symmetric_factors(); })
+        return problem.symmetric_factors();
+    else
+        return nullptr;
 }
 
 namespace detail {

@@ -21,6 +21,7 @@
 
 #include <Eigen/SparseCore>
 
+#include <equilibria/continuation/factorization/symmetric_factors.hpp>
 #include <equilibria/core/compiled.hpp>
 #include <equilibria/fem/assembly.hpp>
 #include <equilibria/fem/structure_model.hpp>
@@ -37,6 +38,7 @@ struct StructureOptions {
     double length = 0;            ///< of weights; 0: the diagonal of the box around all nodes
     ConstraintScale scale{0, 0};  ///< of the augmented Lagrangian; 0: the largest stiffness of the other elements
     Executor executor{};          ///< of assembly: serial, or threads(n); does not change the result
+    MakeSymmetricFactors factors = nullptr;  ///< of a conservative structure's tangent; null: SparseLDLT
 };
 
 /// Conservative: all elements and loads have an energy, and K is symmetric; else K is taken for unsymmetric.
@@ -55,6 +57,7 @@ public:
     int size() const { return size_; }
     /// Of the last unknowns.
     int multipliers() const { return multipliers_; }
+    MakeSymmetricFactors symmetric_factors() const { return options_.factors; }
     /// The number of a component of a node among the unknowns; -1 where it is fixed or no element uses it.
     int unknown(int node, Component c) const { return unknowns_[static_cast<std::size_t>(node)][c]; }
     const ConstraintScale& scale() const { return options_.scale; }

@@ -26,7 +26,7 @@ template <ContinuationProblem P>
 struct BorderedTangent {
     BorderedTangent(const P& problem, const CriticalConfiguration<Configuration<P>>& y)
         : g(problem.residual(y.q, y.p)), g_p(problem.parameter_derivative(y.q, y.p)), k(problem.tangent(y.q, y.p)),
-          solver(symmetric_tangent<P>, equilibria::multipliers(problem)),
+          solver(symmetric_tangent<P>, equilibria::multipliers(problem), symmetric_factors(problem)),
           regular(g.allFinite() && solver.factor(k, y.border)) {
         if (!regular) return;
         const Eigen::VectorXd zero = Eigen::VectorXd::Zero(g.size());

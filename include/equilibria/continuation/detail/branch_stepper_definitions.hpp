@@ -16,7 +16,8 @@ namespace equilibria {
 
 template <class Matrix>
 AnyBranchStepper<Matrix>::AnyBranchStepper(AnyProblem<Matrix> problem, const BranchOptions& options)
-    : problem_(std::move(problem)), options_(options), solver_(problem_.properties().symmetric, problem_.multipliers()),
+    : problem_(std::move(problem)), options_(options),
+      solver_(problem_.properties().symmetric, problem_.multipliers(), problem_.symmetric_factors()),
       theta_(options.parameter_weight) {
     options.validate();
     require(options.constraint != StepConstraint::scalar || problem_.properties().control, "constraint", "scalar",

@@ -46,7 +46,7 @@ Correction correct_at(const AnyProblem<Matrix>& problem, AnyConfiguration& q, do
                       const CorrectionOptions& options) {
     options.validate();
     const Eigen::VectorXd metric = problem.weights(q, problem.residual(q, p).size());
-    BorderedSolver<Matrix> solver(problem.properties().symmetric, problem.multipliers());
+    BorderedSolver<Matrix> solver(problem.properties().symmetric, problem.multipliers(), problem.symmetric_factors());
     Border border;
     return detail::Corrector<Matrix>(problem, solver, border, metric)(q, p, options);
 }

@@ -25,7 +25,7 @@ public:
 
     CriticalPointNewton(const AnyProblem<Matrix>& problem, const CriticalPointOptions& options)
         : problem_(problem), options_(options), symmetric_(problem.properties().symmetric),
-          solver_(symmetric_, problem.multipliers()) {}
+          solver_(symmetric_, problem.multipliers(), problem.symmetric_factors()) {}
 
     /// limit_first: the limit point's system unless the bifurcation's leads to a point that is about as near.
     std::optional<Point> solve(const AnyConfiguration& q, double p, Border border, bool limit_first) {

@@ -23,6 +23,7 @@
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 
+#include <equilibria/continuation/factorization/symmetric_factors.hpp>
 #include <equilibria/core/compiled.hpp>
 
 namespace equilibria {
@@ -65,15 +66,16 @@ class BorderedFactors;
 
 /// Solves with B; Matrix is Eigen::MatrixXd, or Eigen::SparseMatrix<double> with every entry of its diagonal stored.
 ///
-/// A symmetric sparse K is factored as L D L^T without pivoting, which gives its inertia. Where that is not safe (the
-/// solution's residual tells) L U is taken instead, and of the inertia its parity is known alone.
+/// A symmetric sparse K is factored as L D L^T, which gives its inertia: without pivoting, or by what the problem
+/// chooses. Where that is not safe (the solution's residual tells) L U is taken instead, and of the inertia its parity
+/// is known alone.
 template <class Matrix>
 class BorderedSolver {
 public:
     static constexpr bool sparse = std::is_same_v<Matrix, Eigen::SparseMatrix<double>>;
 
-    /// multipliers: how many of the last unknowns are.
-    explicit BorderedSolver(bool symmetric, int multipliers = 0);
+    /// multipliers: how many of the last unknowns are. make: what factors a sparse symmetric K; null: SparseLDLT.
+    explicit BorderedSolver(bool symmetric, int multipliers = 0, MakeSymmetricFactors make = nullptr);
     BorderedSolver(BorderedSolver&&) noexcept;
     BorderedSolver& operator=(BorderedSolver&&) noexcept;
     ~BorderedSolver();

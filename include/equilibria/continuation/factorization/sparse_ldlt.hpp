@@ -9,24 +9,22 @@
 
 #include <Eigen/SparseCore>
 
+#include <equilibria/continuation/factorization/symmetric_factors.hpp>
 #include <equilibria/core/compiled.hpp>
 
 namespace equilibria {
 
-class SparseLDLT {
+class SparseLDLT final : public SymmetricFactors {
 public:
-    using Matrix = Eigen::SparseMatrix<double>;
-
     explicit SparseLDLT(int multipliers = 0);
     SparseLDLT(SparseLDLT&&) noexcept;
     SparseLDLT& operator=(SparseLDLT&&) noexcept;
-    ~SparseLDLT();
+    ~SparseLDLT() override;
 
-    /// Quicker where k has the pattern of the one before it. False where a pivot is 0.
-    bool factor(const Matrix& k);
-    Eigen::VectorXd solve(const Eigen::VectorXd& f) const;
-    /// Negative pivots: negative eigenvalues.
-    int negative() const;
+    /// False where a pivot is 0.
+    bool factor(const Matrix& k) override;
+    Eigen::VectorXd solve(const Eigen::VectorXd& f) const override;
+    int negative() const override;
     /// Entries of L below its diagonal.
     Eigen::Index fill() const;
 
@@ -35,6 +33,11 @@ private:
 
     std::unique_ptr<Factors> factors_;
 };
+
+/// The factors of a problem that names none.
+inline std::unique_ptr<SymmetricFactors> sparse_ldlt(int multipliers) {
+    return std::make_unique<SparseLDLT>(multipliers);
+}
 
 }  // namespace equilibria
 

@@ -24,7 +24,7 @@ std::optional<AnyConfiguration> deflated_newton(const AnyProblem<Matrix>& proble
     options.validate();
     const Eigen::Index n = problem.residual(guess, p).size();
     const Eigen::VectorXd w = problem.weights(guess, n), zero = Eigen::VectorXd::Zero(n);
-    BorderedSolver<Matrix> solver(problem.properties().symmetric, problem.multipliers());
+    BorderedSolver<Matrix> solver(problem.properties().symmetric, problem.multipliers(), problem.symmetric_factors());
     Border border;
     AnyConfiguration q = std::move(guess);
     double before = std::numeric_limits<double>::infinity();

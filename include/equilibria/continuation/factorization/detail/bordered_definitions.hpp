@@ -36,8 +36,9 @@ Matrix without(const Matrix& k, Border border, double corner) {
 }  // namespace detail
 
 template <class Matrix>
-BorderedSolver<Matrix>::BorderedSolver(bool symmetric, int multipliers)
-    : symmetric_(symmetric), without_(std::make_unique<detail::BorderedFactors<Matrix>>(symmetric, multipliers)) {}
+BorderedSolver<Matrix>::BorderedSolver(bool symmetric, int multipliers, MakeSymmetricFactors make)
+    : symmetric_(symmetric), without_(std::make_unique<detail::BorderedFactors<Matrix>>(symmetric, multipliers, make)) {
+}
 template <class Matrix>
 BorderedSolver<Matrix>::BorderedSolver(BorderedSolver&&) noexcept = default;
 template <class Matrix>
@@ -201,8 +202,10 @@ std::optional<WeakDirection> factor_at_weakest(BorderedSolver<Matrix>& solver, c
         if (better == border || singular >= 2) break;
         border = better;
     }
-    if (solver.border() != border && !solver.factor(k, border)) return std::nullopt;
-    y.r = solver.solve(zero, 1);
+    if (solver.border() != border) {
+        if (!solver.factor(k, border)) return std::nullopt;
+        y.r = solver.solve(zero, 1);
+    }
     y.eigenvalue = (symmetric ? y.direction : y.left).dot(k * y.direction);
     return y;
 }

@@ -31,7 +31,7 @@ public:
     using Matrix = Eigen::MatrixX<Number>;
     using LU = Eigen::PartialPivLU<Matrix>;
 
-    BorderedFactors(bool, int) {}
+    BorderedFactors(bool, int, MakeSymmetricFactors) {}
 
     /// The sign of the determinant, 0 where it is singular to working precision.
     int factor(const Matrix& without) {

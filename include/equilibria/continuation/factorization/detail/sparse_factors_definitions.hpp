@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <optional>
 
 #include <Eigen/SparseLU>
@@ -43,16 +44,17 @@ public:
     using Matrix = Eigen::SparseMatrix<Number>;
     using LU = Eigen::SparseLU<Matrix>;
 
-    BorderedFactors(bool symmetric, int multipliers) : symmetric_(symmetric), ldlt_(multipliers) {}
+    BorderedFactors(bool symmetric, int multipliers, MakeSymmetricFactors make)
+        : symmetric_(symmetric), factors_((make ? make : &sparse_ldlt)(multipliers)) {}
 
     /// The sign of the determinant, 0 where it is singular to working precision.
     int factor(const Matrix& without) {
         negative_.reset();
         use_lu_ = !symmetric_;
         if (symmetric_) {
-            use_lu_ = !ldlt_.factor(without) || !safe(without);
+            use_lu_ = !factors_->factor(without) || !(factors_->pivots() || safe(without));
             if (!use_lu_) {
-                negative_ = ldlt_.negative();
+                negative_ = factors_->negative();
                 return *negative_ % 2 == 0 ? 1 : -1;
             }
         }
@@ -61,7 +63,7 @@ public:
         return lu_.signDeterminant() < 0 ? -1 : 1;
     }
     Eigen::VectorXd solve(const Eigen::VectorXd& f, bool transposed) const {
-        if (!use_lu_) return ldlt_.solve(f);
+        if (!use_lu_) return factors_->solve(f);
         // SparseLU's transposed view is not const in Eigen 3.4
         return transposed ? Eigen::VectorXd(const_cast<LU&>(lu_).transpose().solve(f)) : Eigen::VectorXd(lu_.solve(f));
     }
@@ -73,17 +75,17 @@ public:
     }
 
 private:
-    /// Whether the factors without pivoting reproduce a vector.
+    /// Whether the factors reproduce a vector: without pivoting they may not.
     bool safe(const Matrix& without) const {
         const Eigen::VectorXd f = Eigen::VectorXd::Ones(without.rows());
-        const Eigen::VectorXd x = ldlt_.solve(f);
+        const Eigen::VectorXd x = factors_->solve(f);
         const double size = largest_entry(without) * x.lpNorm<Eigen::Infinity>() + 1;
         return (without * x - f).template lpNorm<Eigen::Infinity>() < 1e-9 * size;
     }
 
     bool symmetric_, use_lu_ = false;
     std::optional<int> negative_;
-    SparseLDLT ldlt_;
+    std::unique_ptr<SymmetricFactors> factors_;
     LU lu_;
 };
 

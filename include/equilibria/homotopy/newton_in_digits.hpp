@@ -33,7 +33,7 @@ public:
             if (!(size2 < allowed2)) return false;
             correct(q, f_);
             if (size2 < settled * settled) return true;
-            allowed2 = 0.01 * size2;
+            allowed2 = 0.01 * size2;  // a tenth of its size
         }
     }
     /// Whether q, which has settled, is settled to again from beside it: not at a multiple solution, nor on a family.
@@ -51,6 +51,7 @@ public:
     }
 
 private:
+    // a regular solution of condition 1e12 draws points to it from 1e-12, and the result is rounded to double
     static constexpr double moved = 1e-14, settled = 1e-16;
 
     int n_;

@@ -18,10 +18,10 @@
 /// The solver's body should be as general as those that it is asked for: where its centre of mass is 0 and theirs is
 /// not, between the two may be bodies with more roots than it has.
 ///
-/// Where it fails: the total degree is 1,458 for one mode and 27 times as much for each further one, and twice as much
-/// at a momentum, so two modes take minutes; beams of more modes are followed (rotating_body_beam_boundary.hpp). An
-/// equilibrium on a curve of others that is no circle about the third axis is not isolated: it is in `families`, in
-/// words. A template of two modes takes minutes to compile, so programs declare it `extern`.
+/// Where it fails: two modes, coupled, at a momentum have 37,080 paths and take minutes; beams of more modes are
+/// followed (rotating_body_beam_boundary.hpp). An equilibrium on a curve of others that is no circle about the third
+/// axis is not isolated: it is in `families`, in words. A template of two modes takes minutes to compile, so programs
+/// declare it `extern`.
 #pragma once
 
 #include <algorithm>

@@ -1,6 +1,5 @@
 // MUMPS beside SparseLDLT and dense eigenvalues: solutions, inertia with constraints, redundant ones, and branches.
 #include <algorithm>
-#include <set>
 #include <vector>
 
 #include <Eigen/SparseCore>

@@ -28,6 +28,7 @@
 
 namespace equilibria {
 
+/// L D L^T by MUMPS, with pivoting, of one matrix after another. Each object holds an instance of MUMPS.
 class MumpsFactors final : public SymmetricFactors {
 public:
     MumpsFactors() {
@@ -46,7 +47,10 @@ public:
 
     /// Throws std::runtime_error where MUMPS ends with an error that is not about k: no memory.
     bool factor(const Matrix& k) override {
-        if (!take(k)) analyze();
+        if (!take(k)) {
+            run(analysis);
+            check("analysis");
+        }
         run(factorize);
         // pivots that were put off need more room than foreseen
         for (int attempt = 0; attempt < 8 && (info(1) == -8 || info(1) == -9); ++attempt) {
@@ -70,8 +74,7 @@ public:
     bool pivots() const override { return true; }
     /// Null pivots, also where `factor` returned false for them: the nullity, as redundant constraints bring it.
     int zero() const { return info(28); }
-    /// Entries of the factors.
-    double fill() const { return info(29) < 0 ? -1e6 * info(29) : info(29); }
+    Eigen::Index fill() const override { return info(29) < 0 ? Eigen::Index{-1000000} * info(29) : info(29); }
 
 private:
     enum Job { initialize = -1, terminate = -2, analysis = 1, factorize = 2, substitute = 3 };
@@ -116,10 +119,6 @@ private:
         data_.jcn = columns_.data();
         data_.a = values_.data();
         return same;
-    }
-    void analyze() {
-        run(analysis);
-        check("analysis");
     }
 
     mutable DMUMPS_STRUC_C data_{};

@@ -26,7 +26,7 @@ public:
     Eigen::VectorXd solve(const Eigen::VectorXd& f) const override;
     int negative() const override;
     /// Entries of L below its diagonal.
-    Eigen::Index fill() const;
+    Eigen::Index fill() const override;
 
 private:
     struct Factors;

@@ -25,6 +25,8 @@ public:
     virtual Eigen::VectorXd solve(const Eigen::VectorXd& f) const = 0;
     /// Negative pivots, after `factor` returned true: negative eigenvalues.
     virtual int negative() const = 0;
+    /// Entries of the factors.
+    virtual Eigen::Index fill() const = 0;
     /// Whether pivots are chosen so that the solutions can be trusted.
     virtual bool pivots() const { return false; }
 };

@@ -7,11 +7,11 @@
 /// Completeness. All cusps of planes z = const are solved for, as the complex solutions of a polynomial system
 /// (plane_solver.hpp): the two ends of the range and planes between them, off round values. Every cusp is a seed that
 /// some curve must pass, up to the mirror image theta -> -theta; and where a curve crosses a plane there must be one of
-/// its cusps, but on a face where the model is degenerate. So a curve is missed only if it crosses no plane: if it is
-/// closed, or runs from face to face of the box, between two neighbouring planes. Where it fails: next to parameters at
-/// which the model is degenerate paths remain undecided. A plane that leaves such paths, or has less than half of the
-/// solutions of the others, is given up for one a small part of the range away; a part of the box next to its face is
-/// then beyond the planes, which is said.
+/// its cusps. So a curve is missed only if it crosses no plane: if it is closed, or runs from face to face of the box,
+/// between two neighbouring planes.
+/// Where it fails: next to parameters at which the model is degenerate paths remain undecided. A plane that leaves such
+/// paths, or has less than half of the solutions of the others, is given up for one a small part of the range away; a
+/// part of the box next to its face is then beyond the planes, which is said.
 #pragma once
 
 #include <algorithm>
@@ -174,9 +174,7 @@ private:
                 bool found = false;
                 for (std::size_t c = 0; c < other.cusps.size(); ++c)
                     if (same(other.cusps[c], crossing, 1e-6)) traced[k][c] = found = true;
-                const bool left_out = !found && other.degenerate > 0 && at_face(crossing);
-                locus_.evidence.face_crossings += left_out;
-                locus_.evidence.unsolved_crossings += !found && !left_out;
+                locus_.evidence.unsolved_crossings += !found;
             }
         }
         locus_.curves.push_back(std::move(curve));

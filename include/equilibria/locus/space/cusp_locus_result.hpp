@@ -44,10 +44,9 @@ struct CuspLocus {
 
     /// The evidence of completeness.
     struct Evidence {
-        std::uint64_t cusps = 0;           ///< of the planes, within the box
-        std::uint64_t crossings = 0;       ///< of the curves and the planes
-        std::uint64_t face_crossings = 0;  ///< of them: on a face, at solutions that a plane left out as degenerate
-        SolutionCounts solved;             ///< of all planes
+        std::uint64_t cusps = 0;      ///< of the planes, within the box
+        std::uint64_t crossings = 0;  ///< of the curves and the planes
+        SolutionCounts solved;        ///< of all planes
         /// Parts of the range of z beyond the first and beyond the last plane.
         std::array<double, 2> beyond{};
         // what follows must be 0
@@ -86,9 +85,8 @@ std::string CuspLocus<M>::argument() const {
         out << "; " << counted(degenerate, "solution", "solutions")
             << " on its faces left out, where the model is degenerate";
     out << "; " << counted(curves.size(), "curve crosses", "curves cross") << " the planes "
-        << counted(e.crossings, "time", "times") << ", ";
-    if (e.face_crossings > 0) out << e.face_crossings << " of them on a face, at a solution left out, ";
-    out << e.unsolved_crossings << " of them away from the cusps solved for";
+        << counted(e.crossings, "time", "times") << ", " << e.unsolved_crossings
+        << " of them away from the cusps solved for";
     if (e.broken_curves > 0) out << "; " << counted(e.broken_curves, "curve is", "curves are") << " broken off";
     if (e.unconfirmed_transitions > 0)
         out << "; " << counted(e.unconfirmed_transitions, "transition is", "transitions are") << " not confirmed";

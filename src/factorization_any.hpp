@@ -6,8 +6,10 @@
 namespace equilibria {
 
 template class BorderedSolver<Matrix>;
-template std::optional<WeakDirection> factor_at_weakest(BorderedSolver<Matrix>&, const Matrix&, const Eigen::VectorXd&,
-                                                        int, Border&);
-template bool detail::factor_with_border(BorderedSolver<Matrix>&, const Matrix&, const Eigen::VectorXd&, int, Border&);
+template std::optional<WeakDirection> factor_at_weakest(BorderedSolver<Matrix>&, Matrix, const Eigen::VectorXd&, int,
+                                                        Border&, const Eigen::VectorXd&);
+template std::optional<WeakDirection> weakest_direction(BorderedSolver<Matrix>&, const BorderedSolution&,
+                                                        const Eigen::VectorXd&, int, Border&, const Eigen::VectorXd&);
+template bool detail::factor_with_border(BorderedSolver<Matrix>&, Matrix, const Eigen::VectorXd&, int, Border&);
 
 }  // namespace equilibria

@@ -49,7 +49,7 @@ struct OnCircle {
 TEST_CASE("predictors: the error falls with h^2 for tangent and secant, with h^3 for the parabola") {
     const ShallowArch arch{2.5};
     for (const auto& [predictor, order] : {std::pair{Predictor::tangent, 2.0}, std::pair{Predictor::secant, 2.0},
-                                           std::pair{Predictor::quadratic, 3.0}}) {
+                                           std::pair{Predictor::quadratic, 3.0}, std::pair{Predictor::cubic, 4.0}}) {
         double errors[2];
         for (int k = 0; k < 2; ++k) {
             const double h = 0.02 / (1 << k);

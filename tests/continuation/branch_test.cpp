@@ -135,7 +135,7 @@ TEST_CASE("any constraint and predictor gives the same critical points") {
     const ShallowArch arch{2.5};
     for (const auto constraint : {StepConstraint::normal_plane, StepConstraint::updated_plane, StepConstraint::sphere,
                                   StepConstraint::cylinder})
-        for (const auto predictor : {Predictor::tangent, Predictor::secant, Predictor::quadratic}) {
+        for (const auto predictor : {Predictor::tangent, Predictor::secant, Predictor::quadratic, Predictor::cubic}) {
             CAPTURE(static_cast<int>(constraint), static_cast<int>(predictor));
             auto options = window(-10, 10);
             options.branch.constraint = constraint;

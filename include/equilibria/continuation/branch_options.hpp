@@ -19,7 +19,12 @@ enum class StepConstraint {
     scalar,         ///< where problem.control(q, p) has changed by the predicted amount
 };
 
-enum class Predictor { tangent, secant, quadratic };
+enum class Predictor {
+    tangent,
+    secant,
+    quadratic,  ///< the parabola through the last two points with the tangent at the last
+    cubic,      ///< the cubic with the tangents at both, of an error of fourth order
+};
 
 /// Lengths of steps are by the norm of branch_stepper.hpp: unknowns in their own units (angles in radians), weighted by
 /// the problem, and the parameter in its unit, weighted by parameter_weight.
@@ -31,7 +36,7 @@ struct BranchOptions {
     int most_corrections = 8;
     double tolerance = 1e-11;  ///< of the last correction, over the size of the unknowns
     StepConstraint constraint = StepConstraint::normal_plane;
-    Predictor predictor = Predictor::tangent;
+    Predictor predictor = Predictor::cubic;
     Eigen::Index controlled = 0;  ///< the unknown of StepConstraint::unknown
     double parameter_weight = 0;  ///< theta; 0: so that the parameter makes half of the first tangent's square
     int most_sign_changes = 1;    ///< of eigenvalues in a step, before it is halved

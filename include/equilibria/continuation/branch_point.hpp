@@ -20,9 +20,11 @@ struct BranchPointEvidence {
     Eigen::VectorXd weak_direction;  ///< of length 1: nearly the eigenvector of the smallest eigenvalue
     Eigen::VectorXd weak_left;       ///< the same of K^T where K is not symmetric, else empty
     double weak_eigenvalue = 0;      ///< of K against the weights
-    double sigma = 0, mu = 0;        ///< test functions, see bordered.hpp
-    Border border;                   ///< where the weak directions are large
-    std::optional<int> negative;     ///< negative eigenvalues of K; under constraints, of the energy on their set
+    /// Of the weak eigenvalue along the branch, once somebody has asked for it: the search for events does.
+    mutable std::optional<double> weak_slope;
+    double sigma = 0, mu = 0;     ///< test functions, see bordered.hpp
+    Border border;                ///< where the weak directions are large
+    std::optional<int> negative;  ///< negative eigenvalues of K; under constraints, of the energy on their set
     /// Eigenvalues of a dense symmetric K next to 0, below and above; infinite where there is none or it is not known.
     double eigenvalue_below = -std::numeric_limits<double>::infinity();
     double eigenvalue_above = std::numeric_limits<double>::infinity();

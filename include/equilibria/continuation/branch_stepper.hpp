@@ -40,6 +40,11 @@ public:
     std::optional<Point> advance(const Point& from, const Point* before = nullptr);
     std::optional<Point> step(const Point& from, double h, const Point* before = nullptr);
     Direction predict(const Point& from, double h, const Point* before) const;
+    /// The cubic curve with both points' tangents from one point through the other, where it is h away along the
+    /// tangent: Hermite's interpolation.
+    Direction through(const Point& from, const Point& other, double h) const;
+    /// The point of the branch that a share of the way from a to b, two of its points, lead to.
+    std::optional<Point> between(const Point& a, const Point& b, double share);
     std::optional<Point> onto(const AnyConfiguration& q, double p, const Direction& increment, const Direction& normal,
                               const Direction& along);
     std::optional<Point> assess(const AnyConfiguration& q, double p, const std::optional<Direction>& along);
@@ -70,7 +75,15 @@ private:
     /// The largest entry by the weights, multipliers apart.
     Eigen::Index largest(const Eigen::VectorXd& v) const;
     /// Factors K with the last border, or with another one where that is singular.
-    bool factor(const Matrix& k);
+    bool factor(Matrix k);
+    /// The converged point (q, p), by the factors of the last corrector, of a K that is this one but for a correction
+    /// of next to nothing, and what it solved with them. `from`: the last point of the branch.
+    std::optional<Point> assess_from(const AnyConfiguration& q, double p, const BorderedSolution& r,
+                                     const BorderedSolution& s, const Eigen::VectorXd& g_p, const Point& from,
+                                     const Direction& along);
+    /// The point (q, p) with this weakest direction; s: [s; -mu] of bordered.hpp.
+    std::optional<Point> point_of(const AnyConfiguration& q, double p, const WeakDirection& weak,
+                                  const BorderedSolution& s, const std::optional<Direction>& along);
     Constraint normal_of(const Point& from, const Direction& predicted, double h) const;
     /// The gradient of the constraint, in weighted coordinates, and its value at (q, p), the increment `moved` away
     /// from the last point; planes have the value 0 at every iterate.

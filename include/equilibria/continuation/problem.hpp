@@ -160,6 +160,13 @@ MakeSymmetricFactors symmetric_factors(const P& problem) {
 
 namespace detail {
 
+/// Whether the values of two sparse matrices are those of the same entries, one by one.
+inline bool same_pattern(const Eigen::SparseMatrix<double>& a, const Eigen::SparseMatrix<double>& b) {
+    return a.isCompressed() && b.isCompressed() && a.rows() == b.rows() && a.cols() == b.cols() &&
+           std::equal(a.outerIndexPtr(), a.outerIndexPtr() + a.outerSize() + 1, b.outerIndexPtr()) &&
+           std::equal(a.innerIndexPtr(), a.innerIndexPtr() + a.nonZeros(), b.innerIndexPtr());
+}
+
 inline const double third_root_of_rounding = std::cbrt(std::numeric_limits<double>::epsilon());
 
 /// The step of a central difference along v: one that moves by eps^(1/3), by the weights.
@@ -183,7 +190,14 @@ TangentMatrix<P> tangent_derivative(const P& problem, const Configuration<P>& q,
         const double h = detail::difference_step(problem, q, v);
         TangentMatrix<P> ahead = problem.tangent(retract(problem, q, h * v), p);
         const TangentMatrix<P> behind = problem.tangent(retract(problem, q, -h * v), p);
-        ahead -= behind;
+        if constexpr (detail::is_sparse<P>) {
+            if (detail::same_pattern(ahead, behind))
+                ahead.coeffs() -= behind.coeffs();
+            else
+                ahead -= behind;
+        } else {
+            ahead -= behind;
+        }
         ahead *= 1 / (2 * h);
         return ahead;
     }

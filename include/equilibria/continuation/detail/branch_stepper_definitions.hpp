@@ -72,6 +72,14 @@ Direction AnyBranchStepper<Matrix>::predict(const Point& from, double h, const P
     Direction d = from.tangent;
     scale(d, h);
     if (!before || options_.predictor == Predictor::tangent || !(std::abs(from.step) > 0)) return d;
+    if (options_.predictor == Predictor::cubic) {
+        const Direction curved = through(from, *before, h);
+        // not where the last step was over a sharp bend
+        Direction bend = curved;
+        bend.q -= d.q;
+        bend.p -= d.p;
+        return length(bend) < 0.3 * std::abs(h) ? curved : d;
+    }
     Direction secant = difference(from, before->q, before->p);
     flip(secant);
     if (options_.predictor == Predictor::secant) {
@@ -83,6 +91,43 @@ Direction AnyBranchStepper<Matrix>::predict(const Point& from, double h, const P
     d.q += ratio * ratio * (from.step * from.tangent.q - secant.q);
     d.p += ratio * ratio * (from.step * from.tangent.p - secant.p);
     return d;
+}
+
+template <class Matrix>
+Direction AnyBranchStepper<Matrix>::through(const Point& from, const Point& other, double h) const {
+    // x(s) = s t + a s^2 + b s^3, s = t.x: of the other point s, x and x' are known
+    const Direction x = difference(from, other.q, other.p);
+    Direction slope = other.tangent;
+    if (problem_.properties().transport) {
+        // in increments of `from`
+        const double by = detail::difference_step(weights_, slope.q);
+        const auto at = [&](double e) {
+            return problem_.difference(from.q, problem_.retract(other.q, Eigen::VectorXd(e * slope.q)));
+        };
+        slope.q = (at(by) - at(-by)) / (2 * by);
+    }
+    const Direction& t = from.tangent;
+    const double s = dot(t, x), rate = dot(t, slope);
+    if (!(std::abs(s) > 0.1 * length(x)) || !(std::abs(rate) > 0.1 * length(slope))) {
+        Direction d = t;
+        scale(d, h);
+        return d;
+    }
+    scale(slope, 1 / rate);
+    const double u = h / s, a = u * u * (3 - 2 * u), b = u * u * (u - 1) * s;
+    // h t + a (x - s t) + b (x' - t)
+    return {h * t.q + a * (x.q - s * t.q) + b * (slope.q - t.q), h * t.p + a * (x.p - s * t.p) + b * (slope.p - t.p)};
+}
+
+template <class Matrix>
+std::optional<BranchPoint<Erased>> AnyBranchStepper<Matrix>::between(const Point& a, const Point& b, double share) {
+    const double h = share * (b.arc_length - a.arc_length);
+    const Direction predicted = through(a, b, h);
+    auto next = correct_from(a, predicted, normal_of(a, predicted, h), h);
+    if (!next) return step(a, h);
+    next->step = h;
+    next->arc_length = a.arc_length + h;
+    return next;
 }
 
 template <class Matrix>
@@ -106,22 +151,41 @@ std::optional<BranchPoint<Erased>> AnyBranchStepper<Matrix>::onto(const AnyConfi
 template <class Matrix>
 std::optional<BranchPoint<Erased>> AnyBranchStepper<Matrix>::assess(const AnyConfiguration& q, double p,
                                                                     const std::optional<Direction>& along) {
-    const Matrix k = problem_.tangent(q, p);
-    const Eigen::VectorXd g = problem_.residual(q, p), g_p = problem_.parameter_derivative(q, p);
-    if (weights_.size() == 0) weights_ = problem_.weights(q, g.size());
+    const Eigen::VectorXd g_p = problem_.parameter_derivative(q, p);
+    if (weights_.size() == 0) weights_ = problem_.weights(q, g_p.size());
+    const auto weak = factor_at_weakest(solver_, problem_.tangent(q, p), weights_, problem_.multipliers(), border_);
+    if (!weak) return std::nullopt;
+    return point_of(q, p, *weak, solver_.solve(-g_p, 0), along);
+}
+
+template <class Matrix>
+std::optional<BranchPoint<Erased>> AnyBranchStepper<Matrix>::assess_from(const AnyConfiguration& q, double p,
+                                                                         const BorderedSolution& r,
+                                                                         const BorderedSolution& s,
+                                                                         const Eigen::VectorXd& g_p, const Point& from,
+                                                                         const Direction& along) {
+    const Border before = border_;
+    const auto weak = weakest_direction(solver_, r, weights_, problem_.multipliers(), border_, from.weak_direction);
+    if (!weak) return std::nullopt;
+    return point_of(q, p, *weak, border_ == before ? s : solver_.solve(-g_p, 0), along);
+}
+
+template <class Matrix>
+std::optional<BranchPoint<Erased>> AnyBranchStepper<Matrix>::point_of(const AnyConfiguration& q, double p,
+                                                                      const WeakDirection& weak,
+                                                                      const BorderedSolution& s,
+                                                                      const std::optional<Direction>& along) {
+    const Eigen::VectorXd g = problem_.residual(q, p);
     Point point;
     point.q = q;
     point.p = p;
     point.residual = g.size() > 0 ? g.lpNorm<Eigen::Infinity>() : 0;
-    const auto weak = factor_at_weakest(solver_, k, weights_, problem_.multipliers(), border_);
-    if (!weak) return std::nullopt;
-    const BorderedSolution& r = weak->r;
-    const BorderedSolution s = solver_.solve(-g_p, 0);
+    const BorderedSolution& r = weak.r;
     point.sigma = r.tau;
     point.mu = -s.tau;
-    point.weak_direction = weak->direction;
-    point.weak_left = weak->left;
-    point.weak_eigenvalue = weak->eigenvalue;
+    point.weak_direction = weak.direction;
+    point.weak_left = weak.left;
+    point.weak_eigenvalue = weak.eigenvalue;
     point.border = border_;
     if (const auto inertia = solver_.inertia(r.tau)) {
         // each independent constraint brings a negative eigenvalue of its own
@@ -147,9 +211,8 @@ std::optional<BranchPoint<Erased>> AnyBranchStepper<Matrix>::assess(const AnyCon
 
 template <class Matrix>
 Eigen::MatrixXd AnyBranchStepper<Matrix>::weak_directions(const AnyConfiguration& q, double p, int count) {
-    const Matrix k = problem_.tangent(q, p);
-    if (!factor(k)) return {};
-    const Eigen::Index n = k.rows();
+    if (!factor(problem_.tangent(q, p))) return {};
+    const Eigen::Index n = solver_.matrix().rows();
     const BorderedSolution r = solver_.solve(Eigen::VectorXd::Zero(n), 1);
     Eigen::MatrixXd v(n, count);
     for (Eigen::Index c = 0; c < count; ++c) v.col(c) = detail::generic_vector(n, c);
@@ -176,8 +239,8 @@ Eigen::Index AnyBranchStepper<Matrix>::largest(const Eigen::VectorXd& v) const {
 }
 
 template <class Matrix>
-bool AnyBranchStepper<Matrix>::factor(const Matrix& k) {
-    return detail::factor_with_border(solver_, k, weights_, problem_.multipliers(), border_);
+bool AnyBranchStepper<Matrix>::factor(Matrix k) {
+    return detail::factor_with_border(solver_, std::move(k), weights_, problem_.multipliers(), border_);
 }
 
 template <class Matrix>
@@ -233,10 +296,12 @@ std::optional<BranchPoint<Erased>> AnyBranchStepper<Matrix>::correct_from(const 
         const Eigen::VectorXd g = problem_.residual(q, p);
         if (!g.allFinite()) return std::nullopt;
         const Eigen::VectorXd g_p = problem_.parameter_derivative(q, p);
-        const Matrix k_now = problem_.tangent(q, p);
-        if (!factor(k_now)) return std::nullopt;
-        const BorderedSolution q0 = solver_.solve(-g, 0), s = solver_.solve(-g_p, 0),
-                               r = solver_.solve(Eigen::VectorXd::Zero(g.size()), 1);
+        if (!factor(problem_.tangent(q, p))) return std::nullopt;
+        Eigen::MatrixXd right = Eigen::MatrixXd::Zero(g.size(), 3);
+        right.col(0) = -g;
+        right.col(1) = -g_p;
+        const BorderedSolutions solutions = solver_.solve(right, Eigen::Vector3d(0, 0, 1));
+        const BorderedSolution q0 = solutions[0], s = solutions[1], r = solutions[2];
         const auto [normal, value] = constraint_at(constraint, moved, q, p);
         // [sigma, t_s; n.r, n.s + n_p] [z; dp] = [-t0; -value - n.q0]
         const double a = r.tau, b = s.tau, c = normal.q.dot(r.x), d = normal.q.dot(s.x) + normal.p;
@@ -248,20 +313,24 @@ std::optional<BranchPoint<Erased>> AnyBranchStepper<Matrix>::correct_from(const 
         contraction = k > 0 && before > 0 ? size / before : 0;
         if (k == 0 && size > 0.5 * start + 1e3 * options_.tolerance) return std::nullopt;
         // with several weak directions rounding moves the iterates about in them
-        const bool rounding = g.lpNorm<Eigen::Infinity>() <=
-                              64 * std::numeric_limits<double>::epsilon() *
-                                  detail::largest_force(k_now, weights_, k_now.cols() - problem_.multipliers());
-        if (k > 0 && contraction > 0.7 && size > 1e3 * tolerance(moved) && !rounding) return std::nullopt;
+        const auto rounding = [&] {
+            return g.lpNorm<Eigen::Infinity>() <=
+                   64 * std::numeric_limits<double>::epsilon() *
+                       detail::largest_force(solver_.matrix(), weights_, g.size() - problem_.multipliers());
+        };
+        if (k > 0 && contraction > 0.7 && size > 1e3 * tolerance(moved) && !rounding()) return std::nullopt;
         q = problem_.retract(q, correction.q);
         p += dp;
         moved.q += correction.q;
         moved.p += dp;
         before = size;
-        if (size <= tolerance(moved) || (k > 0 && contraction > 0.5 && (rounding || size <= 1e3 * tolerance(moved)))) {
+        if (size <= tolerance(moved) ||
+            (k > 0 && contraction > 0.5 && (size <= 1e3 * tolerance(moved) || rounding()))) {
             Direction along = from.tangent;
             along.q = problem_.transport(from.q, moved.q, along.q);
             q = problem_.rebase(q, p);
-            auto point = assess(q, p, along);
+            auto point =
+                size > 100 * tolerance(moved) ? assess(q, p, along) : assess_from(q, p, r, s, g_p, from, along);
             if (!point) return std::nullopt;
             point->corrections = k + 1;
             point->step = h;

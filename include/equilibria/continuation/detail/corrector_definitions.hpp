@@ -26,7 +26,10 @@ Correction Corrector<Matrix>::operator()(AnyConfiguration& q, double p, const Co
         if (!g.allFinite() ||
             !factor_with_border(solver_, problem_.tangent(q, p), weights_, problem_.multipliers(), border_))
             return ended(y, CorrectionStatus::not_finite);
-        const BorderedSolution q0 = solver_.solve(-g, 0), r = solver_.solve(Eigen::VectorXd::Zero(g.size()), 1);
+        Eigen::MatrixXd right = Eigen::MatrixXd::Zero(g.size(), 2);
+        right.col(0) = -g;
+        const BorderedSolutions solutions = solver_.solve(right, Eigen::Vector2d(0, 1));
+        const BorderedSolution q0 = solutions[0], r = solutions[1];
         const Eigen::VectorXd d = q0.x - q0.tau / r.tau * r.x;
         const double size = std::sqrt(d.dot(weights_.cwiseProduct(d)));
         if (!std::isfinite(size)) return ended(y, CorrectionStatus::not_finite);

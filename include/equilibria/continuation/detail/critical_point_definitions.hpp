@@ -32,6 +32,7 @@ public:
         weights_ = problem_.weights(q, problem_.residual(q, p).size());
         border_ = border;
         scale_p_ = 0;
+        weak_.resize(0);
         Point point;
         point.q = q;
         point.p = p;
@@ -91,7 +92,7 @@ private:
     }
     /// What rounding leaves of g, for unknowns of size 1.
     double rounding() const {
-        return 1e3 * std::numeric_limits<double>::epsilon() * (largest_entry(k_) + largest_entry(dr_));
+        return 1e3 * std::numeric_limits<double>::epsilon() * (solver_.largest_entry() + largest_entry(dr_));
     }
     /// Whether K has another null vector, left in `second`: K without the border is singular to the digits of a Newton
     /// iteration, and, as stiff structures have soft modes, that eigenvalue too is 0 at a distance along the branch
@@ -100,9 +101,10 @@ private:
         const Eigen::VectorXd f = generic_vector(g_.size());
         second = solver_.solve(f, 0).x;
         const double size = second.norm();
-        if (!(size * largest_entry(k_) > 1e9 * f.norm())) return false;
+        if (!(size * solver_.largest_entry() > 1e9 * f.norm())) return false;
         second /= size;
-        const double eigenvalue = std::abs(second.dot(k_ * second)) / second.dot(weights_.cwiseProduct(second)),
+        const double eigenvalue =
+                         std::abs(second.dot(solver_.matrix() * second)) / second.dot(weights_.cwiseProduct(second)),
                      phi2 = r_.x.dot(weights_.cwiseProduct(r_.x));
         if (!bifurcation) return !(eigenvalue > 1e-5 * std::abs(this->second(r_.x)) / (phi2 * std::sqrt(phi2)));
         bifurcation_step();  // b here
@@ -117,13 +119,18 @@ private:
         residual_ = g_.lpNorm<Eigen::Infinity>();
         if (!g_.allFinite()) return false;
         g_p_ = problem_.parameter_derivative(q, p);
-        k_ = problem_.tangent(q, p);
-        const auto weak = factor_at_weakest(solver_, k_, weights_, problem_.multipliers(), border_);
+        auto weak =
+            factor_at_weakest(solver_, problem_.tangent(q, p), weights_, problem_.multipliers(), border_, weak_);
         if (!weak) return false;
-        r_ = weak->r;
+        r_ = std::move(weak->r);
+        weak_ = std::move(weak->direction);
         left_ = symmetric_ ? r_ : solver_.solve_transposed(Eigen::VectorXd::Zero(g_.size()), 1);
-        s_ = solver_.solve(-g_p_, 0);
-        q0_ = solver_.solve(-g_, 0);
+        Eigen::MatrixXd right(g_.size(), 2);
+        right.col(0) = -g_p_;
+        right.col(1) = -g_;
+        const BorderedSolutions solutions = solver_.solve(right, Eigen::Vector2d::Zero());
+        s_ = solutions[0];
+        q0_ = solutions[1];
         // a change of p that moves the unknowns by 1; multipliers count as the others do, lest nothing depends on p
         const Eigen::Index own = g_.size() - problem_.multipliers();
         const double slope = std::sqrt(s_.x.head(own).dot(weights_.head(own).cwiseProduct(s_.x.head(own))) +
@@ -264,8 +271,8 @@ private:
     CriticalPointOptions options_;
     bool symmetric_;
     BorderedSolver<Matrix> solver_;
-    Eigen::VectorXd weights_, g_, g_p_, gp_r_;
-    Matrix k_, dr_;
+    Eigen::VectorXd weights_, g_, g_p_, gp_r_, weak_;
+    Matrix dr_;
     BorderedSolution r_, left_, s_, q0_;
     const AnyConfiguration* q_ = nullptr;
     double p_ = 0, residual_ = 0, a_ = 0, b_ = 0, c_ = 0, scale_p_ = 0;

@@ -19,12 +19,12 @@ template <class Matrix>
 std::optional<BranchPoint<Erased>> zero_between(AnyBranchStepper<Matrix>& stepper,
                                                 const EventFunction<Erased>& function, const BranchPoint<Erased>& a,
                                                 const BranchPoint<Erased>& b) {
-    const double at_a = function.value(a), at_b = function.value(b), h = b.arc_length - a.arc_length;
+    const double at_a = function.value(a), at_b = function.value(b);
     if (at_b == 0) return b;
     std::optional<BranchPoint<Erased>> best;
     double least = std::numeric_limits<double>::infinity();
     const auto value = [&](double share) {
-        auto point = stepper.step(a, share * h);
+        auto point = stepper.between(a, b, share);
         // where the branch is ill determined, as at a double point, the function is nearly linear
         if (!point) return (1 - share) * at_a + share * at_b;
         const double y = function.value(*point);

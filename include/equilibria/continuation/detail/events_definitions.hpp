@@ -59,10 +59,22 @@ private:
     }
     /// Of the weakest eigenvalue along the branch.
     double slope(const Point& from) const {
+        if (from.weak_slope) return *from.weak_slope;
         const AnyProblem<Matrix>& problem = stepper_->problem();
-        const Eigen::VectorXd& left = symmetric() ? from.weak_direction : from.weak_left;
-        return left.dot(problem.tangent_derivative(from.q, from.p, from.tangent.q) * from.weak_direction) +
-               from.tangent.p * left.dot(problem.parameter_derivative_along(from.q, from.p, from.weak_direction));
+        const Eigen::VectorXd &left = symmetric() ? from.weak_direction : from.weak_left, &v = from.tangent.q;
+        double along;
+        if (problem.properties().tangent_derivative) {
+            along = left.dot(problem.tangent_derivative(from.q, from.p, v) * from.weak_direction);
+        } else {
+            const double h = difference_step(problem.weights(from.q, v.size()), v);
+            const auto at = [&](double by) {
+                return left.dot(problem.tangent(problem.retract(from.q, by * v), from.p) * from.weak_direction);
+            };
+            along = (at(h) - at(-h)) / (2 * h);
+        }
+        from.weak_slope =
+            along + from.tangent.p * left.dot(problem.parameter_derivative_along(from.q, from.p, from.weak_direction));
+        return *from.weak_slope;
     }
 
     /// Where the weakest eigenvalue only touches 0 between a and b.
@@ -74,8 +86,8 @@ private:
         const double far = std::max(std::abs(a.weak_eigenvalue), std::abs(b.weak_eigenvalue));
         if (!nearest || !(std::abs(nearest->weak_eigenvalue) < 1e-6 * far)) return std::nullopt;
         // it does not cross 0 there, to be crossed by another one next to it
-        const double at = nearest->arc_length - a.arc_length, margin = 0.02 * (b.arc_length - a.arc_length);
-        const auto left = stepper_->step(a, at - margin), right = stepper_->step(a, at + margin);
+        const double at = (nearest->arc_length - a.arc_length) / (b.arc_length - a.arc_length), margin = 0.02;
+        const auto left = stepper_->between(a, b, at - margin), right = stepper_->between(a, b, at + margin);
         if (!left || !right || changes(a, *left) != 0 || changes(*left, *right) != 0) return std::nullopt;
         Critical y;
         y.q = nearest->q;
@@ -92,6 +104,19 @@ private:
         return y;
     }
 
+    /// Where between a and b a function that changes sign is 0, were it linear: dp/ds at a fold, else the weakest
+    /// eigenvalue.
+    Point interpolated(const Point& a, const Point& b, bool fold) const {
+        const double at_a = fold ? a.tangent.p : a.weak_eigenvalue, at_b = fold ? b.tangent.p : b.weak_eigenvalue;
+        const double share = (at_a < 0) != (at_b < 0) ? at_a / (at_a - at_b) : 0.5;
+        const Direction to = stepper_->through(a, b, share * (b.arc_length - a.arc_length));
+        Point y;
+        y.q = stepper_->problem().retract(a.q, to.q);
+        y.p = a.p + to.p;
+        y.border = share < 0.5 ? a.border : b.border;
+        return y;
+    }
+
     void locate(const Point& a, const Point& b, int depth, Events& out) {
         const int count = changes(a, b);
         const bool turned = folds(a, b);
@@ -105,17 +130,18 @@ private:
             return;
         }
         if (count <= 1) {
-            // from the end at which K is closer to singular
+            // from where an interpolation has it, or from the end at which K is closer to singular
             const bool first = std::abs(a.weak_eigenvalue) < std::abs(b.weak_eigenvalue);
-            for (const Point* from : {first ? &a : &b, first ? &b : &a}) {
+            const Point guess = interpolated(a, b, turned);
+            for (const Point* from : {&guess, first ? &a : &b, first ? &b : &a}) {
                 auto point = critical_point_near(stepper_->problem(), from->q, from->p, options_, from->border);
                 if (!point) continue;
                 const std::optional<double> share = share_of(a, b, *point);
                 if (!share) continue;
                 // what happens close to it must be what its kind does; the rest of the step is searched on its own
                 const double margin = 0.02;
-                const auto left = *share > 2 * margin ? stepper_->step(a, (*share - margin) * h) : a;
-                const auto right = *share < 1 - 2 * margin ? stepper_->step(a, (*share + margin) * h) : b;
+                const auto left = *share > 2 * margin ? stepper_->between(a, b, *share - margin) : a;
+                const auto right = *share < 1 - 2 * margin ? stepper_->between(a, b, *share + margin) : b;
                 if (!left || !right || !share_of(*left, *right, *point) || !agrees(*left, *right, *point)) continue;
                 point->negative_before = left->negative;
                 point->negative_after = right->negative;
@@ -140,10 +166,9 @@ private:
     }
 
     void halve(const Point& a, const Point& b, int depth, Events& out) {
-        const double h = b.arc_length - a.arc_length;
         // the middle may be the very point at which the branch is ill determined
         for (const double share : {0.5, 0.37, 0.71})
-            if (const auto middle = stepper_->step(a, share * h)) {
+            if (const auto middle = stepper_->between(a, b, share)) {
                 locate(a, *middle, depth + 1, out);
                 locate(*middle, b, depth + 1, out);
                 return;

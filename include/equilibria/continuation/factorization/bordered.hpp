@@ -34,6 +34,13 @@ struct BorderedSolution {
     double tau = 0;
 };
 
+/// Of several right hand sides, a column each.
+struct BorderedSolutions {
+    Eigen::MatrixXd x;
+    Eigen::VectorXd tau;
+    BorderedSolution operator[](Eigen::Index k) const { return {x.col(k), tau(k)}; }
+};
+
 /// Where e_i and e_j of B have their ones: the same place for a symmetric K.
 struct Border {
     Eigen::Index row = 0;     ///< j
@@ -57,6 +64,14 @@ double largest_entry(const Eigen::SparseMatrix<double>& k);
 /// weights.
 double largest_force(const Eigen::MatrixXd& k, const Eigen::VectorXd& weights, Eigen::Index own);
 double largest_force(const Eigen::SparseMatrix<double>& k, const Eigen::VectorXd& weights, Eigen::Index own);
+
+/// K with the border's row and column replaced by zeros and, where they cross, `corner`. The pattern of a sparse K
+/// stays, so that it is analysed once, where the entry of the corner is stored.
+template <class Matrix>
+Matrix without(const Matrix& k, Border border, double corner);
+
+/// k x of a symmetric k.
+Eigen::MatrixXd symmetric_product(const Eigen::SparseMatrix<double>& k, const Eigen::MatrixXd& x);
 
 /// What a BorderedSolver factors with.
 template <class Matrix>
@@ -83,13 +98,29 @@ public:
 
     /// Factors K without the border's row and column. False where that is singular to working precision, or K not
     /// finite.
-    bool factor(const Matrix& k, Border border);
+    bool factor(Matrix k, Border border);
+    /// Factors the last K with another border.
+    bool factor(Border border);
 
+    /// The last K.
+    const Matrix& matrix() const { return k_; }
+    /// Its largest absolute value; NaN where one is.
+    double largest_entry() const { return size_; }
     Border border() const { return border_; }
 
-    BorderedSolution solve(const Eigen::VectorXd& f, double xi) const { return solve(f, xi, false); }
+    BorderedSolution solve(const Eigen::VectorXd& f, double xi) const {
+        return solve(f, Eigen::VectorXd::Constant(1, xi), false)[0];
+    }
+    /// Of each column of f with its xi: quicker than one after the other.
+    BorderedSolutions solve(const Eigen::MatrixXd& f, const Eigen::VectorXd& xi) const { return solve(f, xi, false); }
+    /// Without iterative refinement.
+    BorderedSolution solve_roughly(const Eigen::VectorXd& f, double xi) const {
+        return solve(f, Eigen::VectorXd::Constant(1, xi), false, 1)[0];
+    }
     /// With B^T.
-    BorderedSolution solve_transposed(const Eigen::VectorXd& f, double xi) const { return solve(f, xi, true); }
+    BorderedSolution solve_transposed(const Eigen::VectorXd& f, double xi) const {
+        return solve(f, Eigen::VectorXd::Constant(1, xi), true)[0];
+    }
 
     /// The inertia of a symmetric K; nothing where it cannot be told. sigma: that of this K.
     std::optional<TangentInertia> inertia(double sigma) const;
@@ -97,11 +128,12 @@ public:
     int sign_of_determinant(double sigma) const { return sigma > 0 ? -sign_without_ : sign_without_; }
 
 private:
-    BorderedSolution solve(const Eigen::VectorXd& f, double xi, bool transposed) const;
-    Eigen::VectorXd apply(const Eigen::VectorXd& x, bool transposed) const;
+    BorderedSolutions solve(const Eigen::MatrixXd& f, const Eigen::VectorXd& xi, bool transposed, int rounds = 2) const;
+    Eigen::MatrixXd apply(const Eigen::MatrixXd& x, bool transposed) const;
 
     bool symmetric_;
     Matrix k_;
+    double size_ = 0;
     Border border_;
     Eigen::VectorXd column_, row_;  ///< of K at the border
     int sign_without_ = 1;
@@ -121,17 +153,24 @@ namespace detail {
 /// Factors K with the given border, or, where that is singular, with another one, which `border` is then. False where
 /// that is singular too, or K not finite.
 template <class Matrix>
-bool factor_with_border(BorderedSolver<Matrix>& solver, const Matrix& k, const Eigen::VectorXd& weights,
-                        int multipliers, Border& border);
+bool factor_with_border(BorderedSolver<Matrix>& solver, Matrix k, const Eigen::VectorXd& weights, int multipliers,
+                        Border& border);
 
 }  // namespace detail
 
 /// Factors K with the border at an unknown (and a row) in which the weakest direction is large; `border` is where the
 /// search starts and where it ends. `multipliers`: how many of the last unknowns are. Nothing where all
-/// of some borders are singular: nullity 2 or more, or K not finite.
+/// of some borders are singular: nullity 2 or more, or K not finite. guess: a direction that may be the weakest, as
+/// that of a K nearby.
 template <class Matrix>
-std::optional<WeakDirection> factor_at_weakest(BorderedSolver<Matrix>& solver, const Matrix& k,
-                                               const Eigen::VectorXd& weights, int multipliers, Border& border);
+std::optional<WeakDirection> factor_at_weakest(BorderedSolver<Matrix>& solver, Matrix k, const Eigen::VectorXd& weights,
+                                               int multipliers, Border& border, const Eigen::VectorXd& guess = {});
+
+/// The same of the K that the solver has factored with `border`, where it has solved for r.
+template <class Matrix>
+std::optional<WeakDirection> weakest_direction(BorderedSolver<Matrix>& solver, const BorderedSolution& r,
+                                               const Eigen::VectorXd& weights, int multipliers, Border& border,
+                                               const Eigen::VectorXd& guess);
 
 }  // namespace equilibria
 

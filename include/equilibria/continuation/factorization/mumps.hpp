@@ -46,8 +46,9 @@ public:
     ~MumpsFactors() override { run(terminate); }
 
     /// Throws std::runtime_error where MUMPS ends with an error that is not about k: no memory.
-    bool factor(const Matrix& k) override {
-        if (!take(k)) {
+    using SymmetricFactors::factor;
+    bool factor(const Matrix& k, const RemovedUnknown& removed) override {
+        if (!take(k, removed)) {
             run(analysis);
             check("analysis");
         }
@@ -61,11 +62,11 @@ public:
         if (info(1) != singular) check("factorization");
         return info(1) >= 0 && zero() == 0;
     }
-    Eigen::VectorXd solve(const Eigen::VectorXd& f) const override {
-        Eigen::VectorXd x = f;
+    Eigen::MatrixXd solve(const Eigen::MatrixXd& f) const override {
+        Eigen::MatrixXd x = f;
         data_.rhs = x.data();
-        data_.nrhs = 1;
-        data_.lrhs = static_cast<int>(x.size());
+        data_.nrhs = static_cast<int>(x.cols());
+        data_.lrhs = static_cast<int>(x.rows());
         run(substitute);
         check("solution");
         return x;
@@ -92,7 +93,7 @@ private:
                                      ", INFOG(2) = " + std::to_string(info(2)));
     }
     /// Puts k's lower triangle where MUMPS reads it; whether it has the pattern of the last matrix.
-    bool take(const Matrix& k) {
+    bool take(const Matrix& k, const RemovedUnknown& removed) {
         std::size_t at = 0;
         bool same = data_.n == k.rows();
         for (int c = 0; c < k.outerSize(); ++c)
@@ -107,7 +108,8 @@ private:
                 same = same && rows_[at] == row && columns_[at] == column;
                 rows_[at] = row;
                 columns_[at] = column;
-                values_[at++] = entry.value();
+                const bool kept = entry.row() != removed.unknown && c != removed.unknown;
+                values_[at++] = kept ? entry.value() : entry.row() == c ? removed.corner : 0;
             }
         same = same && at == rows_.size();
         rows_.resize(at);

@@ -1,8 +1,10 @@
 /// \file
-/// L D L^T of a sparse symmetric matrix without pivoting, which gives its inertia. Its last unknowns may be Lagrange
-/// multipliers, with zeros on the diagonal: the fill-reducing order of the others is kept, and each multiplier follows
-/// the last unknown that its constraint holds. Where the others' block is positive definite no pivot is 0 then, if the
-/// constraints are independent.
+/// L D L^T of a sparse symmetric matrix without pivoting, which gives its inertia: by the multifrontal method, whose
+/// work is on dense blocks. Its last unknowns may be Lagrange multipliers, with zeros on the diagonal: the
+/// fill-reducing order of the others is kept, and each multiplier follows the last unknown that its constraint holds.
+/// Where the others' block is positive definite no pivot is 0 then, if the constraints are independent.
+/// Source: Duff and Reid, The multifrontal solution of indefinite sparse symmetric linear equations, ACM Trans. Math.
+/// Softw. 9 (1983).
 #pragma once
 
 #include <memory>
@@ -21,9 +23,10 @@ public:
     SparseLDLT& operator=(SparseLDLT&&) noexcept;
     ~SparseLDLT() override;
 
-    /// False where a pivot is 0.
-    bool factor(const Matrix& k) override;
-    Eigen::VectorXd solve(const Eigen::VectorXd& f) const override;
+    /// False where a pivot is 0 or not finite.
+    using SymmetricFactors::factor;
+    bool factor(const Matrix& k, const RemovedUnknown& removed) override;
+    Eigen::MatrixXd solve(const Eigen::MatrixXd& f) const override;
     int negative() const override;
     /// Entries of L below its diagonal.
     Eigen::Index fill() const override;

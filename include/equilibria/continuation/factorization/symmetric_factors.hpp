@@ -11,6 +11,12 @@
 
 namespace equilibria {
 
+/// An unknown whose row and column are zeros, but for `corner` where they cross, whatever the matrix holds there.
+struct RemovedUnknown {
+    Eigen::Index unknown = -1;  ///< -1: none
+    double corner = 1;
+};
+
 /// Factors of one matrix after another, mostly of one pattern.
 class SymmetricFactors {
 public:
@@ -18,11 +24,12 @@ public:
 
     virtual ~SymmetricFactors() = default;
 
-    /// Of k, of which the entries on and below the diagonal are read. Quicker where it has the pattern of the one
-    /// before it. False where it is singular to working precision.
-    virtual bool factor(const Matrix& k) = 0;
-    /// k^-1 f, after `factor` returned true.
-    virtual Eigen::VectorXd solve(const Eigen::VectorXd& f) const = 0;
+    /// Of k without an unknown, of which the entries on and below the diagonal are read. Quicker where k has the
+    /// pattern of the one before it. False where it is singular to working precision.
+    virtual bool factor(const Matrix& k, const RemovedUnknown& removed) = 0;
+    bool factor(const Matrix& k) { return factor(k, RemovedUnknown{}); }
+    /// k^-1 f, of each column of f, after `factor` returned true.
+    virtual Eigen::MatrixXd solve(const Eigen::MatrixXd& f) const = 0;
     /// Negative pivots, after `factor` returned true: negative eigenvalues.
     virtual int negative() const = 0;
     /// Entries of the factors.

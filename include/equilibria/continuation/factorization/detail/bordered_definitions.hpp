@@ -5,6 +5,7 @@
 #include <cmath>
 #include <memory>
 #include <optional>
+#include <utility>
 
 #include <Eigen/Core>
 
@@ -15,8 +16,6 @@ namespace equilibria {
 
 namespace detail {
 
-/// K with the border's row and column replaced by zeros and, where they cross, `corner`. The pattern of a sparse K
-/// stays, so that it is analysed once, where the entry of the corner is stored.
 template <class Matrix>
 Matrix without(const Matrix& k, Border border, double corner) {
     Matrix y = k;
@@ -47,14 +46,22 @@ template <class Matrix>
 BorderedSolver<Matrix>::~BorderedSolver() = default;
 
 template <class Matrix>
-bool BorderedSolver<Matrix>::factor(const Matrix& k, Border border) {
-    k_ = k;
+bool BorderedSolver<Matrix>::factor(Matrix k, Border border) {
+    k_ = std::move(k);
+    size_ = detail::largest_entry(k_);
+    return factor(border);
+}
+
+template <class Matrix>
+bool BorderedSolver<Matrix>::factor(Border border) {
     border_ = border;
-    const double size = detail::largest_entry(k);
-    if (!std::isfinite(size)) return false;
+    if (!std::isfinite(size_)) return false;
     column_ = k_.col(border.column);
-    row_ = k_.transpose().col(border.row);
-    const int sign = without_->factor(detail::without(k, border, size > 0 ? size : 1.0));
+    if (symmetric_)
+        row_ = column_;
+    else
+        row_ = k_.transpose().col(border.row);
+    const int sign = without_->factor(k_, border, size_ > 0 ? size_ : 1.0);
     if (sign != 0) sign_without_ = sign;
     return sign != 0;
 }
@@ -66,26 +73,32 @@ std::optional<TangentInertia> BorderedSolver<Matrix>::inertia(double sigma) cons
 }
 
 template <class Matrix>
-BorderedSolution BorderedSolver<Matrix>::solve(const Eigen::VectorXd& f, double xi, bool transposed) const {
+BorderedSolutions BorderedSolver<Matrix>::solve(const Eigen::MatrixXd& f, const Eigen::VectorXd& xi, bool transposed,
+                                                int rounds) const {
     // of B^T, row and column change places
     const Eigen::VectorXd &row = transposed ? column_ : row_, &column = transposed ? row_ : column_;
     const Eigen::Index j = transposed ? border_.column : border_.row, i = transposed ? border_.row : border_.column;
-    BorderedSolution y{Eigen::VectorXd::Zero(f.size()), 0};
-    Eigen::VectorXd rest = f - xi * column;
+    BorderedSolutions y{Eigen::MatrixXd::Zero(f.rows(), f.cols()), {}};
+    Eigen::MatrixXd rest = f;
+    for (Eigen::Index k = 0; k < f.cols(); ++k)
+        if (xi(k) != 0) rest.col(k) -= xi(k) * column;
     // the second round removes the rounding of the first
-    for (int round = 0; round < 2; ++round) {
-        rest(j) = 0;
+    for (int round = 0; round < rounds; ++round) {
+        if (round > 0) rest = f - apply(y.x, transposed);
+        rest.row(j).setZero();
         y.x += without_->solve(rest, transposed);
-        y.x(i) = xi;
-        if (round == 0) rest = f - apply(y.x, transposed);
+        y.x.row(i) = xi.transpose();
     }
-    y.tau = f(j) - row.dot(y.x);
+    y.tau = f.row(j).transpose() - y.x.transpose() * row;
     return y;
 }
 
 template <class Matrix>
-Eigen::VectorXd BorderedSolver<Matrix>::apply(const Eigen::VectorXd& x, bool transposed) const {
-    return transposed ? Eigen::VectorXd(k_.transpose() * x) : Eigen::VectorXd(k_ * x);
+Eigen::MatrixXd BorderedSolver<Matrix>::apply(const Eigen::MatrixXd& x, bool transposed) const {
+    if constexpr (sparse) {
+        if (symmetric_) return detail::symmetric_product(k_, x);
+    }
+    return transposed ? Eigen::MatrixXd(k_.transpose() * x) : Eigen::MatrixXd(k_ * x);
 }
 
 namespace detail {
@@ -127,23 +140,24 @@ Border border_for(const Matrix& k, const Eigen::VectorXd& weights, int multiplie
 }
 
 template <class Matrix>
-bool factor_with_border(BorderedSolver<Matrix>& solver, const Matrix& k, const Eigen::VectorXd& weights,
-                        int multipliers, Border& border) {
-    if (solver.factor(k, border)) return true;
-    if (!std::isfinite(largest_entry(k))) return false;
-    border = border_for(k, weights, multipliers, solver.symmetric());
-    return solver.factor(k, border);
+bool factor_with_border(BorderedSolver<Matrix>& solver, Matrix k, const Eigen::VectorXd& weights, int multipliers,
+                        Border& border) {
+    if (solver.factor(std::move(k), border)) return true;
+    if (!std::isfinite(solver.largest_entry())) return false;
+    border = border_for(solver.matrix(), weights, multipliers, solver.symmetric());
+    return solver.factor(border);
 }
 
-}  // namespace detail
-
+/// See factor_at_weakest and weakest_direction. known: r, where the solver has K's factors with that border.
 template <class Matrix>
-std::optional<WeakDirection> factor_at_weakest(BorderedSolver<Matrix>& solver, const Matrix& k,
-                                               const Eigen::VectorXd& weights, int multipliers, Border& border) {
-    const Eigen::Index size = k.rows() - multipliers;
+std::optional<WeakDirection> search_weakest(BorderedSolver<Matrix>& solver, const BorderedSolution* known,
+                                            const Eigen::VectorXd& weights, int multipliers, Border& border,
+                                            const Eigen::VectorXd& guess) {
+    const Matrix& k = solver.matrix();
+    const Eigen::Index n = k.rows(), size = n - multipliers;
     if (size == 0) return std::nullopt;
     const bool symmetric = solver.symmetric();
-    const Eigen::VectorXd root = weights.cwiseSqrt(), zero = Eigen::VectorXd::Zero(k.rows());
+    const Eigen::VectorXd root = weights.cwiseSqrt(), zero = Eigen::VectorXd::Zero(n);
     const auto normalize = [&](Eigen::VectorXd& v) {
         const double length = root.cwiseProduct(v).norm();
         if (std::isfinite(length) && length > 0) v /= length;
@@ -152,62 +166,92 @@ std::optional<WeakDirection> factor_at_weakest(BorderedSolver<Matrix>& solver, c
     const auto inverse = [&](const BorderedSolution& f, const BorderedSolution& r) {
         return r.tau != 0 ? Eigen::VectorXd(f.x - f.tau / r.tau * r.x) : r.x;
     };
+    const auto largest = [&](const Eigen::VectorXd& v, Eigen::Index now) {
+        Eigen::Index best = 0;
+        const auto entry = [&](Eigen::Index i) { return root(i) * std::abs(v(i)); };
+        const Eigen::Index candidates = border_candidates(v, multipliers);
+        for (Eigen::Index i = 1; i < candidates; ++i)
+            if (entry(i) > entry(best)) best = i;
+        return entry(best) > 2 * entry(now) || now >= candidates ? best : now;
+    };
+    Eigen::VectorXd start = generic_vector(n);
+    int iterations = 3;
+    if (guess.size() == n) {
+        // not blind to another direction that has become the weakest
+        normalize(start);
+        start = guess + 0.1 * start;
+        iterations = 2;
+    }
     int singular = 0;
     WeakDirection y;
     for (int round = 0; round < 4;) {
-        if (!solver.factor(k, border)) {
-            if (++singular > 4 || !std::isfinite(detail::largest_entry(k))) return std::nullopt;
+        if (!known && !solver.factor(border)) {
+            if (++singular > 4 || !std::isfinite(solver.largest_entry())) return std::nullopt;
             if (singular == 1) {
-                border = detail::border_for(k, weights, multipliers, symmetric);
+                border = border_for(k, weights, multipliers, symmetric);
             } else if (singular == 2) {
                 // without freedom to move K is regular without a multiplier alone
-                border = detail::border_for(k, Eigen::VectorXd::Ones(k.rows()), 0, symmetric);
+                border = border_for(k, Eigen::VectorXd::Ones(n), 0, symmetric);
             } else {
                 border.column = border.row = (border.column + 1 + (singular * size) / 5) % size;
             }
             continue;
         }
         ++round;
-        y.r = solver.solve(zero, 1);
-        const BorderedSolution l = symmetric ? BorderedSolution{} : solver.solve_transposed(zero, 1);
-        y.direction = detail::generic_vector(k.rows());
-        if (!symmetric) y.left = y.direction;
-        for (int iteration = 0; iteration < 3; ++iteration) {
-            if (symmetric) {
-                y.direction = inverse(solver.solve(weights.cwiseProduct(y.direction), 0), y.r);
-            } else {
+        y.r = known ? *known : solver.solve(zero, 1);
+        known = nullptr;
+        y.direction = start;
+        Border better;
+        if (symmetric) {
+            for (int iteration = 0; iteration < iterations; ++iteration) {
+                y.direction = inverse(solver.solve_roughly(weights.cwiseProduct(y.direction), 0), y.r);
+                normalize(y.direction);
+            }
+            better.column = better.row = largest(y.direction, border.column);
+        } else {
+            const BorderedSolution l = solver.solve_transposed(zero, 1);
+            y.left = start;
+            for (int iteration = 0; iteration < iterations; ++iteration) {
                 const Eigen::VectorXd from = weights.cwiseProduct(y.direction);
                 y.direction = inverse(solver.solve(weights.cwiseProduct(y.left), 0), y.r);
                 y.left = inverse(solver.solve_transposed(from, 0), l);
                 normalize(y.left);
+                normalize(y.direction);
             }
-            normalize(y.direction);
-        }
-        const auto largest = [&](const Eigen::VectorXd& v, Eigen::Index now) {
-            Eigen::Index best = 0;
-            const auto entry = [&](Eigen::Index i) { return root(i) * std::abs(v(i)); };
-            const Eigen::Index candidates = detail::border_candidates(v, multipliers);
-            for (Eigen::Index i = 1; i < candidates; ++i)
-                if (entry(i) > entry(best)) best = i;
-            return entry(best) > 2 * entry(now) || now >= candidates ? best : now;
-        };
-        Border better;
-        better.column = largest(y.direction, border.column);
-        better.row = better.column;
-        if (!symmetric) {
+            better.column = largest(y.direction, border.column);
             // K without row j and column i is regular where entry (i, j) of K^-1 is not 0
-            const Eigen::VectorXd unit = Eigen::VectorXd::Unit(k.rows(), better.column);
+            const Eigen::VectorXd unit = Eigen::VectorXd::Unit(n, better.column);
             better.row = largest(inverse(solver.solve_transposed(unit, 0), l), border.row);
         }
         if (better == border || singular >= 2) break;
         border = better;
     }
     if (solver.border() != border) {
-        if (!solver.factor(k, border)) return std::nullopt;
+        if (!solver.factor(border)) return std::nullopt;
         y.r = solver.solve(zero, 1);
     }
     y.eigenvalue = (symmetric ? y.direction : y.left).dot(k * y.direction);
     return y;
+}
+
+}  // namespace detail
+
+template <class Matrix>
+std::optional<WeakDirection> factor_at_weakest(BorderedSolver<Matrix>& solver, Matrix k, const Eigen::VectorXd& weights,
+                                               int multipliers, Border& border, const Eigen::VectorXd& guess) {
+    if (!solver.factor(std::move(k), border)) {
+        if (!std::isfinite(solver.largest_entry())) return std::nullopt;
+        return detail::search_weakest(solver, nullptr, weights, multipliers, border, guess);
+    }
+    const BorderedSolution r = solver.solve(Eigen::VectorXd::Zero(solver.matrix().rows()), 1);
+    return detail::search_weakest(solver, &r, weights, multipliers, border, guess);
+}
+
+template <class Matrix>
+std::optional<WeakDirection> weakest_direction(BorderedSolver<Matrix>& solver, const BorderedSolution& r,
+                                               const Eigen::VectorXd& weights, int multipliers, Border& border,
+                                               const Eigen::VectorXd& guess) {
+    return detail::search_weakest(solver, &r, weights, multipliers, border, guess);
 }
 
 }  // namespace equilibria

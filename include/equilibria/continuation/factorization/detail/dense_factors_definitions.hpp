@@ -34,12 +34,12 @@ public:
     BorderedFactors(bool, int, MakeSymmetricFactors) {}
 
     /// The sign of the determinant, 0 where it is singular to working precision.
-    int factor(const Matrix& without) {
-        lu_.compute(without);
+    int factor(const Matrix& k, Border border, double corner) {
+        lu_.compute(without(k, border, corner));
         const double determinant_sign = lu_.permutationP().determinant() < 0 ? -1 : 1;
         double sign = determinant_sign, smallest = std::numeric_limits<double>::infinity(), largest = 0;
-        for (Eigen::Index k = 0; k < without.rows(); ++k) {
-            const double pivot = lu_.matrixLU()(k, k);
+        for (Eigen::Index i = 0; i < lu_.rows(); ++i) {
+            const double pivot = lu_.matrixLU()(i, i);
             if (pivot < 0) sign = -sign;
             smallest = std::min(smallest, std::abs(pivot));
             largest = std::max(largest, std::abs(pivot));
@@ -47,8 +47,8 @@ public:
         if (!(smallest > 4 * std::numeric_limits<double>::epsilon() * largest)) return 0;
         return sign < 0 ? -1 : 1;
     }
-    Eigen::VectorXd solve(const Eigen::VectorXd& f, bool transposed) const {
-        return transposed ? Eigen::VectorXd(lu_.transpose().solve(f)) : Eigen::VectorXd(lu_.solve(f));
+    Eigen::MatrixXd solve(const Eigen::MatrixXd& f, bool transposed) const {
+        return transposed ? Eigen::MatrixXd(lu_.transpose().solve(f)) : Eigen::MatrixXd(lu_.solve(f));
     }
     /// Of a symmetric K, the border included.
     static std::optional<TangentInertia> inertia(const Matrix& k, double) {

@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <optional>
+#include <type_traits>
 
 #include <Eigen/SparseLU>
 
@@ -15,14 +17,9 @@
 namespace equilibria::detail {
 
 EQUILIBRIA_INLINE double largest_entry(const Eigen::SparseMatrix<double>& k) {
-    double y = 0;
-    for (Eigen::Index c = 0; c < k.outerSize(); ++c)
-        for (Eigen::SparseMatrix<double>::InnerIterator entry(k, c); entry; ++entry)
-            if (std::isnan(entry.value()))
-                return entry.value();
-            else
-                y = std::max(y, std::abs(entry.value()));
-    return y;
+    if (k.nonZeros() == 0) return 0;
+    if (!k.isCompressed()) return largest_entry(Eigen::SparseMatrix<double>(k));
+    return k.coeffs().isNaN().any() ? std::numeric_limits<double>::quiet_NaN() : k.coeffs().abs().maxCoeff();
 }
 
 EQUILIBRIA_INLINE double largest_force(const Eigen::SparseMatrix<double>& k, const Eigen::VectorXd& weights,
@@ -37,6 +34,26 @@ EQUILIBRIA_INLINE double largest_force(const Eigen::SparseMatrix<double>& k, con
     return y;
 }
 
+EQUILIBRIA_INLINE Eigen::MatrixXd symmetric_product(const Eigen::SparseMatrix<double>& k, const Eigen::MatrixXd& x) {
+    // each column of k is a row: entries of the result are sums, several side by side
+    Eigen::MatrixXd y(x.rows(), x.cols());
+    const auto product = [&]<int N>(Eigen::Index first, std::integral_constant<int, N>) {
+        const Eigen::Matrix<double, Eigen::Dynamic, N, N == 1 ? Eigen::ColMajor : Eigen::RowMajor> some =
+            x.middleCols<N>(first);
+        for (Eigen::Index c = 0; c < k.outerSize(); ++c) {
+            Eigen::Matrix<double, 1, N> sum = Eigen::Matrix<double, 1, N>::Zero();
+            for (Eigen::SparseMatrix<double>::InnerIterator entry(k, c); entry; ++entry)
+                sum += entry.value() * some.row(entry.row());
+            y.row(c).middleCols<N>(first) = sum;
+        }
+    };
+    Eigen::Index c = 0;
+    for (; c + 4 <= x.cols(); c += 4) product(c, std::integral_constant<int, 4>());
+    for (; c + 2 <= x.cols(); c += 2) product(c, std::integral_constant<int, 2>());
+    for (; c < x.cols(); ++c) product(c, std::integral_constant<int, 1>());
+    return y;
+}
+
 /// L D L^T of a sparse K without its border, or L U.
 template <class Number>
 class BorderedFactors<Eigen::SparseMatrix<Number>> {
@@ -48,24 +65,24 @@ public:
         : symmetric_(symmetric), factors_((make ? make : &sparse_ldlt)(multipliers)) {}
 
     /// The sign of the determinant, 0 where it is singular to working precision.
-    int factor(const Matrix& without) {
+    int factor(const Matrix& k, Border border, double corner) {
         negative_.reset();
         use_lu_ = !symmetric_;
         if (symmetric_) {
-            use_lu_ = !factors_->factor(without) || !(factors_->pivots() || safe(without));
+            use_lu_ = !factors_->factor(k, {border.row, corner}) || !(factors_->pivots() || safe(k, border, corner));
             if (!use_lu_) {
                 negative_ = factors_->negative();
                 return *negative_ % 2 == 0 ? 1 : -1;
             }
         }
-        lu_.compute(without);
+        lu_.compute(without(k, border, corner));
         if (lu_.info() != Eigen::Success) return 0;
         return lu_.signDeterminant() < 0 ? -1 : 1;
     }
-    Eigen::VectorXd solve(const Eigen::VectorXd& f, bool transposed) const {
+    Eigen::MatrixXd solve(const Eigen::MatrixXd& f, bool transposed) const {
         if (!use_lu_) return factors_->solve(f);
         // SparseLU's transposed view is not const in Eigen 3.4
-        return transposed ? Eigen::VectorXd(const_cast<LU&>(lu_).transpose().solve(f)) : Eigen::VectorXd(lu_.solve(f));
+        return transposed ? Eigen::MatrixXd(const_cast<LU&>(lu_).transpose().solve(f)) : Eigen::MatrixXd(lu_.solve(f));
     }
     std::optional<TangentInertia> inertia(const Matrix&, double sigma) const {
         if (!negative_) return std::nullopt;
@@ -75,12 +92,15 @@ public:
     }
 
 private:
-    /// Whether the factors reproduce a vector: without pivoting they may not.
-    bool safe(const Matrix& without) const {
-        const Eigen::VectorXd f = Eigen::VectorXd::Ones(without.rows());
-        const Eigen::VectorXd x = factors_->solve(f);
-        const double size = largest_entry(without) * x.lpNorm<Eigen::Infinity>() + 1;
-        return (without * x - f).template lpNorm<Eigen::Infinity>() < 1e-9 * size;
+    /// Whether the factors reproduce a vector: without pivoting they may not. corner: the largest entry of k.
+    bool safe(const Matrix& k, Border border, double corner) const {
+        Eigen::MatrixXd x = factors_->solve(Eigen::VectorXd::Ones(k.rows()));
+        const double size = corner * x.lpNorm<Eigen::Infinity>() + 1, at_border = x(border.row);
+        x(border.row) = 0;
+        Eigen::MatrixXd left = symmetric_product(k, x);
+        left(border.row) = corner * at_border;
+        left.array() -= 1;
+        return left.lpNorm<Eigen::Infinity>() < 1e-9 * size;
     }
 
     bool symmetric_, use_lu_ = false;

@@ -20,8 +20,12 @@ struct BranchPointEvidence {
     Eigen::VectorXd weak_direction;  ///< of length 1: nearly the eigenvector of the smallest eigenvalue
     Eigen::VectorXd weak_left;       ///< the same of K^T where K is not symmetric, else empty
     double weak_eigenvalue = 0;      ///< of K against the weights
-    /// Of the weak eigenvalue along the branch, once somebody has asked for it: the search for events does.
-    mutable std::optional<double> weak_slope;
+    /// Further weak directions of a sparse symmetric K, a column each, and their eigenvalues; see WeakDirection::next.
+    Eigen::MatrixXd next_directions;
+    Eigen::VectorXd next_eigenvalues;
+    /// Of the weak eigenvalue and the next ones along the branch, once somebody has asked for them: the search for
+    /// events does.
+    mutable Eigen::VectorXd weak_slopes;
     double sigma = 0, mu = 0;     ///< test functions, see bordered.hpp
     Border border;                ///< where the weak directions are large
     std::optional<int> negative;  ///< negative eigenvalues of K; under constraints, of the energy on their set

@@ -76,6 +76,8 @@ private:
     Eigen::Index largest(const Eigen::VectorXd& v) const;
     /// Factors K with the last border, or with another one where that is singular.
     bool factor(Matrix k);
+    /// How many directions are watched beside the weakest one, where the eigenvalues are not known.
+    int watched() const { return BorderedSolver<Matrix>::sparse && problem_.properties().symmetric ? 2 : 0; }
     /// The converged point (q, p), by the factors of the last corrector, of a K that is this one but for a correction
     /// of next to nothing, and what it solved with them. `from`: the last point of the branch.
     std::optional<Point> assess_from(const AnyConfiguration& q, double p, const BorderedSolution& r,

@@ -73,6 +73,10 @@ Direction AnyBranchStepper<Matrix>::predict(const Point& from, double h, const P
     scale(d, h);
     if (!before || options_.predictor == Predictor::tangent || !(std::abs(from.step) > 0)) return d;
     if (options_.predictor == Predictor::cubic) {
+        // what is controlled must not turn back in what is predicted, where the branch does
+        if (options_.constraint == StepConstraint::parameter || options_.constraint == StepConstraint::unknown ||
+            options_.constraint == StepConstraint::scalar)
+            return d;
         const Direction curved = through(from, *before, h);
         // not where the last step was over a sharp bend
         Direction bend = curved;
@@ -153,7 +157,8 @@ std::optional<BranchPoint<Erased>> AnyBranchStepper<Matrix>::assess(const AnyCon
                                                                     const std::optional<Direction>& along) {
     const Eigen::VectorXd g_p = problem_.parameter_derivative(q, p);
     if (weights_.size() == 0) weights_ = problem_.weights(q, g_p.size());
-    const auto weak = factor_at_weakest(solver_, problem_.tangent(q, p), weights_, problem_.multipliers(), border_);
+    const auto weak =
+        factor_at_weakest(solver_, problem_.tangent(q, p), weights_, problem_.multipliers(), border_, {}, watched());
     if (!weak) return std::nullopt;
     return point_of(q, p, *weak, solver_.solve(-g_p, 0), along);
 }
@@ -165,7 +170,9 @@ std::optional<BranchPoint<Erased>> AnyBranchStepper<Matrix>::assess_from(const A
                                                                          const Eigen::VectorXd& g_p, const Point& from,
                                                                          const Direction& along) {
     const Border before = border_;
-    const auto weak = weakest_direction(solver_, r, weights_, problem_.multipliers(), border_, from.weak_direction);
+    Eigen::MatrixXd nearby(from.weak_direction.size(), 1 + from.next_directions.cols());
+    nearby << from.weak_direction, from.next_directions;
+    const auto weak = weakest_direction(solver_, r, weights_, problem_.multipliers(), border_, nearby, watched());
     if (!weak) return std::nullopt;
     return point_of(q, p, *weak, border_ == before ? s : solver_.solve(-g_p, 0), along);
 }
@@ -186,6 +193,8 @@ std::optional<BranchPoint<Erased>> AnyBranchStepper<Matrix>::point_of(const AnyC
     point.weak_direction = weak.direction;
     point.weak_left = weak.left;
     point.weak_eigenvalue = weak.eigenvalue;
+    point.next_directions = weak.next;
+    point.next_eigenvalues = weak.next_eigenvalues;
     point.border = border_;
     if (const auto inertia = solver_.inertia(r.tau)) {
         // each independent constraint brings a negative eigenvalue of its own
@@ -330,7 +339,7 @@ std::optional<BranchPoint<Erased>> AnyBranchStepper<Matrix>::correct_from(const 
             along.q = problem_.transport(from.q, moved.q, along.q);
             q = problem_.rebase(q, p);
             auto point =
-                size > 100 * tolerance(moved) ? assess(q, p, along) : assess_from(q, p, r, s, g_p, from, along);
+                size > 0.01 * tolerance(moved) ? assess(q, p, along) : assess_from(q, p, r, s, g_p, from, along);
             if (!point) return std::nullopt;
             point->corrections = k + 1;
             point->step = h;

@@ -40,13 +40,24 @@ private:
         return a.determinant_sign != b.determinant_sign ? 1 : 0;
     }
 
-    /// An eigenvalue heads for 0 within the step, seen from one of its ends, though none changed.
-    bool suspicious(const Point& a, const Point& b) const {
+    /// Number 0: the weakest one; then the next ones that are watched.
+    static double eigenvalue(const Point& at, Eigen::Index k) {
+        return k == 0 ? at.weak_eigenvalue : at.next_eigenvalues(k - 1);
+    }
+    static Eigen::VectorXd direction(const Point& at, Eigen::Index k) {
+        return k == 0 ? at.weak_direction : Eigen::VectorXd(at.next_directions.col(k - 1));
+    }
+    static Eigen::Index watched(const Point& a, const Point& b) {
+        return 1 + std::min(a.next_eigenvalues.size(), b.next_eigenvalues.size());
+    }
+
+    /// Eigenvalue k heads for 0 within the step, seen from one of its ends, though none changed.
+    bool suspicious(const Point& a, const Point& b, Eigen::Index k) const {
         const double h = b.arc_length - a.arc_length;
         const auto predicted = [&](const Point& from, double ahead) {
-            return from.weak_eigenvalue * (from.weak_eigenvalue + ahead * slope(from)) < 0;
+            return eigenvalue(from, k) * (eigenvalue(from, k) + ahead * slope(from, k)) < 0;
         };
-        return predicted(a, h) || predicted(b, -h) || two_may_cross(a, b);
+        return predicted(a, h) || predicted(b, -h);
     }
     /// One eigenvalue may have risen through 0 and another one fallen: both are within reach at both ends. Eigenvalues
     /// of a symmetric K move by no more than the norm of K's change (Weyl).
@@ -57,43 +68,55 @@ private:
         const double reach = change.norm();
         return std::max({a.eigenvalue_above, -a.eigenvalue_below, b.eigenvalue_above, -b.eigenvalue_below}) < reach;
     }
-    /// Of the weakest eigenvalue along the branch.
-    double slope(const Point& from) const {
-        if (from.weak_slope) return *from.weak_slope;
+    /// Of eigenvalue k along the branch.
+    double slope(const Point& from, Eigen::Index k) const {
+        if (from.weak_slopes.size() == 0) from.weak_slopes = slopes(from);
+        return from.weak_slopes(k);
+    }
+    Eigen::VectorXd slopes(const Point& from) const {
         const AnyProblem<Matrix>& problem = stepper_->problem();
-        const Eigen::VectorXd &left = symmetric() ? from.weak_direction : from.weak_left, &v = from.tangent.q;
-        double along;
+        const Eigen::VectorXd& t = from.tangent.q;
+        Eigen::MatrixXd v(t.size(), 1 + from.next_directions.cols());
+        v << from.weak_direction, from.next_directions;
+        Eigen::MatrixXd left = v;
+        if (!symmetric()) left.col(0) = from.weak_left;
+        Eigen::MatrixXd turned;  // what dK along the branch makes of them
         if (problem.properties().tangent_derivative) {
-            along = left.dot(problem.tangent_derivative(from.q, from.p, v) * from.weak_direction);
+            turned = problem.tangent_derivative(from.q, from.p, t) * v;
         } else {
-            const double h = difference_step(problem.weights(from.q, v.size()), v);
+            const double h = difference_step(problem.weights(from.q, t.size()), t);
             const auto at = [&](double by) {
-                return left.dot(problem.tangent(problem.retract(from.q, by * v), from.p) * from.weak_direction);
+                return Eigen::MatrixXd(problem.tangent(problem.retract(from.q, Eigen::VectorXd(by * t)), from.p) * v);
             };
-            along = (at(h) - at(-h)) / (2 * h);
+            turned = (at(h) - at(-h)) / (2 * h);
         }
-        from.weak_slope =
-            along + from.tangent.p * left.dot(problem.parameter_derivative_along(from.q, from.p, from.weak_direction));
-        return *from.weak_slope;
+        for (Eigen::Index k = 0; k < v.cols(); ++k)
+            turned.col(k) += from.tangent.p * problem.parameter_derivative_along(from.q, from.p, v.col(k));
+        return (left.cwiseProduct(turned)).colwise().sum().transpose();
     }
 
-    /// Where the weakest eigenvalue only touches 0 between a and b.
-    std::optional<Critical> touching(const Point& a, const Point& b) {
-        const EventFunction<Erased> approach{
-            "approach", [this](const Point& at) { return at.weak_eigenvalue < 0 ? -slope(at) : slope(at); }};
+    /// Where eigenvalue k only touches 0 between a and b.
+    std::optional<Critical> touching(const Point& a, const Point& b, Eigen::Index k) {
+        const EventFunction<Erased> approach{"approach", [this, k](const Point& at) {
+                                                 if (k > at.next_eigenvalues.size()) return 0.0;
+                                                 return eigenvalue(at, k) < 0 ? -slope(at, k) : slope(at, k);
+                                             }};
         if (!(approach.value(a) < 0 && approach.value(b) > 0)) return std::nullopt;
         const auto nearest = zero_between(*stepper_, approach, a, b);
-        const double far = std::max(std::abs(a.weak_eigenvalue), std::abs(b.weak_eigenvalue));
-        if (!nearest || !(std::abs(nearest->weak_eigenvalue) < 1e-6 * far)) return std::nullopt;
+        if (!nearest || k > nearest->next_eigenvalues.size()) return std::nullopt;
+        const double far = std::max(std::abs(eigenvalue(a, k)), std::abs(eigenvalue(b, k))),
+                     h = b.arc_length - a.arc_length;
+        if (!(std::abs(eigenvalue(*nearest, k)) < 1e-6 * far)) return std::nullopt;
         // it does not cross 0 there, to be crossed by another one next to it
-        const double at = (nearest->arc_length - a.arc_length) / (b.arc_length - a.arc_length), margin = 0.02;
+        if (!(std::abs(slope(*nearest, k)) * h < 0.1 * far)) return std::nullopt;
+        const double at = (nearest->arc_length - a.arc_length) / h, margin = 0.02;
         const auto left = stepper_->between(a, b, at - margin), right = stepper_->between(a, b, at + margin);
         if (!left || !right || changes(a, *left) != 0 || changes(*left, *right) != 0) return std::nullopt;
         Critical y;
         y.q = nearest->q;
         y.p = nearest->p;
-        y.null_vector = nearest->weak_direction;
-        y.left_null_vector = symmetric() ? nearest->weak_direction : nearest->weak_left;
+        y.null_vector = direction(*nearest, k);
+        y.left_null_vector = symmetric() ? y.null_vector : nearest->weak_left;
         y.residual = nearest->residual;
         y.sigma = nearest->sigma;
         y.negative_before = a.negative;
@@ -122,11 +145,16 @@ private:
         const bool turned = folds(a, b);
         const double h = b.arc_length - a.arc_length;
         if (count == 0 && !turned) {
-            if (!suspicious(a, b)) return;
-            if (auto point = touching(a, b))
-                out.points.push_back(std::move(*point));
-            else if (depth < 6)
-                halve(a, b, depth, out);
+            bool any = two_may_cross(a, b);
+            for (Eigen::Index k = 0; k < watched(a, b); ++k) {
+                if (!suspicious(a, b, k)) continue;
+                any = true;
+                if (auto point = touching(a, b, k)) {
+                    out.points.push_back(std::move(*point));
+                    return;
+                }
+            }
+            if (any && depth < 6) halve(a, b, depth, out);
             return;
         }
         if (count <= 1) {

@@ -113,9 +113,9 @@ public:
     }
     /// Of each column of f with its xi: quicker than one after the other.
     BorderedSolutions solve(const Eigen::MatrixXd& f, const Eigen::VectorXd& xi) const { return solve(f, xi, false); }
-    /// Without iterative refinement.
-    BorderedSolution solve_roughly(const Eigen::VectorXd& f, double xi) const {
-        return solve(f, Eigen::VectorXd::Constant(1, xi), false, 1)[0];
+    /// With xi = 0, without iterative refinement.
+    BorderedSolutions solve_roughly(const Eigen::MatrixXd& f) const {
+        return solve(f, Eigen::VectorXd::Zero(f.cols()), false, 1);
     }
     /// With B^T.
     BorderedSolution solve_transposed(const Eigen::VectorXd& f, double xi) const {
@@ -146,6 +146,10 @@ struct WeakDirection {
     Eigen::VectorXd direction;  ///< by inverse iteration, of length 1 by the weights
     Eigen::VectorXd left;       ///< the same of K^T; empty for a symmetric K
     double eigenvalue = 0;      ///< left^T K direction: for a symmetric K its Rayleigh quotient by the weights
+    /// Of a symmetric K the directions, where they were asked for, in which it is weakest when multipliers weigh as
+    /// much as the others, a column each of length 1 by these weights, and their Rayleigh quotients.
+    Eigen::MatrixXd next;
+    Eigen::VectorXd next_eigenvalues;
 };
 
 namespace detail {
@@ -164,13 +168,14 @@ bool factor_with_border(BorderedSolver<Matrix>& solver, Matrix k, const Eigen::V
 /// that of a K nearby.
 template <class Matrix>
 std::optional<WeakDirection> factor_at_weakest(BorderedSolver<Matrix>& solver, Matrix k, const Eigen::VectorXd& weights,
-                                               int multipliers, Border& border, const Eigen::VectorXd& guess = {});
+                                               int multipliers, Border& border, const Eigen::MatrixXd& guess = {},
+                                               int next = 0);
 
 /// The same of the K that the solver has factored with `border`, where it has solved for r.
 template <class Matrix>
 std::optional<WeakDirection> weakest_direction(BorderedSolver<Matrix>& solver, const BorderedSolution& r,
                                                const Eigen::VectorXd& weights, int multipliers, Border& border,
-                                               const Eigen::VectorXd& guess);
+                                               const Eigen::MatrixXd& guess, int next);
 
 }  // namespace equilibria
 

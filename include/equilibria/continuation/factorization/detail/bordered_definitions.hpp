@@ -8,6 +8,7 @@
 #include <utility>
 
 #include <Eigen/Core>
+#include <Eigen/Eigenvalues>
 
 #include <equilibria/continuation/factorization/bordered.hpp>
 #include <equilibria/continuation/factorization/generic_vector.hpp>
@@ -57,7 +58,7 @@ bool BorderedSolver<Matrix>::factor(Border border) {
     border_ = border;
     if (!std::isfinite(size_)) return false;
     column_ = k_.col(border.column);
-    if (symmetric_)
+    if (sparse && symmetric_)
         row_ = column_;
     else
         row_ = k_.transpose().col(border.row);
@@ -148,11 +149,43 @@ bool factor_with_border(BorderedSolver<Matrix>& solver, Matrix k, const Eigen::V
     return solver.factor(border);
 }
 
+/// WeakDirection::next, by subspace iteration from `guess` and generic vectors; y.r and the factors are there.
+template <class Matrix>
+void add_next(const BorderedSolver<Matrix>& solver, const Eigen::VectorXd& weights, int multipliers,
+              const Eigen::MatrixXd& guess, int next, WeakDirection& y) {
+    const Eigen::Index n = weights.size(), own = n - multipliers;
+    if (y.r.tau == 0 || next > own) return;
+    Eigen::VectorXd equal = weights;
+    equal.tail(multipliers).setConstant(weights.head(own).maxCoeff());
+    const bool known = guess.rows() == n && guess.cols() > next;
+    Eigen::MatrixXd v(n, next);
+    for (int c = 0; c < next; ++c) {
+        const Eigen::VectorXd generic = generic_vector(n, c + 1);
+        v.col(c) = generic / std::sqrt(generic.dot(equal.cwiseProduct(generic)));
+        if (known) v.col(c) = guess.col(1 + c) + 0.1 * v.col(c);
+    }
+    for (int iteration = known ? 1 : 0; iteration < 3; ++iteration) {
+        const BorderedSolutions f = solver.solve_roughly(equal.asDiagonal() * v);
+        v = f.x - y.r.x * (f.tau / y.r.tau).transpose();
+        for (int c = 0; c < next; ++c) {
+            for (int twice = 0; twice < 2; ++twice)
+                for (int b = 0; b < c; ++b) v.col(c) -= v.col(b).dot(equal.cwiseProduct(v.col(c))) * v.col(b);
+            v.col(c) /= std::sqrt(v.col(c).dot(equal.cwiseProduct(v.col(c))));
+        }
+    }
+    if (!v.allFinite()) return;
+    // Rayleigh and Ritz
+    const Eigen::MatrixXd kv = solver.matrix() * v;
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(v.transpose() * kv);
+    y.next = v * eigen.eigenvectors();
+    y.next_eigenvalues = eigen.eigenvalues();
+}
+
 /// See factor_at_weakest and weakest_direction. known: r, where the solver has K's factors with that border.
 template <class Matrix>
 std::optional<WeakDirection> search_weakest(BorderedSolver<Matrix>& solver, const BorderedSolution* known,
                                             const Eigen::VectorXd& weights, int multipliers, Border& border,
-                                            const Eigen::VectorXd& guess) {
+                                            const Eigen::MatrixXd& guess, int next) {
     const Matrix& k = solver.matrix();
     const Eigen::Index n = k.rows(), size = n - multipliers;
     if (size == 0) return std::nullopt;
@@ -176,10 +209,10 @@ std::optional<WeakDirection> search_weakest(BorderedSolver<Matrix>& solver, cons
     };
     Eigen::VectorXd start = generic_vector(n);
     int iterations = 3;
-    if (guess.size() == n) {
+    if (guess.cols() > 0 && guess.rows() == n) {
         // not blind to another direction that has become the weakest
         normalize(start);
-        start = guess + 0.1 * start;
+        start = guess.col(0) + 0.1 * start;
         iterations = 2;
     }
     int singular = 0;
@@ -204,7 +237,7 @@ std::optional<WeakDirection> search_weakest(BorderedSolver<Matrix>& solver, cons
         Border better;
         if (symmetric) {
             for (int iteration = 0; iteration < iterations; ++iteration) {
-                y.direction = inverse(solver.solve_roughly(weights.cwiseProduct(y.direction), 0), y.r);
+                y.direction = inverse(solver.solve_roughly(weights.cwiseProduct(y.direction))[0], y.r);
                 normalize(y.direction);
             }
             better.column = better.row = largest(y.direction, border.column);
@@ -231,6 +264,7 @@ std::optional<WeakDirection> search_weakest(BorderedSolver<Matrix>& solver, cons
         y.r = solver.solve(zero, 1);
     }
     y.eigenvalue = (symmetric ? y.direction : y.left).dot(k * y.direction);
+    if (symmetric && next > 0) add_next(solver, weights, multipliers, guess, next, y);
     return y;
 }
 
@@ -238,20 +272,21 @@ std::optional<WeakDirection> search_weakest(BorderedSolver<Matrix>& solver, cons
 
 template <class Matrix>
 std::optional<WeakDirection> factor_at_weakest(BorderedSolver<Matrix>& solver, Matrix k, const Eigen::VectorXd& weights,
-                                               int multipliers, Border& border, const Eigen::VectorXd& guess) {
+                                               int multipliers, Border& border, const Eigen::MatrixXd& guess,
+                                               int next) {
     if (!solver.factor(std::move(k), border)) {
         if (!std::isfinite(solver.largest_entry())) return std::nullopt;
-        return detail::search_weakest(solver, nullptr, weights, multipliers, border, guess);
+        return detail::search_weakest(solver, nullptr, weights, multipliers, border, guess, next);
     }
     const BorderedSolution r = solver.solve(Eigen::VectorXd::Zero(solver.matrix().rows()), 1);
-    return detail::search_weakest(solver, &r, weights, multipliers, border, guess);
+    return detail::search_weakest(solver, &r, weights, multipliers, border, guess, next);
 }
 
 template <class Matrix>
 std::optional<WeakDirection> weakest_direction(BorderedSolver<Matrix>& solver, const BorderedSolution& r,
                                                const Eigen::VectorXd& weights, int multipliers, Border& border,
-                                               const Eigen::VectorXd& guess) {
-    return detail::search_weakest(solver, &r, weights, multipliers, border, guess);
+                                               const Eigen::MatrixXd& guess, int next) {
+    return detail::search_weakest(solver, &r, weights, multipliers, border, guess, next);
 }
 
 }  // namespace equilibria

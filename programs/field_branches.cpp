@@ -36,10 +36,9 @@ using equilibria::Json;
 struct Command {
     std::string name;
     int dimension = 1, degree = 1;
-    std::optional<int> intervals, branches;
+    std::optional<int> intervals, branches, steps;
     std::optional<double> start, length, nu;
     std::optional<support::Range> window;
-    equilibria::DiagramOptions options;
     std::optional<support::OutputFile> json, csv;
     support::Pictures pictures;
 };
@@ -80,7 +79,7 @@ Command read(int argc, char** argv) {
         .transform(support::finite());
     app.add_option("--parameter", window, "the range LOW:HIGH of the parameter (default: the case's own)")
         .transform(support::range("must be LOW:HIGH, finite, with LOW < HIGH", -1e12, 1e12));
-    app.add_option("--steps", c.options.continuation.most_steps, "of each branch at most, 1 to 100000 (default 400)")
+    app.add_option("--steps", c.steps, "of each branch at most, 1 to 100000 (default 400, of gelfand 80)")
         .transform(support::integer(1, 100000));
     app.add_option("--branches", c.branches,
                    "at most, 1 to 10000 (default 40, of swift_hohenberg 2: those through the start)")
@@ -89,7 +88,6 @@ Command read(int argc, char** argv) {
     support::add_output(app, "--csv", c.csv,
                         "write the points of all branches as CSV to this file, or to stdout for -");
     c.pictures.add_to(app, "the branches");
-    c.options.continuation.most_steps = 400;
     app.parse("field_branches", argc, argv);
 
     if (c.name.empty()) support::fail("--case", "", cases);
@@ -108,7 +106,7 @@ struct Field {
     std::vector<VectorXd> guesses;  ///< of the first solution; several: all that deflation finds from them
     double start, low, high, largest_step;
     double parameter_weight = 0;  ///< one for all components where there are several solutions
-    int branches = 40;
+    int branches = 40, steps = 400;
 };
 
 template <class P>
@@ -199,16 +197,17 @@ template <class M>
 void run(const Command& c, Field<M> field) {
     const auto problem = support::sparse(field.model);
     using P = std::remove_cv_t<decltype(problem)>;
-    auto options = c.options;
+    equilibria::DiagramOptions options;
     options.continuation.range = {c.window ? c.window->low : field.low, c.window ? c.window->high : field.high};
     options.continuation.branch.largest_step = field.largest_step;
     options.continuation.branch.parameter_weight = field.parameter_weight;
+    options.continuation.most_steps = c.steps.value_or(field.steps);
     options.most_branches = c.branches.value_or(field.branches);
     const double start =
         c.start.value_or(c.window ? std::clamp(field.start, c.window->low, c.window->high) : field.start);
     std::vector<VectorXd> solutions;
     if (field.guesses.size() > 1) {
-        solutions = equilibria::deflated_search(problem, start, field.guesses, {});
+        solutions = support::solutions_at(problem, start, field.guesses);
     } else {
         VectorXd q = field.guesses[0];
         if (correct_at(problem, q, start).converged()) solutions.push_back(std::move(q));
@@ -244,13 +243,15 @@ double root_mean_square(const VectorXd& u) { return u.norm() / std::sqrt(static_
 template <class M>
 void follow_bratu(const Command& c, M model) {
     const Eigen::Index n = model.size();
+    // below, the grids of more dimensions are too coarse for the large solution
+    const double low = c.dimension == 1 ? 0.2 : 1;
     run<M>(c, {.model = std::move(model),
                .parameter = "lambda",
                .measures = {"maximum of u", "root mean square of u"},
                .measure = [](const VectorXd& u) { return std::vector{u.maxCoeff(), root_mean_square(u)}; },
                .guesses = {VectorXd::Zero(n)},
-               .start = 0.2,
-               .low = 0.2,
+               .start = low,
+               .low = low,
                .high = 20,
                .largest_step = 0.5});
 }
@@ -265,7 +266,8 @@ void follow_gelfand(const Command& c) {
                               .start = 0.1,
                               .low = 0.1,
                               .high = 20,
-                              .largest_step = 0.5});
+                              .largest_step = 0.5,
+                              .steps = 80});
 }
 
 void follow_swift_hohenberg(const Command& c) {
@@ -308,6 +310,7 @@ void follow_swift_hohenberg(const Command& c) {
 
 void follow_carrier(const Command& c) {
     const support::Carrier model(c.intervals.value_or(400));
+    const double start = 0.2;
     run<support::Carrier>(c, {.model = model,
                               .parameter = "epsilon",
                               .measures = {"slope at x = -1", "u at x = 0"},
@@ -324,8 +327,8 @@ void follow_carrier(const Command& c) {
                                       y.emplace_back(1, 0);
                                       return y;
                                   },
-                              .guesses = model.guesses(6),
-                              .start = 0.2,
+                              .guesses = model.guesses(c.start.value_or(start), 6),
+                              .start = start,
                               .low = 0.19,
                               .high = 1,
                               .largest_step = 0.1,

@@ -4,7 +4,7 @@
 // root mean squares, so that a step means the same on every grid.
 #pragma once
 
-#include <array>
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -12,6 +12,7 @@
 
 #include <Eigen/Core>
 
+#include <equilibria/continuation/diagrams/deflation.hpp>
 #include <equilibria/continuation/sparse_residual_problem.hpp>
 
 namespace support {
@@ -243,15 +244,25 @@ struct Carrier : MeanSquare {
         }
         return g;
     }
-    /// Smooth functions, even and odd, from which deflated Newton finds solutions.
-    std::vector<Eigen::VectorXd> guesses(int waves) const {
-        std::vector<Eigen::VectorXd> y;
-        for (int k = 0; k < waves; ++k)
-            for (const double amplitude : {-1.0, 1.0}) {
-                y.emplace_back(size());
-                for (Eigen::Index i = 0; i < size(); ++i)
-                    y.back()(i) = amplitude * std::sin(std::numbers::pi * (k + 1) * (coordinate(i) + 1) / 2);
+    /// Where solutions are to be looked for: near the smooth one, u- = -(1 - x^2) - s, s^2 = (1 - x^2)^2 + 1, which
+    /// solves the equation without u'', alone, and with spikes 3 s / cosh^2(sqrt(s / 2) (x - x0) / eps) on it, one or
+    /// two, whose places are so many.
+    std::vector<Eigen::VectorXd> guesses(double eps, int places) const {
+        const auto with_spikes = [&](const std::vector<double>& at) {
+            Eigen::VectorXd u(size());
+            for (Eigen::Index i = 0; i < size(); ++i) {
+                const double x = coordinate(i), s = std::hypot(1 - x * x, 1.0);
+                u(i) = x * x - 1 - s;
+                for (const double x0 : at) u(i) += 3 * s / std::pow(std::cosh(std::sqrt(s / 2) * (x - x0) / eps), 2);
             }
+            return u;
+        };
+        std::vector<Eigen::VectorXd> y{with_spikes({})};
+        for (int k = 0; k < places; ++k) {
+            const double x0 = -1 + 2 * (k + 0.5) / places;
+            y.push_back(with_spikes({x0}));
+            for (int l = 0; l < k; ++l) y.push_back(with_spikes({-1 + 2 * (l + 0.5) / places, x0}));
+        }
         return y;
     }
     /// The mirror image.
@@ -263,6 +274,29 @@ template <class M>
 equilibria::SparseResidualProblem<M> sparse(M model) {
     const Eigen::Index n = model.size();
     return {std::move(model), n};
+}
+
+/// The solutions at the parameter p that deflated Newton finds from the guesses, and the images of all that are found,
+/// where the model has any.
+template <class M>
+std::vector<Eigen::VectorXd> solutions_at(const equilibria::SparseResidualProblem<M>& problem, double p,
+                                          const std::vector<Eigen::VectorXd>& guesses) {
+    std::vector<Eigen::VectorXd> known;
+    for (bool more = true; more;) {
+        const auto found = equilibria::deflated_search(problem, p, guesses, known);
+        more = !found.empty();
+        for (const Eigen::VectorXd& u : found) {
+            known.push_back(u);
+            if constexpr (requires { problem.model().images(u); })
+                for (const Eigen::VectorXd& image : problem.model().images(u)) {
+                    const auto same = [&](const Eigen::VectorXd& v) { return (image - v).norm() < 1e-6 * u.norm(); };
+                    if (std::none_of(known.begin(), known.end(), same) &&
+                        std::none_of(found.begin(), found.end(), same))
+                        known.push_back(image);
+                }
+        }
+    }
+    return known;
 }
 
 }  // namespace support

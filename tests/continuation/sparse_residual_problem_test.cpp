@@ -170,7 +170,7 @@ TEST_CASE("sparse residuals: the whole diagonal is stored, and no entry that is 
     check_same(MatrixXd(problem.tangent(q, 0.4)), ResidualProblem(Shifted{}).tangent(q, 0.4), 1e-15);
 }
 
-TEST_CASE("sparse residuals: the check of derivatives passes; weights and multipliers are passed on") {
+TEST_CASE("sparse residuals: the check of derivatives passes, weights and multipliers are passed on") {
     const SparseResidualProblem problem(Band{2}, 30);
     const DerivativeErrors errors = check_derivatives(problem, VectorXd(VectorXd::LinSpaced(30, -1, 1)), 0.4);
     CHECK(errors.tangent < 1e-8);

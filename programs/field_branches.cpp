@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <exception>
 #include <functional>
+#include <limits>
 #include <numbers>
 #include <optional>
 #include <sstream>
@@ -99,6 +100,7 @@ Command read(int argc, char** argv) {
 template <class M>
 struct Field {
     M model;
+    std::string heading;                ///< of the picture
     std::string parameter;              ///< its name
     std::vector<std::string> measures;  ///< the first one is drawn
     std::function<std::vector<double>(const VectorXd&)> measure;
@@ -136,12 +138,16 @@ void draw(const Command& c, const Field<M>& field, const equilibria::BranchMeasu
     std::ostringstream stable, unstable, points[2], marks, profiles;
     for (auto* s : {&stable, &unstable, &points[0], &points[1], &marks, &profiles}) s->precision(10);
     std::vector<const equilibria::CriticalPoint<P>*> folds;
+    std::size_t bifurcations = 0;
+    double least = std::numeric_limits<double>::infinity(), most = -least;
     for (const auto& graph : graphs) {
         for (const auto& edge : graph.branches) {
             const auto samples =
                 samples_of(edge.branch, how, {}, edge.parent ? &graph.nodes[*edge.parent].point : nullptr);
             for (std::size_t k = 0; k + 1 < samples.size(); ++k) {
                 std::ostringstream& s = samples[k + 1].stable ? stable : unstable;
+                least = std::min(least, samples[k].parameter);
+                most = std::max(most, samples[k].parameter);
                 for (const std::size_t end : {k, k + 1})
                     s << samples[end].parameter << ' ' << samples[end].measures[0] << '\n';
                 s << '\n';
@@ -150,6 +156,7 @@ void draw(const Command& c, const Field<M>& field, const equilibria::BranchMeasu
         for (const auto& [point, branches] : graph.nodes) {
             points[is_bifurcation(point.kind) ? 1 : 0] << point.p << ' ' << how.measure(point.q)[0] << '\n';
             if (point.kind == equilibria::CriticalKind::fold) folds.push_back(&point);
+            if (is_bifurcation(point.kind)) ++bifurcations;
         }
     }
     std::sort(folds.begin(), folds.end(),
@@ -157,18 +164,19 @@ void draw(const Command& c, const Field<M>& field, const equilibria::BranchMeasu
     const std::size_t shown = field.profile ? std::min<std::size_t>(5, folds.size()) : 0;
     for (std::size_t k = 0; k < shown; ++k) {
         const auto& fold = *folds[shown > 1 ? k * (folds.size() - 1) / (shown - 1) : 0];
-        marks << fold.p << ' ' << how.measure(fold.q)[0] << ' ' << static_cast<char>('a' + k) << '\n';
+        // the letter stands where the branch is not
+        const double side = fold.curvature > 0 ? -0.02 : 0.02;
+        marks << fold.p + side * (most - least) << ' ' << how.measure(fold.q)[0] << ' ' << static_cast<char>('a' + k)
+              << '\n';
         for (const auto& [x, u] : field.profile(fold.q)) profiles << x << ' ' << u << '\n';
         profiles << "\n\n";
     }
     equilibria::GnuplotData data;
-    std::string heading = c.name;
-    std::replace(heading.begin(), heading.end(), '_', ' ');
-    data.string("heading", heading).string("parameter", how.parameter).string("measure", how.names[0]);
+    data.string("heading", field.heading).string("parameter", how.parameter).string("measure", how.names[0]);
     data.block("stable", stable.str()).block("unstable", unstable.str());
     data.block("folds", points[0].str()).block("bifurcations", points[1].str());
     data.block("marks", marks.str(), 3).block("profiles", profiles.str());
-    data.integer("shown", static_cast<long long>(shown));
+    data.integer("shown", static_cast<long long>(shown)).integer("bifurcations", static_cast<long long>(bifurcations));
     c.pictures.draw({shown > 0 ? 1000 : 700, 560}, data, plots::field_branches);
 }
 
@@ -246,6 +254,7 @@ void follow_bratu(const Command& c, M model) {
     // below, the grids of more dimensions are too coarse for the large solution
     const double low = c.dimension == 1 ? 0.2 : 1;
     run<M>(c, {.model = std::move(model),
+               .heading = "Bratu's problem",
                .parameter = "lambda",
                .measures = {"maximum of u", "root mean square of u"},
                .measure = [](const VectorXd& u) { return std::vector{u.maxCoeff(), root_mean_square(u)}; },
@@ -259,6 +268,7 @@ void follow_bratu(const Command& c, M model) {
 void follow_gelfand(const Command& c) {
     const int n = c.intervals.value_or(1000);
     run<support::Gelfand>(c, {.model = support::Gelfand(n),
+                              .heading = "Gelfand's problem on the ball",
                               .parameter = "lambda",
                               .measures = {"u at the centre"},
                               .measure = [](const VectorXd& u) { return std::vector{u(0)}; },
@@ -289,6 +299,7 @@ void follow_swift_hohenberg(const Command& c) {
     }
     Field<support::SwiftHohenberg> field{
         .model = std::move(model),
+        .heading = "Swift-Hohenberg equation",
         .parameter = "r",
         .measures = {"root mean square of u", "maximum of u"},
         .measure = [](const VectorXd& u) { return std::vector{root_mean_square(u), u.maxCoeff()}; },
@@ -296,7 +307,7 @@ void follow_swift_hohenberg(const Command& c) {
         .start = -0.3,
         .low = -1,
         .high = -0.02,
-        .largest_step = 0.1,
+        .largest_step = line ? 0.05 : 0.1,
         .branches = 2};
     if (line)
         field.profile = [model = field.model](const VectorXd& u) {
@@ -312,6 +323,7 @@ void follow_carrier(const Command& c) {
     const support::Carrier model(c.intervals.value_or(400));
     const double start = 0.2;
     run<support::Carrier>(c, {.model = model,
+                              .heading = "Carrier's problem",
                               .parameter = "epsilon",
                               .measures = {"slope at x = -1", "u at x = 0"},
                               .measure =

@@ -1,6 +1,7 @@
 # A measure of a field's solutions over the parameter, stable parts heavier; beside it the profiles at some folds.
 # Given: heading, measure, parameter; $stable, $unstable: pieces; $folds, $bifurcations: points; shown: how many profiles,
-# maybe 0; $marks: their folds, parameter, measure and letter; $profiles: x and u, one index each.
+# maybe 0; bifurcations: their number; $marks: a letter for each profile, and where it stands; $profiles: x and u, one index
+# each.
 set tics out nomirror
 set border 3 lw 0.8
 if (shown > 0) set multiplot layout 1, 2
@@ -9,13 +10,12 @@ set key inside left top samplen 2 height 0.3
 set title heading
 set xlabel parameter
 set ylabel measure
-set autoscale
 set offsets graph 0.04, graph 0.04, graph 0.12, graph 0.03
 pieces = "plot $unstable with lines lw 1.2 lc rgb '#e69f00' title 'unstable', \
     $stable with lines lw 2.4 lc rgb '#009e73' title 'stable', \
-    $bifurcations with points pt 7 ps 0.7 lc rgb '#0072b2' title 'bifurcations', \
     $folds with points pt 5 ps 0.5 lc rgb 'black' title 'folds'"
-if (shown > 0) pieces = pieces . ", $marks using 1:2:3 with labels left offset 0.8, 0 notitle"
+if (bifurcations > 0) pieces = pieces . ", $bifurcations with points pt 7 ps 0.7 lc rgb '#0072b2' title 'bifurcations'"
+if (shown > 0) pieces = pieces . ", $marks using 1:2:3 with labels notitle"
 eval pieces
 if (shown > 0) {
     set lmargin at screen 0.64

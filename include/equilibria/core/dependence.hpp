@@ -8,7 +8,6 @@
 #pragma once
 
 #include <algorithm>
-#include <cstddef>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -34,14 +33,10 @@ public:
     const std::vector<int>& on() const { return on_; }
 
     Dependence& operator+=(const Dependence& b) {
-        if (b.on_.empty() || &b == this) return *this;
-        const bool behind = on_.empty() || on_.back() < b.on_.front();
-        if (!behind && std::includes(on_.begin(), on_.end(), b.on_.begin(), b.on_.end())) return *this;
-        const auto middle = static_cast<std::ptrdiff_t>(on_.size());
-        on_.insert(on_.end(), b.on_.begin(), b.on_.end());
-        if (behind) return *this;  // a sum over the unknowns in their order takes linear time
-        std::inplace_merge(on_.begin(), on_.begin() + middle, on_.end());
-        on_.erase(std::unique(on_.begin(), on_.end()), on_.end());
+        if (std::includes(on_.begin(), on_.end(), b.on_.begin(), b.on_.end())) return *this;
+        std::vector<int> both(on_.size() + b.on_.size());
+        both.erase(std::set_union(on_.begin(), on_.end(), b.on_.begin(), b.on_.end(), both.begin()), both.end());
+        on_ = std::move(both);
         return *this;
     }
     Dependence& operator-=(const Dependence& b) { return *this += b; }

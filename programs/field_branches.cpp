@@ -165,7 +165,7 @@ void draw(const Command& c, const Field<M>& field, const equilibria::BranchMeasu
     for (std::size_t k = 0; k < shown; ++k) {
         const auto& fold = *folds[shown > 1 ? k * (folds.size() - 1) / (shown - 1) : 0];
         // the letter stands where the branch is not
-        const double side = fold.curvature > 0 ? -0.02 : 0.02;
+        const double side = fold.curvature > 0 ? -0.03 : 0.03;
         marks << fold.p + side * (most - least) << ' ' << how.measure(fold.q)[0] << ' ' << static_cast<char>('a' + k)
               << '\n';
         for (const auto& [x, u] : field.profile(fold.q)) profiles << x << ' ' << u << '\n';

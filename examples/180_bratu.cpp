@@ -1,6 +1,7 @@
 // A differential equation in two dimensions: Bratu's, laplace(u) + lambda e^u = 0 on the unit square, u = 0 on its edges.
 // The residual is written once, for any number; its sparse K and all further derivatives are exact. The branch from
-// u = 0 turns back at a fold, at lambda = 6.808124423, which three grids tell to seven digits.
+// u = 0 turns back at a fold, at lambda = 6.808124423, which three grids tell to seven
+// digits.
 #include <cmath>
 #include <cstdio>
 #include <equilibria/continuation/branch.hpp>
@@ -60,4 +61,8 @@ int main() {
 
 // clang-format off
 /* Output:
+ 225 unknowns, K in 7 colours: fold at lambda = 6.80217410, largest u 1.38886
+ 961 unknowns, K in 7 colours: fold at lambda = 6.80665273, largest u 1.39096
+3969 unknowns, K in 7 colours: fold at lambda = 6.80775749, largest u 1.39149
+extrapolated: 6.808124
 */

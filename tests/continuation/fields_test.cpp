@@ -121,7 +121,7 @@ struct PatternEnergy {
 double maxwell_point(double nu) {
     const EnergyProblem pattern(PatternEnergy{nu});
     VectorXd q = VectorXd::Zero(9);
-    q(0) = 0.3, q(1) = 1.1, q(2) = 0.2, q(8) = 1;
+    q(0) = 0.4, q(1) = 0.9, q(8) = 1;
     const auto at = [&](double r) {
         REQUIRE(correct_at(pattern, q, r).converged());
         return pattern.energy(q, r);

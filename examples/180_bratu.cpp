@@ -1,7 +1,6 @@
-// A differential equation in two dimensions: Bratu's, laplace(u) + lambda e^u = 0 on the unit square, u = 0 on its edges.
-// The residual is written once, for any number; its sparse K and all further derivatives are exact. The branch from
-// u = 0 turns back at a fold, at lambda = 6.808124423, which three grids tell to seven
-// digits.
+// A differential equation in two dimensions: Bratu's, laplace(u) + lambda e^u = 0 on the unit square, u = 0 on its
+// edges. The residual is written once, for any number; its sparse K and all further derivatives are exact. The branch
+// from u = 0 turns back at a fold, at lambda = 6.808124423, which three grids tell to seven digits.
 #include <cmath>
 #include <cstdio>
 #include <equilibria/continuation/branch.hpp>

@@ -1,0 +1,1 @@
+#include <equilibria/continuation/detail/column_colouring_definitions.hpp>

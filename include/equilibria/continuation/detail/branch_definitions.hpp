@@ -47,6 +47,10 @@ Branch<Erased> follow(AnyBranchStepper<Matrix>& stepper, const BranchPoint<Erase
             branch.end = BranchEnd::window;
             return branch;
         }
+        if (branch.events.size() >= static_cast<std::size_t>(options.most_critical_points)) {
+            branch.end = BranchEnd::critical;
+            return branch;
+        }
         if (k > 2) {
             // the start lies within the last step, and the branch goes through it in the same direction
             const Direction back = stepper.difference(last, start.q, start.p);

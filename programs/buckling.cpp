@@ -44,6 +44,7 @@ struct Command {
     std::string model, order = "cubic", vtk;
     support::CaseData data;
     std::optional<int> steps;
+    std::optional<double> at;
     bool first = false;
     std::optional<support::Range> window;
     std::optional<support::OutputFile> json, csv;
@@ -135,6 +136,8 @@ Command read(int argc, char** argv) {
         .transform(support::range("must be LOW:HIGH, finite, with LOW < HIGH", -1e12, 1e12));
     app.add_option("--steps", c.steps, "of each branch at most, 1 to 100000 (default: the case's own)")
         .transform(support::integer(1, 100000));
+    app.add_option("--at", c.at, "also the place where the parameter has this value, instead of the case's own places")
+        .transform(support::finite("must be a number"));
     app.add_flag("--first", c.first,
                  "end at the first critical point (of each direction, where a case goes both ways), and follow nothing "
                  "that leaves it");
@@ -324,6 +327,9 @@ void print(const support::Tracing<S>& t, const Run& run) {
 template <class S>
 void follow(const Command& c, const S& structure, Setup setup) {
     if (c.steps) setup.options.most_steps = *c.steps;
+    if (c.at)
+        setup.points = {{"at " + equilibria::to_text(*c.at), [value = setup.value, at = *c.at](
+                                                                 const StructureState& q, double p) { return value(q, p) - at; }}};
     if (c.first) setup.options.most_critical_points = 1;
     if (c.window) setup.options.range.low = c.window->low, setup.options.range.high = c.window->high;
     auto t = tracing_of<S>(setup);
@@ -364,6 +370,7 @@ void follow_model(const Command& c) {
     setup.options.range.high = input.high;
     setup.options.branch.first_step = input.first_step.value_or(0.01);
     setup.options.branch.largest_step = input.largest_step.value_or(0.1);
+    setup.options.branch.predictor = equilibria::Predictor::quadratic;
     const auto run = [&](const auto& structure) {
         if (const auto loose = equilibria::fem::loose_motion(structure, structure.initial(), 0))
             throw std::runtime_error("the structure moves without a force: " + name_of(input, loose->node) + ", " +
@@ -409,6 +416,8 @@ int main(int argc, char** argv) {
     buckling: --gj -1: must be a positive number
 --case ring --load sideways
     buckling: --load sideways: must be one of hydrostatic, fixed, central
+--case 5 --at nowhere
+    buckling: --at nowhere: must be a number
 --case 5 --elements 0
     buckling: --elements 0: must be an integer from 1 to 100000
 */

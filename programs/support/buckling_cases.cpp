@@ -105,6 +105,7 @@ BucklingCase make(Model model, const CaseData& data, int tip, const Load& load) 
                    .options = {.range = load.range, .most_steps = 2000}};
     y.options.branch.first_step = load.first_step;
     y.options.branch.largest_step = 0.1;
+    y.options.branch.predictor = equilibria::Predictor::quadratic;
     return y;
 }
 
@@ -372,7 +373,8 @@ BucklingCase bend(const CaseData& data) {
         with_beam_nodes(data.nodes, [&](auto n) { return add_beam<n>(model, section, frame, data.elements); });
     model.fix(nodes.front(), spatial);
     model.load(nodes.back(), {0, 0, 1});
-    BucklingCase y = make(std::move(model), data, nodes.back(), {"P", {-1, 620}, 0.02});
+    BucklingCase y = make(std::move(model), data, nodes.back(), {"P", {-1, 620}, 0.1});
+    y.options.branch.largest_step = 0.4;
     for (const double p : {300, 450, 600}) y.points.push_back(at_parameter(p));
     return y;
 }

@@ -22,7 +22,16 @@ foreach(k 0 1)
     expect(${k} critical_points ${k} branch)
 endforeach()
 
-# a branch without one goes on to the end of its range
+# a branch without one goes on to the end of its range; --at: one place, instead of the three that the case has
+function(places expected)
+    string(REGEX MATCHALL "\"at\": \"at [0-9]+\"" found "${json}")
+    if(NOT found STREQUAL expected)
+        message(SEND_ERROR "places ${found} and should be ${expected}")
+    endif()
+endfunction()
 run_for_json(none.json --case bend --elements 4 --first)
 expect_length(0 critical_points)
 expect(window branches 0 end)
+places("\"at\": \"at 300\";\"at\": \"at 450\";\"at\": \"at 600\"")
+run_for_json(at.json --case bend --elements 4 --at 450)
+places("\"at\": \"at 450\"")

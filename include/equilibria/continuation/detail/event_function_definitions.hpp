@@ -21,10 +21,14 @@ std::optional<BranchPoint<Erased>> zero_between(AnyBranchStepper<Matrix>& steppe
                                                 const BranchPoint<Erased>& b) {
     const double at_a = function.value(a), at_b = function.value(b), h = b.arc_length - a.arc_length;
     if (at_b == 0) return b;
+    // the parabola from a through b: b is where a step of -h would have begun
+    const bool parabola = stepper.options().predictor == Predictor::quadratic;
+    BranchPoint<Erased> from = a;
+    if (parabola) from.step = -h;
     std::optional<BranchPoint<Erased>> best;
     double least = std::numeric_limits<double>::infinity();
     const auto value = [&](double share) {
-        auto point = stepper.step(a, share * h);
+        auto point = stepper.step(from, share * h, parabola ? &b : nullptr);
         // where the branch is ill determined, as at a double point, the function is nearly linear
         if (!point) return (1 - share) * at_a + share * at_b;
         const double y = function.value(*point);

@@ -328,8 +328,9 @@ template <class S>
 void follow(const Command& c, const S& structure, Setup setup) {
     if (c.steps) setup.options.most_steps = *c.steps;
     if (c.at)
-        setup.points = {{"at " + equilibria::to_text(*c.at), [value = setup.value, at = *c.at](
-                                                                 const StructureState& q, double p) { return value(q, p) - at; }}};
+        setup.points = {
+            {"at " + equilibria::to_text(*c.at),
+             [value = setup.value, at = *c.at](const StructureState& q, double p) { return value(q, p) - at; }}};
     if (c.first) setup.options.most_critical_points = 1;
     if (c.window) setup.options.range.low = c.window->low, setup.options.range.high = c.window->high;
     auto t = tracing_of<S>(setup);

@@ -1,5 +1,5 @@
-// MUMPS' one function, which loads the library at its first call: linked, the library and its BLAS would be loaded at every
-// start of the program, and take longer for it than the program for a small frame.
+// MUMPS' one function, which loads the library at its first call: linked, the library and its BLAS would be loaded at
+// every start of the program, and take longer for it than the program for a small frame.
 #ifdef EQUILIBRIA_WITH_MUMPS
 #include <dlfcn.h>
 #include <dmumps_c.h>

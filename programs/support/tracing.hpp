@@ -119,7 +119,8 @@ private:
 }  // namespace detail
 
 /// Follows the branch from the equilibrium near the start without load, towards larger parameters and, if `both_ways`,
-/// smaller ones, and, if `sides`, all branches that leave it. Throws std::runtime_error where there is no such equilibrium.
+/// smaller ones, and, if `sides`, all branches that leave it. Throws std::runtime_error where there is no such
+/// equilibrium.
 template <equilibria::ContinuationProblem P>
 void trace(Tracing<P>& out, const P& problem, const TracingStart<P>& start) {
     detail::Tracer<P> tracer(out, problem, start);

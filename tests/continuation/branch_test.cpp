@@ -83,7 +83,8 @@ TEST_CASE("a branch ends with as many critical points as asked for") {
         REQUIRE(static_cast<int>(branch.events.size()) == most);
         // nothing beyond the step with the last of them, and up to there the same
         CHECK(branch.points.size() == branch.events.back().step + 2);
-        for (std::size_t k = 0; k < branch.events.size(); ++k) CHECK(branch.events[k].point.p == whole.events[k].point.p);
+        for (std::size_t k = 0; k < branch.events.size(); ++k)
+            CHECK(branch.events[k].point.p == whole.events[k].point.p);
         for (std::size_t k = 0; k < branch.points.size(); ++k) CHECK(branch.points[k].p == whole.points[k].p);
     }
     CHECK_THROWS_AS(followed(0), InvalidArgument);

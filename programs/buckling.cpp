@@ -2,6 +2,7 @@
 // a JSON file.
 //
 //   buckling --case right_angle_frame --elements 32 --json frame.json --svg frame.svg
+//   buckling --case right_angle_frame --first --elements 8
 //   buckling --model frame.json --vtk shapes/frame
 #include <algorithm>
 #include <chrono>
@@ -43,6 +44,8 @@ struct Command {
     std::string model, order = "cubic", vtk;
     support::CaseData data;
     std::optional<int> steps;
+    std::optional<double> at;
+    bool first = false;
     std::optional<support::Range> window;
     std::optional<support::OutputFile> json, csv;
     support::Pictures pictures;
@@ -133,6 +136,11 @@ Command read(int argc, char** argv) {
         .transform(support::range("must be LOW:HIGH, finite, with LOW < HIGH", -1e12, 1e12));
     app.add_option("--steps", c.steps, "of each branch at most, 1 to 100000 (default: the case's own)")
         .transform(support::integer(1, 100000));
+    app.add_option("--at", c.at, "also the place where the parameter has this value, instead of the case's own places")
+        .transform(support::finite("must be a number"));
+    app.add_flag("--first", c.first,
+                 "end at the first critical point (of each direction, where a case goes both ways), and follow nothing "
+                 "that leaves it");
     app.add_threads(c.data.threads,
                     "of assembly, 1 to 1024, 0 for one each core (default 1); does not change the result");
     support::add_output(app, "--json", c.json, "write JSON to this file, or to stdout for -");
@@ -319,6 +327,11 @@ void print(const support::Tracing<S>& t, const Run& run) {
 template <class S>
 void follow(const Command& c, const S& structure, Setup setup) {
     if (c.steps) setup.options.most_steps = *c.steps;
+    if (c.at)
+        setup.points = {
+            {"at " + equilibria::to_text(*c.at),
+             [value = setup.value, at = *c.at](const StructureState& q, double p) { return value(q, p) - at; }}};
+    if (c.first) setup.options.most_critical_points = 1;
     if (c.window) setup.options.range.low = c.window->low, setup.options.range.high = c.window->high;
     auto t = tracing_of<S>(setup);
     Run run = run_of(structure);
@@ -329,7 +342,7 @@ void follow(const Command& c, const S& structure, Setup setup) {
         };
     const auto begin = std::chrono::steady_clock::now();
     equilibria::check_derivatives(structure, structure.initial(), 0.0);
-    trace(t, structure, {structure.initial(), setup.options, setup.amplitude, setup.both_ways});
+    trace(t, structure, {structure.initial(), setup.options, setup.amplitude, setup.both_ways, !c.first});
     run.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 
     if (c.pictures.asked()) c.pictures.draw({1200, 560}, plotted(t, structure, run), plots::buckling);
@@ -403,6 +416,8 @@ int main(int argc, char** argv) {
     buckling: --gj -1: must be a positive number
 --case ring --load sideways
     buckling: --load sideways: must be one of hydrostatic, fixed, central
+--case 5 --at nowhere
+    buckling: --at nowhere: must be a number
 --case 5 --elements 0
     buckling: --elements 0: must be an integer from 1 to 100000
 */

@@ -372,7 +372,8 @@ BucklingCase bend(const CaseData& data) {
         with_beam_nodes(data.nodes, [&](auto n) { return add_beam<n>(model, section, frame, data.elements); });
     model.fix(nodes.front(), spatial);
     model.load(nodes.back(), {0, 0, 1});
-    BucklingCase y = make(std::move(model), data, nodes.back(), {"P", {-1, 620}, 0.02});
+    BucklingCase y = make(std::move(model), data, nodes.back(), {"P", {-1, 620}, 0.1});
+    y.options.branch.largest_step = 0.4;
     for (const double p : {300, 450, 600}) y.points.push_back(at_parameter(p));
     return y;
 }

@@ -53,6 +53,7 @@ struct TracingStart {
     equilibria::ContinuationOptions options;
     double amplitude;
     bool both_ways = false;
+    bool sides = true;  ///< also branches that leave
 };
 
 namespace detail {
@@ -71,7 +72,7 @@ public:
         const equilibria::Branch<P> main = branches_.back();
         for (std::size_t k = 0; k < main.events.size(); ++k) {
             const auto& [step, point] = main.events[k];
-            if (is_bifurcation(point.kind)) leave(point, main.points[step].tangent, events_before + k);
+            if (start_.sides && is_bifurcation(point.kind)) leave(point, main.points[step].tangent, events_before + k);
         }
     }
 
@@ -118,7 +119,8 @@ private:
 }  // namespace detail
 
 /// Follows the branch from the equilibrium near the start without load, towards larger parameters and, if `both_ways`,
-/// smaller ones, and all branches that leave it. Throws std::runtime_error where there is no such equilibrium.
+/// smaller ones, and, if `sides`, all branches that leave it. Throws std::runtime_error where there is no such
+/// equilibrium.
 template <equilibria::ContinuationProblem P>
 void trace(Tracing<P>& out, const P& problem, const TracingStart<P>& start) {
     detail::Tracer<P> tracer(out, problem, start);

@@ -66,6 +66,30 @@ TEST_CASE("shallow arch: folds, pitchforks and the closed side branch") {
     }
 }
 
+TEST_CASE("a branch ends with as many critical points as asked for") {
+    const ShallowArch arch{2.5};
+    const auto followed = [&](int most) {
+        auto options = window(-10, 10);
+        options.most_critical_points = most;
+        return continue_branch(arch, VectorXd(Eigen::Vector2d(2.5, 0)), 0, 1, options);
+    };
+    const auto whole = followed(5);
+    CHECK(whole.end == BranchEnd::window);
+    REQUIRE(whole.events.size() == 4);
+    for (const int most : {1, 2, 3, 4}) {
+        CAPTURE(most);
+        const auto branch = followed(most);
+        CHECK(branch.end == BranchEnd::critical);
+        REQUIRE(static_cast<int>(branch.events.size()) == most);
+        // nothing beyond the step with the last of them, and up to there the same
+        CHECK(branch.points.size() == branch.events.back().step + 2);
+        for (std::size_t k = 0; k < branch.events.size(); ++k)
+            CHECK(branch.events[k].point.p == whole.events[k].point.p);
+        for (std::size_t k = 0; k < branch.points.size(); ++k) CHECK(branch.points[k].p == whole.points[k].p);
+    }
+    CHECK_THROWS_AS(followed(0), InvalidArgument);
+}
+
 TEST_CASE("shallow arch: a fold and a bifurcation in one point, and 1e-6 apart") {
     const double l = std::sqrt(5.5);
     const auto follow_from = [](const ShallowArch& arch) {

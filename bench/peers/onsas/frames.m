@@ -1,7 +1,8 @@
-% One of the frames of bench/peers/finite_rotations in ONSAS: frames(problem, elements, steps, side) prints a line "point
-% load x y z" for each step, of the loaded node, and "seconds S unknowns N". side: a dead load out of the plane, as a part
-% of the load that a step has. ONSAS' folder src must be on the path; its files go to ./output.
-function frames(problem, elements, steps, side)
+% One of the frames of bench/peers/finite_rotations in ONSAS: frames(problem, elements, steps, side, last_step) prints a
+% line "point load x y z" for each step, of the loaded node, and "seconds S unknowns N". side: a dead load out of the plane,
+% as a part of the load that a step has. last_step: it ends with this one of the steps. ONSAS' folder src must be on the
+% path; its files go to ./output.
+function frames(problem, elements, steps, side, last_step)
   fixed = 1:6; % ux rx uy ry uz rz: ONSAS' order
   planar = [2 4 5];
   switch problem
@@ -105,7 +106,7 @@ function frames(problem, elements, steps, side)
   if arc
     settings.methodName = 'arcLength';
     settings.deltaT = 1;
-    settings.finalTime = steps;
+    settings.finalTime = last_step;
     settings.incremArcLen = arc * 60 / steps;
     settings.iniDeltaLamb = first;
     settings.posVariableLoadBC = 2;
@@ -116,7 +117,7 @@ function frames(problem, elements, steps, side)
     end
     settings.methodName = 'newtonRaphson';
     settings.deltaT = most / steps;
-    settings.finalTime = most;
+    settings.finalTime = most * last_step / steps;
   end
   other = struct('problemName', 'frame');
 

@@ -3,10 +3,11 @@
 // LoadControl, system BandGeneral. The integrator ArcLength takes the sign of the last load step for the next: it turns
 // back at folds, and is not used.
 //
-//   frames PROBLEM ELEMENTS STEPS SIDE
+//   frames PROBLEM ELEMENTS STEPS SIDE [LAST]
 //
 // prints a line "point load x y z" for each step, of the loaded node, and "seconds S unknowns N". SIDE: a dead load out
-// of the plane, as a part of the load that a step has. It ends with 1 where OpenSees gives up.
+// of the plane, as a part of the load that a step has. LAST: it ends with this one of the STEPS. It ends with 1 where
+// OpenSees gives up.
 #include <AnalysisModel.h>
 #include <BandGenLinLapackSolver.h>
 #include <BandGenLinSOE.h>
@@ -158,9 +159,9 @@ void print_point(const Frame& frame, Domain& domain) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    if (argc != 5) return 2;
+    if (argc != 5 && argc != 6) return 2;
     const auto begin = std::chrono::steady_clock::now();
-    const int steps = std::atoi(argv[3]);
+    const int steps = std::atoi(argv[3]), last = argc == 6 ? std::atoi(argv[5]) : steps;
     const Frame frame = ::frame(argv[1], std::atoi(argv[2]), steps, std::atof(argv[4]));
     if (frame.places.empty()) return 2;
     Domain domain;
@@ -175,9 +176,9 @@ int main(int argc, char** argv) {
                             *new NewtonRaphson(*test), *new BandGenLinSOE(*new BandGenLinLapackSolver()), *integrator,
                             test);
     print_point(frame, domain);
-    for (int k = 0; k < steps; ++k) {
+    for (int k = 0; k < last; ++k) {
         if (analysis.analyze(1) != 0) {
-            std::fprintf(stderr, "OpenSees gave up in step %d of %d\n", k + 1, steps);
+            std::fprintf(stderr, "OpenSees gave up in step %d of %d\n", k + 1, last);
             std::fflush(stdout);
             std::_Exit(1);
         }

@@ -23,23 +23,27 @@ struct ContinuationOptions {
     /// Of p, in its own unit: the branch ends at the first point outside.
     Interval range{-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
     int most_steps = 1000;
+    /// The branch ends with the step on which it has as many.
+    int most_critical_points = std::numeric_limits<int>::max();
 
     void validate() const {
         branch.validate();
         require(range.low < range.high, "range.low", range.low, "must be below range.high");
         require(most_steps >= 1, "most_steps", most_steps, "must be at least 1");
+        require(most_critical_points >= 1, "most_critical_points", most_critical_points, "must be at least 1");
     }
 };
 
 /// Why a branch ends.
 enum class BranchEnd {
-    steps,    ///< as many as allowed
-    window,   ///< p left its range
-    closed,   ///< back at its first point
-    stopped,  ///< the smallest step did not converge
+    steps,     ///< as many as allowed
+    window,    ///< p left its range
+    closed,    ///< back at its first point
+    stopped,   ///< the smallest step did not converge
+    critical,  ///< as many critical points as allowed
 };
 constexpr const char* to_string(BranchEnd end) {
-    constexpr const char* names[] = {"steps", "window", "closed", "stopped"};
+    constexpr const char* names[] = {"steps", "window", "closed", "stopped", "critical"};
     return names[static_cast<int>(end)];
 }
 

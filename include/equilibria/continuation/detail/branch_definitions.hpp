@@ -43,6 +43,10 @@ Branch<Erased> follow(AnyBranchStepper<Matrix>& stepper, const BranchPoint<Erase
         before = from;
         branch.points.push_back(std::move(*next));
         const BranchPoint<Erased>& last = branch.points.back();
+        if (branch.events.size() >= static_cast<std::size_t>(options.most_critical_points)) {
+            branch.end = BranchEnd::critical;
+            return branch;
+        }
         if (last.p < options.range.low || last.p > options.range.high) {
             branch.end = BranchEnd::window;
             return branch;

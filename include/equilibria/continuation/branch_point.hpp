@@ -40,6 +40,14 @@ struct BranchPointEvidence {
     double proposed_step = 0;  ///< for the next one
     double arc_length = 0;     ///< from the start
 
+    /// The weak direction and the next ones, a column each.
+    Eigen::MatrixXd weak_directions() const {
+        Eigen::MatrixXd y(weak_direction.size(), 1 + next_directions.cols());
+        y.col(0) = weak_direction;
+        if (next_directions.cols() > 0) y.rightCols(next_directions.cols()) = next_directions;
+        return y;
+    }
+
     /// Stable by energy: no negative eigenvalue; nothing where the inertia is not known.
     std::optional<bool> stable() const {
         if (!negative) return std::nullopt;

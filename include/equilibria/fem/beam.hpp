@@ -30,6 +30,23 @@ namespace equilibria::fem {
 
 namespace detail {
 
+/// By the unknowns of all nodes.
+template <class Geometry>
+using NodeMatrix = Eigen::Matrix<double, Geometry::n_strains*(Geometry::gauss_points + 1),
+                                 Geometry::n_strains*(Geometry::gauss_points + 1)>;
+
+/// Adds b^T c b of a Gauss point times its weight, c a diagonal matrix.
+template <class Geometry>
+void add_material(const typename Geometry::Point& y, const typename Geometry::Strains& c,
+                  NodeMatrix<Geometry>& tangent) {
+    constexpr int n = Geometry::n_strains, unknowns = NodeMatrix<Geometry>::RowsAtCompileTime;
+    Eigen::Matrix<double, unknowns, n> b;
+    for (std::size_t k = 0; k < y.b.size(); ++k)
+        b.template middleRows<n>(static_cast<Eigen::Index>(n * k)) = y.b[k].transpose();
+    const Eigen::Matrix<double, n, unknowns> cb = y.weight * (c.asDiagonal() * b.transpose());
+    tangent += b.lazyProduct(cb);
+}
+
 template <class Geometry, class S>
 class BeamElement {
 public:
@@ -63,8 +80,8 @@ public:
             out.parameter_derivative.setZero();
             return;
         }
-        out.residual.setZero();
-        if (need == Need::tangent) out.tangent.setZero();
+        if (need == Need::residual) out.residual.setZero();
+        NodeMatrix<Geometry> tangent = NodeMatrix<Geometry>::Zero();
         for (int g = 0; g < gauss_points; ++g) {
             const auto y = geometry_.point(at, g);
             const Strains stress = stiffness_.cwiseProduct(y.strain);
@@ -73,13 +90,10 @@ public:
                     out.residual.template segment<n>(n * k) += y.weight * y.b[place(k)].transpose() * stress;
                 continue;
             }
-            for (int i = 0; i < n_nodes; ++i) {
-                const typename Geometry::StrainDerivative cb = y.weight * stiffness_.asDiagonal() * y.b[place(i)];
-                for (int k = 0; k < n_nodes; ++k)
-                    out.tangent.template block<n, n>(n * i, n * k) += cb.transpose() * y.b[place(k)];
-            }
-            geometry_.add_geometric(y, stress, out.tangent);
+            add_material<Geometry>(y, stiffness_, tangent);
+            geometry_.add_geometric(y, stress, tangent);
         }
+        if (need == Need::tangent) out.tangent = tangent;
     }
 
 private:
@@ -121,8 +135,9 @@ public:
             out.parameter_derivative.setZero();
             return;
         }
-        out.residual.setZero();
-        if (need == Need::tangent) out.tangent.setZero();
+        if (need == Need::residual) out.residual.setZero();
+        if (need == Need::tangent) out.tangent.template bottomRightCorner<n_multipliers, n_multipliers>().setZero();
+        NodeMatrix<Geometry> tangent = NodeMatrix<Geometry>::Zero();
         const Strains share = Strains::Ones() - penalty_.cwiseProduct(flexibility_);
         for (int g = 0; g < gauss_points; ++g) {
             const auto y = geometry_.point(at, g);
@@ -138,17 +153,16 @@ public:
                 continue;
             }
             for (int i = 0; i < n_nodes; ++i) {
-                const auto& b = y.b[place(i)];
-                const Matrix cb = y.weight * penalty_.asDiagonal() * b, coupling = k * share.asDiagonal() * b;
-                for (int j = 0; j < n_nodes; ++j)
-                    out.tangent.template block<n, n>(n * i, n * j) += cb.transpose() * y.b[place(j)];
+                const Matrix coupling = k * share.asDiagonal() * y.b[place(i)];
                 out.tangent.template block<n, n>(row, n * i) = coupling;
                 out.tangent.template block<n, n>(n * i, row) = coupling.transpose();
             }
             out.tangent.template block<n, n>(row, row).diagonal() =
                 -scale.multiplier * k * flexibility_.cwiseProduct(share);
-            geometry_.add_geometric(y, stress, out.tangent);
+            add_material<Geometry>(y, penalty_, tangent);
+            geometry_.add_geometric(y, stress, tangent);
         }
+        if (need == Need::tangent) out.tangent.template topLeftCorner<n * n_nodes, n * n_nodes>() = tangent;
     }
 
 private:

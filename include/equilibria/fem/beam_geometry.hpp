@@ -134,8 +134,9 @@ public:
         return y;
     }
 
-    /// Adds the second derivatives of weight stress . strain to a tangent whose first unknowns are the nodes'.
-    void add_geometric(const Point& y, const Strains& stress, Eigen::MatrixXd& tangent) const {
+    /// Adds the second derivatives of weight stress . strain to a tangent by the nodes' unknowns.
+    void add_geometric(const Point& y, const Strains& stress,
+                       Eigen::Matrix<double, 6 * Nodes, 6 * Nodes>& tangent) const {
         // f = n . Gamma + m . kappa with f |Q|^2 = <x' Q, Q n> + 2 <Q m, Q'>, quadratic in (Q, Q')
         const Eigen::Vector3d n = stress.template head<3>(), m = stress.template tail<3>();
         const double f = stress.dot(y.total), s = y.q.squaredNorm();
@@ -153,20 +154,30 @@ public:
         f_qdq -= 2 * y.q * f_dq.transpose();
         f_qdx -= 2 * y.q * f_dx.transpose();
         const double w = y.weight / s;
-        for (std::size_t i = 0; i < count; ++i)
+        // of Q and Q' by the nodes' rotations
+        Eigen::Matrix<double, 4, 3 * Nodes> q, dq;
+        for (std::size_t k = 0; k < count; ++k) {
+            const Eigen::Index at = static_cast<Eigen::Index>(3 * k);
+            q.template middleCols<3>(at) = y.n[k] * y.turn[k];
+            dq.template middleCols<3>(at) = y.d[k] * y.turn[k];
+        }
+        const Eigen::Matrix<double, 3 * Nodes, 4> qt = w * q.transpose(), dqt = w * dq.transpose();
+        const Eigen::Matrix<double, 4, 3 * Nodes> by_q = f_qq.lazyProduct(q) + f_qdq.lazyProduct(dq),
+                                                  by_dq = f_qdq.transpose().lazyProduct(q);
+        const Eigen::Matrix<double, 3 * Nodes, 3 * Nodes> rotations = qt.lazyProduct(by_q) + dqt.lazyProduct(by_dq);
+        const Eigen::Matrix<double, 3 * Nodes, 3> mixed = qt.lazyProduct(f_qdx);
+        for (std::size_t i = 0; i < count; ++i) {
+            const Eigen::Index from = static_cast<Eigen::Index>(3 * i);
             for (std::size_t j = 0; j < count; ++j) {
-                auto k =
-                    tangent.template block<6, 6>(static_cast<Eigen::Index>(6 * i), static_cast<Eigen::Index>(6 * j));
-                k.template bottomLeftCorner<3, 3>() += w * y.n[i] * y.d[j] * y.turn[i].transpose() * f_qdx;
-                k.template topRightCorner<3, 3>() += w * y.d[i] * y.n[j] * f_qdx.transpose() * y.turn[j];
-                k.template bottomRightCorner<3, 3>() +=
-                    w * y.turn[i].transpose() *
-                    (y.n[i] * y.n[j] * f_qq + y.n[i] * y.d[j] * f_qdq + y.d[i] * y.n[j] * f_qdq.transpose()) *
-                    y.turn[j];
-                if (i == j)
-                    k.template bottomRightCorner<3, 3>().diagonal().array() -=
-                        0.25 * y.weight * (y.n[i] * f_q + y.d[i] * f_dq).dot(y.p[i]);
+                const Eigen::Index to = static_cast<Eigen::Index>(3 * j);
+                tangent.template block<3, 3>(2 * from + 3, 2 * to) += y.d[j] * mixed.template middleRows<3>(from);
+                tangent.template block<3, 3>(2 * to, 2 * from + 3) +=
+                    y.d[j] * mixed.template middleRows<3>(from).transpose();
+                tangent.template block<3, 3>(2 * from + 3, 2 * to + 3) += rotations.template block<3, 3>(from, to);
             }
+            tangent.template block<3, 3>(2 * from + 3, 2 * from + 3).diagonal().array() -=
+                0.25 * y.weight * (y.n[i] * f_q + y.d[i] * f_dq).dot(y.p[i]);
+        }
     }
 
 private:

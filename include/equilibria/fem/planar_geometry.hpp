@@ -91,7 +91,8 @@ public:
     }
 
     /// Adds the second derivatives of weight stress . strain to a tangent whose first unknowns are the nodes'.
-    void add_geometric(const Point& y, const Strains& stress, Eigen::MatrixXd& tangent) const {
+    void add_geometric(const Point& y, const Strains& stress,
+                       Eigen::Matrix<double, 3 * Nodes, 3 * Nodes>& tangent) const {
         // n . Gamma: by x' and theta A J n, by theta twice -n . Gamma
         const Eigen::Vector2d n = stress.template head<2>(), mixed = y.axes * Eigen::Vector2d(-n(1), n(0));
         for (std::size_t i = 0; i < count; ++i)

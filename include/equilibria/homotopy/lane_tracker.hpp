@@ -6,9 +6,11 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
+#include <equilibria/core/flush_denormals.hpp>
 #include <equilibria/homotopy/endpoint.hpp>
 #include <equilibria/homotopy/tracker.hpp>
 
@@ -155,6 +157,8 @@ private:
 template <class R, bool Pivoted, class H, class StartPoint>
 void track_lanes(const H& homotopy, const TrackerOptions& options, std::span<const std::uint64_t> paths,
                  const StartPoint& start, std::span<Endpoint> ends) {
+    std::optional<FlushDenormals> flush;
+    if constexpr (is_single<R>) flush.emplace();
     detail::LaneTracker<R, Pivoted, H, StartPoint>(homotopy, options, paths, start, ends).run();
 }
 

@@ -170,9 +170,8 @@ std::optional<BranchPoint<Erased>> AnyBranchStepper<Matrix>::assess_from(const A
                                                                          const Eigen::VectorXd& g_p, const Point& from,
                                                                          const Direction& along) {
     const Border before = border_;
-    Eigen::MatrixXd nearby(from.weak_direction.size(), 1 + from.next_directions.cols());
-    nearby << from.weak_direction, from.next_directions;
-    const auto weak = weakest_direction(solver_, r, weights_, problem_.multipliers(), border_, nearby, watched());
+    const auto weak =
+        weakest_direction(solver_, r, weights_, problem_.multipliers(), border_, from.weak_directions(), watched());
     if (!weak) return std::nullopt;
     return point_of(q, p, *weak, border_ == before ? s : solver_.solve(-g_p, 0), along);
 }

@@ -76,8 +76,7 @@ private:
     Eigen::VectorXd slopes(const Point& from) const {
         const AnyProblem<Matrix>& problem = stepper_->problem();
         const Eigen::VectorXd& t = from.tangent.q;
-        Eigen::MatrixXd v(t.size(), 1 + from.next_directions.cols());
-        v << from.weak_direction, from.next_directions;
+        const Eigen::MatrixXd v = from.weak_directions();
         Eigen::MatrixXd left = v;
         if (!symmetric()) left.col(0) = from.weak_left;
         Eigen::MatrixXd turned;  // what dK along the branch makes of them

@@ -377,7 +377,8 @@ void follow_model(const Command& c) {
                                      to_string(loose->component));
         follow(c, structure, setup);
     };
-    equilibria::fem::StructureOptions options{.executor = equilibria::threads(c.data.threads)};
+    equilibria::fem::StructureOptions options{.executor = equilibria::threads(c.data.threads),
+                                              .symmetric_images = true};
     if (input.conservative) {
         const equilibria::fem::Structure structure(std::move(input.model), options);
         options.factors = support::factors_for(structure);

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include <equilibria/continuation/detail/branch_definitions.hpp>
+#include <equilibria/continuation/detail/branch_images_definitions.hpp>
 #include <equilibria/continuation/detail/branch_stepper_definitions.hpp>
 #include <equilibria/continuation/detail/check_derivatives_definitions.hpp>
 #include <equilibria/continuation/detail/corrector_definitions.hpp>
@@ -32,6 +33,8 @@ template Branch<Erased> follow(Stepper&, const Point&, const ContinuationOptions
 template Branch<Erased> continue_branch(const Problem&, const AnyConfiguration&, double, int,
                                         const ContinuationOptions&, const Functions&);
 template bool lies_on(Stepper&, const Branch<Erased>&, const Point&);
+template Branch<Erased> image_of(Stepper&, const Branch<Erased>&, std::size_t, const Functions&);
+template std::optional<Branch<Erased>> known_image(Stepper&, const Branch<Erased>&, const Point&, const Functions&);
 template std::vector<Point> switch_branch(Stepper&, const CriticalPoint<Erased>&, const Direction&, double);
 template std::optional<AnyConfiguration> deflated_newton(const Problem&, double, AnyConfiguration,
                                                          const Configurations&, const DeflationOptions&);

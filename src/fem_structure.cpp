@@ -2,6 +2,8 @@
 
 #include <equilibria/fem/detail/loose_motion_definitions.hpp>
 #include <equilibria/fem/detail/structure_definitions.hpp>
+#include <equilibria/fem/detail/structure_symmetries_definitions.hpp>
+#include <equilibria/fem/detail/symmetry_definitions.hpp>
 
 namespace equilibria::fem {
 

@@ -99,7 +99,8 @@ CasePoint at_parameter(double at) {
 }
 
 BucklingCase make(Model model, const CaseData& data, int tip, const Load& load) {
-    BucklingCase y{.structure = Structure(std::move(model), {.executor = equilibria::threads(data.threads)}),
+    BucklingCase y{.structure = Structure(std::move(model),
+                                          {.executor = equilibria::threads(data.threads), .symmetric_images = true}),
                    .tip = tip,
                    .parameter = load.name,
                    .options = {.range = load.range, .most_steps = 2000}};

@@ -79,7 +79,11 @@ public:
 private:
     void add(const equilibria::BranchPoint<P>& from, const equilibria::CriticalPoint<P>* parent,
              std::optional<std::size_t> parent_number) {
-        branches_.push_back(equilibria::follow(stepper_, from, start_.options, out_.functions));
+        add(equilibria::follow(stepper_, from, start_.options, out_.functions), parent, parent_number);
+    }
+    void add(equilibria::Branch<P> followed, const equilibria::CriticalPoint<P>* parent,
+             std::optional<std::size_t> parent_number) {
+        branches_.push_back(std::move(followed));
         const equilibria::Branch<P>& branch = branches_.back();
         const std::size_t number = out_.branches.size();
         if (out_.observe)
@@ -106,7 +110,14 @@ private:
         for (const auto& from : starts) {
             const bool known = std::any_of(branches_.begin(), branches_.end(),
                                            [&](const auto& branch) { return lies_on(stepper_, branch, from); });
-            if (!known) add(from, &point, number);
+            if (known) continue;
+            std::optional<equilibria::Branch<P>> image;
+            for (std::size_t b = 0; b < branches_.size() && !image; ++b)
+                image = known_image(stepper_, branches_[b], from, out_.functions);
+            if (image)
+                add(std::move(*image), &point, number);
+            else
+                add(from, &point, number);
         }
     }
 

@@ -145,11 +145,19 @@ Branch<Erased> continue_branch(const AnyProblem<Matrix>& problem, const AnyConfi
 template <class Matrix>
 bool lies_on(AnyBranchStepper<Matrix>& stepper, const Branch<Erased>& branch, const BranchPoint<Erased>& point);
 template <class Matrix>
+Branch<Erased> image_of(AnyBranchStepper<Matrix>& stepper, const Branch<Erased>& branch, std::size_t image,
+                        const std::vector<EventFunction<Erased>>& functions);
+template <class Matrix>
+std::optional<Branch<Erased>> known_image(AnyBranchStepper<Matrix>& stepper, const Branch<Erased>& branch,
+                                          const BranchPoint<Erased>& start,
+                                          const std::vector<EventFunction<Erased>>& functions);
+template <class Matrix>
 std::vector<BranchPoint<Erased>> switch_branch(AnyBranchStepper<Matrix>& stepper, const CriticalPoint<Erased>& point,
                                                const Direction& incoming, double amplitude);
 
 /// Follows the branch from one of its points, in the direction of its tangent. functions: located where they change
-/// sign.
+/// sign. Of a problem with `images(q)` a branch that passes a bifurcation along its null vector, and is the image of
+/// itself on the other side, is not followed there: its points are the images of those before.
 template <ContinuationProblem P>
 Branch<P> follow(BranchStepper<P>& stepper, const BranchPoint<P>& start, const ContinuationOptions& options,
                  const std::vector<EventFunction<P>>& functions = {}) {
@@ -174,6 +182,23 @@ bool lies_on(BranchStepper<P>& stepper, const Branch<P>& branch, const BranchPoi
     return lies_on(stepper.any(), erased(branch), erased(point));
 }
 
+/// The image of a branch by one of problem.images(q), from the image of its start on, with the zeros of `functions`.
+template <ContinuationProblem P>
+Branch<P> image_of(BranchStepper<P>& stepper, const Branch<P>& branch, std::size_t image,
+                   const std::vector<EventFunction<P>>& functions = {}) {
+    return typed<P>(image_of(stepper.any(), erased(branch), image, erased(functions)));
+}
+
+/// The image of a branch which begins next to the start and goes the same way, where an image of the start lies on the
+/// branch; nothing otherwise.
+template <ContinuationProblem P>
+std::optional<Branch<P>> known_image(BranchStepper<P>& stepper, const Branch<P>& branch, const BranchPoint<P>& start,
+                                     const std::vector<EventFunction<P>>& functions = {}) {
+    const auto found = known_image(stepper.any(), erased(branch), erased(start), erased(functions));
+    if (!found) return std::nullopt;
+    return typed<P>(*found);
+}
+
 /// Points of the other branches through a bifurcation, about `amplitude` away from it, with tangents that lead away:
 /// one for each half branch. `incoming`: the tangent of the branch that is left. At a point with two null vectors
 /// directions between them are tried all around, and the branches found are those that they lead to. Throws
@@ -191,4 +216,5 @@ std::vector<BranchPoint<P>> switch_branch(BranchStepper<P>& stepper, const Criti
 
 #ifndef EQUILIBRIA_COMPILED
 #include <equilibria/continuation/detail/branch_definitions.hpp>
+#include <equilibria/continuation/detail/branch_images_definitions.hpp>
 #endif

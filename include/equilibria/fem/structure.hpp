@@ -17,6 +17,7 @@
 #include <array>
 #include <cstddef>
 #include <memory>
+#include <mutex>
 #include <vector>
 
 #include <Eigen/SparseCore>
@@ -25,6 +26,7 @@
 #include <equilibria/core/compiled.hpp>
 #include <equilibria/fem/assembly.hpp>
 #include <equilibria/fem/structure_model.hpp>
+#include <equilibria/fem/symmetry.hpp>
 
 namespace equilibria::fem {
 
@@ -39,6 +41,7 @@ struct StructureOptions {
     ConstraintScale scale{0, 0};  ///< of the augmented Lagrangian; 0: the largest stiffness of the other elements
     Executor executor{};          ///< of assembly: serial, or threads(n); does not change the result
     MakeSymmetricFactors factors = nullptr;  ///< of a conservative structure's tangent; null: SparseLDLT
+    bool symmetric_images = false;           ///< `images` gives those by the structure's symmetries
 };
 
 /// Conservative: all elements and loads have an energy, and K is symmetric; else K is taken for unsymmetric.
@@ -76,13 +79,29 @@ public:
     Eigen::VectorXd difference(const Configuration& q, const Configuration& near) const;
     Eigen::VectorXd weights(const Configuration&) const { return weights_; }
 
+    /// Those of symmetries_of the nodes, apart from the identity, that map residuals in generic states onto each other
+    /// to 1e-10: elements, supports and loads, at every p. Found at the first call.
+    const std::vector<Symmetry>& symmetries() const;
+    Configuration image(const Symmetry& symmetry, const Configuration& q) const;
+    /// By each symmetry; none where they are not asked for (StructureOptions::symmetric_images).
+    std::vector<Configuration> images(const Configuration& q) const;
+
 private:
+    struct Symmetries {
+        std::once_flag once;
+        std::vector<Symmetry> found;
+    };
     static std::size_t node_of(const NodalLoad& load) { return static_cast<std::size_t>(load.node); }
     static double factor(const NodalLoad& load, double p) { return load.kind == LoadKind::constant ? 1 : p; }
 
     /// Three components of a node in a vector of unknowns, 0 where there is none.
     Eigen::Vector3d part(const Eigen::VectorXd& v, int node, Component first) const;
     void set_part(Eigen::VectorXd& v, int node, Component first, const Eigen::Vector3d& value) const;
+
+    /// Adds what becomes of the multipliers; false where elements or residuals are not mapped onto each other.
+    bool complete(Symmetry& symmetry) const;
+    Configuration generic_state(int number) const;
+    Eigen::VectorXd image_of_residual(const Symmetry& symmetry, const Eigen::VectorXd& g) const;
 
     void number();
     void make_pattern();
@@ -104,6 +123,7 @@ private:
     std::vector<NodalLoad> moments_;
     Eigen::SparseMatrix<double> pattern_;
     Eigen::VectorXd proportional_load_, constant_load_, weights_;
+    std::shared_ptr<Symmetries> symmetries_ = std::make_shared<Symmetries>();  // copies share it
 };
 
 /// Elements and loads with an energy.
@@ -115,4 +135,5 @@ using NonconservativeStructure = BasicStructure<false>;
 
 #ifndef EQUILIBRIA_COMPILED
 #include <equilibria/fem/detail/structure_definitions.hpp>
+#include <equilibria/fem/detail/structure_symmetries_definitions.hpp>
 #endif

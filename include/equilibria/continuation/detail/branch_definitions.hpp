@@ -15,6 +15,31 @@
 
 namespace equilibria {
 
+namespace detail {
+template <class Matrix>
+std::optional<std::size_t> turns_into_image(AnyBranchStepper<Matrix>& stepper, const Branch<Erased>& branch,
+                                            const CriticalPoint<Erased>& point);
+template <class Matrix>
+void go_back_by_image(AnyBranchStepper<Matrix>& stepper, const std::vector<EventFunction<Erased>>& functions,
+                      Branch<Erased>& branch, std::size_t image);
+
+/// Zeros of the functions between points `step` and `step` + 1 of the branch.
+template <class Matrix>
+void find_crossings(AnyBranchStepper<Matrix>& stepper, const std::vector<EventFunction<Erased>>& functions,
+                    Branch<Erased>& branch, std::size_t step) {
+    const BranchPoint<Erased>&from = branch.points[step], &next = branch.points[step + 1];
+    for (std::size_t f = 0; f < functions.size(); ++f) {
+        const double at_from = functions[f].value(from), at_next = functions[f].value(next);
+        if (!(at_from * at_next < 0 || (at_next == 0 && at_from != 0))) continue;
+        if (auto zero = zero_between(stepper, functions[f], from, next))
+            branch.crossings.push_back({step, f, std::move(*zero)});
+        else
+            branch.unexplained.push_back({step, functions[f].name + " changes sign, and no zero was found"});
+    }
+}
+
+}  // namespace detail
+
 template <class Matrix>
 Branch<Erased> follow(AnyBranchStepper<Matrix>& stepper, const BranchPoint<Erased>& start,
                       const ContinuationOptions& options, const std::vector<EventFunction<Erased>>& functions) {
@@ -32,16 +57,18 @@ Branch<Erased> follow(AnyBranchStepper<Matrix>& stepper, const BranchPoint<Erase
         auto events = events_between(stepper, options.critical, from, *next);
         for (auto& point : events.points) branch.events.push_back({step, std::move(point)});
         if (!events.explained) branch.unexplained.push_back({step, std::move(events.reason)});
-        for (std::size_t f = 0; f < functions.size(); ++f) {
-            const double at_from = functions[f].value(from), at_next = functions[f].value(*next);
-            if (!(at_from * at_next < 0 || (at_next == 0 && at_from != 0))) continue;
-            if (auto zero = zero_between(stepper, functions[f], from, *next))
-                branch.crossings.push_back({step, f, std::move(*zero)});
-            else
-                branch.unexplained.push_back({step, functions[f].name + " changes sign, and no zero was found"});
-        }
         before = from;
         branch.points.push_back(std::move(*next));
+        detail::find_crossings(stepper, functions, branch, step);
+        // one event in this step, from which the branch goes back as an image of itself
+        const std::size_t events_here = static_cast<std::size_t>(
+            std::count_if(branch.events.begin(), branch.events.end(), [&](const auto& e) { return e.step == step; }));
+        if (events_here == 1)
+            if (const auto image = detail::turns_into_image(stepper, branch, branch.events.back().point)) {
+                detail::go_back_by_image(stepper, functions, branch, *image);
+                before = branch.points[branch.points.size() - 2];
+                k += static_cast<int>(step);
+            }
         const BranchPoint<Erased>& last = branch.points.back();
         if (branch.events.size() >= static_cast<std::size_t>(options.most_critical_points)) {
             branch.end = BranchEnd::critical;

@@ -103,12 +103,11 @@ private:
         if (!(approach.value(a) < 0 && approach.value(b) > 0)) return std::nullopt;
         const auto nearest = zero_between(*stepper_, approach, a, b);
         if (!nearest || k > nearest->next_eigenvalues.size()) return std::nullopt;
-        const double far = std::max(std::abs(eigenvalue(a, k)), std::abs(eigenvalue(b, k))),
-                     h = b.arc_length - a.arc_length;
+        const double far = std::max(std::abs(eigenvalue(a, k)), std::abs(eigenvalue(b, k)));
         if (!(std::abs(eigenvalue(*nearest, k)) < 1e-6 * far)) return std::nullopt;
-        // it does not cross 0 there, to be crossed by another one next to it
-        if (!(std::abs(slope(*nearest, k)) * h < 0.1 * far)) return std::nullopt;
-        const double at = (nearest->arc_length - a.arc_length) / h, margin = 0.02;
+        // it does not cross 0 there, to be crossed by another one next to it; at such a point itself the tangent is
+        // any, and the slope with it
+        const double at = (nearest->arc_length - a.arc_length) / (b.arc_length - a.arc_length), margin = 0.002;
         const auto left = stepper_->between(a, b, at - margin), right = stepper_->between(a, b, at + margin);
         if (!left || !right || changes(a, *left) != 0 || changes(*left, *right) != 0) return std::nullopt;
         Critical y;

@@ -78,6 +78,7 @@ public:
     virtual double control(const Q& q, double p) const = 0;
     virtual Direction control_gradient(const Q& q, double p, Eigen::Index size) const = 0;
     virtual std::vector<Q> images(const Q& q) const = 0;
+    virtual Q image(const Q& q, std::size_t k) const = 0;
 };
 
 /// Of a problem of type P, which must outlive it.
@@ -138,6 +139,13 @@ public:
             return erased_configurations<Configuration<P>>(problem_->images(of(q)));
         else
             return {};
+    }
+
+    Q image(const Q& q, std::size_t k) const override {
+        if constexpr (requires { problem_->image(of(q), k); })
+            return Q::of(problem_->image(of(q), k));
+        else
+            return images(q).at(k);
     }
 
 private:
@@ -208,6 +216,8 @@ public:
     }
     /// None where the problem declares no symmetry.
     std::vector<Q> images(const Q& q) const { return functions_->images(q); }
+    /// Number k of them.
+    Q image(const Q& q, std::size_t k) const { return functions_->image(q, k); }
 
 private:
     std::shared_ptr<const detail::ProblemFunctions<Matrix>> functions_;

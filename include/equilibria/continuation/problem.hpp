@@ -22,6 +22,8 @@
 ///     double control(q, p)                            what StepConstraint::scalar controls
 ///     Direction control_gradient(q, p)                its derivatives; central differences, 2 n + 2 evaluations
 ///     int multipliers()                               how many unknowns, the last ones, are Lagrange multipliers; 0
+///     std::vector<Configuration> images(q)            those equivalent to q by symmetries, always as many; none
+///     Configuration image(q, k)                       images(q)[k] alone
 ///     MakeSymmetricFactors symmetric_factors()        what factors a sparse symmetric K; null: SparseLDLT
 /// On a curved space g and K are taken at q itself: derivatives of the energy by increments of q at increment 0.
 #pragma once

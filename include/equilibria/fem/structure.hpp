@@ -83,6 +83,8 @@ public:
     /// to 1e-10: elements, supports and loads, at every p. Found at the first call.
     const std::vector<Symmetry>& symmetries() const;
     Configuration image(const Symmetry& symmetry, const Configuration& q) const;
+    /// By symmetry k.
+    Configuration image(const Configuration& q, std::size_t k) const { return image(symmetries()[k], q); }
     /// By each symmetry; none where they are not asked for (StructureOptions::symmetric_images).
     std::vector<Configuration> images(const Configuration& q) const;
 

@@ -60,15 +60,6 @@ Branch<Erased> follow(AnyBranchStepper<Matrix>& stepper, const BranchPoint<Erase
         before = from;
         branch.points.push_back(std::move(*next));
         detail::find_crossings(stepper, functions, branch, step);
-        // one event in this step, from which the branch goes back as an image of itself
-        const std::size_t events_here = static_cast<std::size_t>(
-            std::count_if(branch.events.begin(), branch.events.end(), [&](const auto& e) { return e.step == step; }));
-        if (events_here == 1)
-            if (const auto image = detail::turns_into_image(stepper, branch, branch.events.back().point)) {
-                detail::go_back_by_image(stepper, functions, branch, *image);
-                before = branch.points[branch.points.size() - 2];
-                k += static_cast<int>(step);
-            }
         const BranchPoint<Erased>& last = branch.points.back();
         if (branch.events.size() >= static_cast<std::size_t>(options.most_critical_points)) {
             branch.end = BranchEnd::critical;
@@ -88,6 +79,15 @@ Branch<Erased> follow(AnyBranchStepper<Matrix>& stepper, const BranchPoint<Erase
                 return branch;
             }
         }
+        // one event in this step, from which the branch goes back as an image of itself
+        const std::size_t events_here = static_cast<std::size_t>(
+            std::count_if(branch.events.begin(), branch.events.end(), [&](const auto& e) { return e.step == step; }));
+        if (events_here == 1)
+            if (const auto image = detail::turns_into_image(stepper, branch, branch.events.back().point)) {
+                detail::go_back_by_image(stepper, functions, branch, *image);
+                before = branch.points[branch.points.size() - 2];
+                k += static_cast<int>(step);
+            }
     }
     return branch;
 }

@@ -20,7 +20,7 @@ class ImageMap {
 public:
     ImageMap(const AnyProblem<Matrix>& problem, std::size_t image) : problem_(&problem), image_(image) {}
 
-    AnyConfiguration operator()(const AnyConfiguration& q) const { return problem_->images(q).at(image_); }
+    AnyConfiguration operator()(const AnyConfiguration& q) const { return problem_->image(q, image_); }
 
     /// backward: the branch goes the other way.
     BranchPoint<Erased> operator()(const BranchPoint<Erased>& at, bool backward) const {
@@ -159,7 +159,7 @@ std::optional<Branch<Erased>> known_image(AnyBranchStepper<Matrix>& stepper, con
         if (!(stepper.dot(map(first, false).tangent, start.tangent) > 0.5)) continue;
         // and the start, by the image that undoes it, lies on the branch
         for (const AnyConfiguration& image : images) {
-            if (stepper.length(stepper.difference(start, problem.images(image).at(back), start.p)) > 1e-7) continue;
+            if (stepper.length(stepper.difference(start, problem.image(image, back), start.p)) > 1e-7) continue;
             BranchPoint<Erased> at = start;
             at.q = image;
             if (stepper.length(stepper.difference(start, image, start.p)) > 1e-9 && lies_on(stepper, branch, at))

@@ -46,6 +46,7 @@ Branch<Erased> follow(AnyBranchStepper<Matrix>& stepper, const BranchPoint<Erase
     Branch<Erased> branch;
     branch.points.push_back(start);
     BranchPoint<Erased> before;
+    bool gone_back = false;  // by images: at the other end the branch closes
     for (int k = 0; k < options.most_steps; ++k) {
         const BranchPoint<Erased> from = branch.points.back();
         auto next = stepper.advance(from, k > 0 ? &before : nullptr);
@@ -82,11 +83,12 @@ Branch<Erased> follow(AnyBranchStepper<Matrix>& stepper, const BranchPoint<Erase
         // one event in this step, from which the branch goes back as an image of itself
         const std::size_t events_here = static_cast<std::size_t>(
             std::count_if(branch.events.begin(), branch.events.end(), [&](const auto& e) { return e.step == step; }));
-        if (events_here == 1)
+        if (events_here == 1 && !gone_back)
             if (const auto image = detail::turns_into_image(stepper, branch, branch.events.back().point)) {
                 detail::go_back_by_image(stepper, functions, branch, *image);
                 before = branch.points[branch.points.size() - 2];
                 k += static_cast<int>(step);
+                gone_back = true;
             }
     }
     return branch;

@@ -117,6 +117,8 @@ void go_back_by_image(AnyBranchStepper<Matrix>& stepper, const std::vector<Event
         point.arc_length = arc_length;
         branch.points.push_back(std::move(point));
     }
+    // a start is often one step from the bifurcation that it left: not to land on it
+    branch.points.back().proposed_step *= 1.5;
     // what was between points k and k + 1 is between their images
     const auto step_of = [&](std::size_t k) { return 2 * end - k; };
     for (std::size_t k = branch.events.size() - 1; k-- > 0;)

@@ -51,13 +51,25 @@ private:
         return 1 + std::min(a.next_eigenvalues.size(), b.next_eigenvalues.size());
     }
 
-    /// Eigenvalue k heads for 0 within the step, seen from one of its ends, though none changed.
-    bool suspicious(const Point& a, const Point& b, Eigen::Index k) const {
+    /// The eigenvalues that head for 0 within the step, though none changed: the weakest, seen from one of its ends, or
+    /// next ones, which may change places between them, seen from both.
+    std::vector<Eigen::Index> suspicious(const Point& a, const Point& b) const {
         const double h = b.arc_length - a.arc_length;
-        const auto predicted = [&](const Point& from, double ahead) {
+        const auto predicted = [&](const Point& from, double ahead, Eigen::Index k) {
             return eigenvalue(from, k) * (eigenvalue(from, k) + ahead * slope(from, k)) < 0;
         };
-        return predicted(a, h) || predicted(b, -h);
+        std::vector<Eigen::Index> y;
+        if (predicted(a, h, 0) || predicted(b, -h, 0)) y.push_back(0);
+        bool from_a = false, from_b = false;
+        std::vector<Eigen::Index> next;
+        for (Eigen::Index k = 1; k < watched(a, b); ++k) {
+            const bool at_a = predicted(a, h, k), at_b = predicted(b, -h, k);
+            from_a = from_a || at_a;
+            from_b = from_b || at_b;
+            if (at_a || at_b) next.push_back(k);
+        }
+        if (from_a && from_b) y.insert(y.end(), next.begin(), next.end());
+        return y;
     }
     /// One eigenvalue may have risen through 0 and another one fallen: both are within reach at both ends. Eigenvalues
     /// of a symmetric K move by no more than the norm of K's change (Weyl).
@@ -100,7 +112,8 @@ private:
                                                  if (k > at.next_eigenvalues.size()) return 0.0;
                                                  return eigenvalue(at, k) < 0 ? -slope(at, k) : slope(at, k);
                                              }};
-        if (!(approach.value(a) < 0 && approach.value(b) > 0)) return std::nullopt;
+        if (eigenvalue(a, k) * eigenvalue(b, k) < 0 || !(approach.value(a) < 0 && approach.value(b) > 0))
+            return std::nullopt;
         const auto nearest = zero_between(*stepper_, approach, a, b);
         if (!nearest || k > nearest->next_eigenvalues.size()) return std::nullopt;
         const double far = std::max(std::abs(eigenvalue(a, k)), std::abs(eigenvalue(b, k)));
@@ -143,16 +156,13 @@ private:
         const bool turned = folds(a, b);
         const double h = b.arc_length - a.arc_length;
         if (count == 0 && !turned) {
-            bool any = two_may_cross(a, b);
-            for (Eigen::Index k = 0; k < watched(a, b); ++k) {
-                if (!suspicious(a, b, k)) continue;
-                any = true;
+            const std::vector<Eigen::Index> heading = suspicious(a, b);
+            for (const Eigen::Index k : heading)
                 if (auto point = touching(a, b, k)) {
                     out.points.push_back(std::move(*point));
                     return;
                 }
-            }
-            if (any && depth < 6) halve(a, b, depth, out);
+            if (depth < 6 && (!heading.empty() || two_may_cross(a, b))) halve(a, b, depth, out);
             return;
         }
         if (count <= 1) {

@@ -60,6 +60,7 @@ std::optional<BranchPoint<Erased>> AnyBranchStepper<Matrix>::advance(const Point
 template <class Matrix>
 std::optional<BranchPoint<Erased>> AnyBranchStepper<Matrix>::step(const Point& from, double h, const Point* before) {
     Direction predicted = predict(from, h, before);
+    border_ = from.border;
     auto next = correct_from(from, predicted, normal_of(from, predicted, h), h);
     if (!next) return std::nullopt;
     next->step = h;
@@ -127,6 +128,7 @@ template <class Matrix>
 std::optional<BranchPoint<Erased>> AnyBranchStepper<Matrix>::between(const Point& a, const Point& b, double share) {
     const double h = share * (b.arc_length - a.arc_length);
     const Direction predicted = through(a, b, h);
+    border_ = share < 0.5 ? a.border : b.border;
     auto next = correct_from(a, predicted, normal_of(a, predicted, h), h);
     if (!next) return step(a, h);
     next->step = h;

@@ -10,6 +10,8 @@
 #include <utility>
 #include <vector>
 
+#include <Eigen/Eigenvalues>
+
 #include <equilibria/continuation/events.hpp>
 
 namespace equilibria {
@@ -123,18 +125,58 @@ private:
         const double at = (nearest->arc_length - a.arc_length) / (b.arc_length - a.arc_length), margin = 0.002;
         const auto left = stepper_->between(a, b, at - margin), right = stepper_->between(a, b, at + margin);
         if (!left || !right || changes(a, *left) != 0 || changes(*left, *right) != 0) return std::nullopt;
-        Critical y;
-        y.q = nearest->q;
-        y.p = nearest->p;
-        y.null_vector = direction(*nearest, k);
-        y.left_null_vector = symmetric() ? y.null_vector : nearest->weak_left;
-        y.residual = nearest->residual;
-        y.sigma = nearest->sigma;
-        y.negative_before = a.negative;
-        y.negative_after = b.negative;
+        Critical y = critical_at(*nearest, a, b, direction(*nearest, k));
+        if (!symmetric()) y.left_null_vector = nearest->weak_left;
         const Eigen::Index own = y.null_vector.size() - stepper_->problem().multipliers();
         const bool of_multipliers = y.null_vector.head(own).norm() < 1e-4 * y.null_vector.norm();
         y.kind = of_multipliers ? CriticalKind::kinematic : CriticalKind::hilltop;
+        return y;
+    }
+
+    /// The watched eigenvalue next to 0 of those that rise along the branch (sign 1), or of those that fall (-1).
+    std::optional<Eigen::Index> moving(const Point& at, int sign) const {
+        std::optional<Eigen::Index> y;
+        for (Eigen::Index k = 0; k <= at.next_eigenvalues.size(); ++k)
+            if (sign * slope(at, k) > 0 && (!y || std::abs(eigenvalue(at, k)) < std::abs(eigenvalue(at, *y)))) y = k;
+        return y;
+    }
+    /// Where two eigenvalues cross 0 in opposite directions in one point between a and b, as at a dead point of a
+    /// mechanism: there one null vector is of multipliers alone.
+    std::optional<Critical> crossing_both_ways(const Point& a, const Point& b) {
+        if (!symmetric()) return std::nullopt;
+        const EventFunction<Erased> rising{"rising", [this](const Point& at) {
+                                               const auto k = moving(at, 1);
+                                               return k ? eigenvalue(at, *k) : 0.0;
+                                           }};
+        const double at_a = rising.value(a), at_b = rising.value(b), far = std::max(-at_a, at_b);
+        if (!(at_a < 0 && at_b > 0)) return std::nullopt;
+        const auto nearest = zero_between(*stepper_, rising, a, b);
+        if (!nearest) return std::nullopt;
+        const auto up = moving(*nearest, 1), down = moving(*nearest, -1);
+        if (!up || !down || !(std::abs(eigenvalue(*nearest, *up)) < 1e-6 * far) ||
+            !(std::abs(eigenvalue(*nearest, *down)) < 1e-5 * far))
+            return std::nullopt;
+        const Eigen::Index own = a.weak_direction.size() - stepper_->problem().multipliers();
+        Eigen::MatrixXd both(a.weak_direction.size(), 2);
+        both << direction(*nearest, *up).normalized(), direction(*nearest, *down).normalized();
+        // the combination that moves least
+        const Eigen::MatrixXd moves = both.topRows(own);
+        const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> least(moves.transpose() * moves);
+        const Eigen::VectorXd null = (both * least.eigenvectors().col(0)).normalized();
+        if (!(null.head(own).norm() < 1e-4)) return std::nullopt;
+        Critical y = critical_at(*nearest, a, b, null);
+        y.kind = CriticalKind::kinematic;
+        return y;
+    }
+    static Critical critical_at(const Point& at, const Point& a, const Point& b, const Eigen::VectorXd& null) {
+        Critical y;
+        y.q = at.q;
+        y.p = at.p;
+        y.null_vector = y.left_null_vector = null;
+        y.residual = at.residual;
+        y.sigma = at.sigma;
+        y.negative_before = a.negative;
+        y.negative_after = b.negative;
         return y;
     }
 
@@ -159,6 +201,11 @@ private:
             const std::vector<Eigen::Index> heading = suspicious(a, b);
             for (const Eigen::Index k : heading)
                 if (auto point = touching(a, b, k)) {
+                    out.points.push_back(std::move(*point));
+                    return;
+                }
+            if (!heading.empty())
+                if (auto point = crossing_both_ways(a, b)) {
                     out.points.push_back(std::move(*point));
                     return;
                 }

@@ -66,3 +66,53 @@ TEST_CASE("A sparse LDLT refuses a pivot of 0") {
     CHECK(ldlt.factor(Eigen::MatrixXd(Eigen::Vector3d(1, -2, 3).asDiagonal()).sparseView()));
     CHECK(ldlt.negative() == 1);
 }
+
+TEST_CASE(
+    "A sparse LDLT of random grids: every column solved, with an unknown removed, and the inertia of dense "
+    "eigenvalues") {
+    Generator generator(3);
+    for (const int side : {1, 2, 7, 16}) {
+        // blocks of three unknowns a node, coupled along a grid's edges and diagonals: wide and narrow supernodes
+        const int n = 3 * side * side;
+        std::vector<Eigen::Triplet<double>> entries;
+        const auto couple = [&](int a, int b) {
+            for (int r = 0; r < 3; ++r)
+                for (int c = 0; c < 3; ++c) {
+                    const double value = uniform(generator, -1, 1);
+                    entries.emplace_back(3 * a + r, 3 * b + c, value);
+                    entries.emplace_back(3 * b + c, 3 * a + r, value);
+                }
+        };
+        for (int j = 0; j < side; ++j)
+            for (int i = 0; i < side; ++i) {
+                const int at = j * side + i;
+                couple(at, at);
+                if (i + 1 < side) couple(at, at + 1);
+                if (j + 1 < side) couple(at, at + side);
+                if (i + 1 < side && j + 1 < side) couple(at, at + side + 1);
+            }
+        for (const double shift : {30.0, 3.0}) {  // definite, and not
+            Sparse k(n, n);
+            k.setFromTriplets(entries.begin(), entries.end());
+            for (int i = 0; i < n; ++i) k.coeffRef(i, i) += i % 2 == 0 || shift > 10 ? shift : -shift;
+            k.makeCompressed();
+            SparseLDLT ldlt;
+            for (const int removed : {-1, n / 2}) {
+                Eigen::MatrixXd dense = k;
+                if (removed >= 0) {
+                    dense.row(removed).setZero();
+                    dense.col(removed).setZero();
+                    dense(removed, removed) = 2;
+                }
+                CAPTURE(side, shift, removed);
+                REQUIRE(ldlt.factor(k, {removed, 2}));
+                CHECK(ldlt.negative() == negative_eigenvalues(dense));
+                Eigen::MatrixXd f(n, 5);
+                for (auto& entry : f.reshaped()) entry = uniform(generator, -1, 1);
+                const Eigen::MatrixXd x = ldlt.solve(f);
+                CHECK((dense * x - f).norm() < 1e-9 * dense.norm() * x.norm());
+                for (int c = 0; c < 5; ++c) CHECK((x.col(c) - ldlt.solve(f.col(c))).norm() < 1e-9 * (1 + x.norm()));
+            }
+        }
+    }
+}

@@ -199,13 +199,13 @@ private:
         const double h = b.arc_length - a.arc_length;
         if (count == 0 && !turned) {
             const std::vector<Eigen::Index> heading = suspicious(a, b);
-            for (const Eigen::Index k : heading)
-                if (auto point = touching(a, b, k)) {
+            if (!heading.empty())
+                if (auto point = crossing_both_ways(a, b)) {
                     out.points.push_back(std::move(*point));
                     return;
                 }
-            if (!heading.empty())
-                if (auto point = crossing_both_ways(a, b)) {
+            for (const Eigen::Index k : heading)
+                if (auto point = touching(a, b, k)) {
                     out.points.push_back(std::move(*point));
                     return;
                 }

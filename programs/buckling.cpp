@@ -332,6 +332,10 @@ void follow(const Command& c, const S& structure, Setup setup) {
             {"at " + equilibria::to_text(*c.at),
              [value = setup.value, at = *c.at](const StructureState& q, double p) { return value(q, p) - at; }}};
     if (c.first) setup.options.most_critical_points = 1;
+    // to be drawn, a branch needs more points than to be followed
+    if (c.pictures.asked())
+        setup.options.branch.largest_step =
+            std::max(setup.options.branch.first_step, 0.3 * setup.options.branch.largest_step);
     if (c.window) setup.options.range.low = c.window->low, setup.options.range.high = c.window->high;
     auto t = tracing_of<S>(setup);
     Run run = run_of(structure);

@@ -9,8 +9,8 @@
 ///     two eigenvalues or more    several points close to each other, or one with several null vectors
 /// Where the points found do not account for the step it is halved, down to a resolution; so it is where an
 /// eigenvalue's slope at one end predicts a zero in the step that is not seen at the other, or where K changes by more
-/// than the distances of its eigenvalues from 0: two may change in opposite directions. Where one only touches 0 that
-/// is a dead point of a mechanism, or branches touch.
+/// than the distances of its eigenvalues from 0: two may change in opposite directions. Where one only touches 0
+/// branches touch; where two cross 0 in opposite directions in one point, that is a dead point of a mechanism.
 #pragma once
 
 #include <string>

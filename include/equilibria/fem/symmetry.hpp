@@ -22,9 +22,9 @@ struct Symmetry {
     Eigen::Matrix3d axial() const { return turn.determinant() < 0 ? Eigen::Matrix3d(-turn) : turn; }
 };
 
-/// Candidates that map these places onto themselves, but for the identity: about the principal axes of the places,
-/// taken for unit masses, reflections in them and halves and n-th parts of a turn, n up to 12. Places that are one
-/// node's alone are told apart by 1e-8 of the largest distance.
+/// What maps these places onto themselves, but for the identity: reflections in the principal axes of the places, taken
+/// for unit masses, halves of a turn about them and, where two principal moments are equal, n-th parts, n up to 12.
+/// Places are the same that are closer than 1e-8 of the largest distance; of nodes at one place any is taken.
 std::vector<Symmetry> symmetries_of(const std::vector<Eigen::Vector3d>& places);
 
 }  // namespace equilibria::fem

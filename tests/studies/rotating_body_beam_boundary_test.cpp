@@ -34,6 +34,7 @@ constexpr BeamStrain strains[] = {BeamStrain::linear, BeamStrain::coupled};
 ContinuationOptions window(const Boundary& problem, double low, double high) {
     ContinuationOptions y;
     y.range = {low, high};
+    y.branch.largest_step = 0.1;  // points to be looked at
     // the spin moves nothing: p in units of 10, of speed
     y.branch.parameter_weight = problem.control_by() == BeamControl::speed ? 0.1 : 0.1 / 0.8;
     return y;

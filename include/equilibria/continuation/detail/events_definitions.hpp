@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
@@ -133,32 +134,25 @@ private:
         return y;
     }
 
-    /// The watched eigenvalue next to 0 of those that rise along the branch (sign 1), or of those that fall (-1).
-    std::optional<Eigen::Index> moving(const Point& at, int sign) const {
-        std::optional<Eigen::Index> y;
-        for (Eigen::Index k = 0; k <= at.next_eigenvalues.size(); ++k)
-            if (sign * slope(at, k) > 0 && (!y || std::abs(eigenvalue(at, k)) < std::abs(eigenvalue(at, *y)))) y = k;
-        return y;
+    /// Of the next eigenvalues that rise along the branch the one nearest to 0; 0 where none does.
+    double rising(const Point& at) const {
+        double y = std::numeric_limits<double>::infinity();
+        for (Eigen::Index k = 1; k <= at.next_eigenvalues.size(); ++k)
+            if (slope(at, k) > 0 && std::abs(eigenvalue(at, k)) < std::abs(y)) y = eigenvalue(at, k);
+        return std::isfinite(y) ? y : 0;
     }
     /// Where two eigenvalues cross 0 in opposite directions in one point between a and b, as at a dead point of a
     /// mechanism: there one null vector is of multipliers alone.
     std::optional<Critical> crossing_both_ways(const Point& a, const Point& b) {
-        if (!symmetric()) return std::nullopt;
-        const EventFunction<Erased> rising{"rising", [this](const Point& at) {
-                                               const auto k = moving(at, 1);
-                                               return k ? eigenvalue(at, *k) : 0.0;
-                                           }};
-        const double at_a = rising.value(a), at_b = rising.value(b), far = std::max(-at_a, at_b);
+        const double at_a = rising(a), at_b = rising(b), far = std::max(-at_a, at_b);
         if (!(at_a < 0 && at_b > 0)) return std::nullopt;
-        const auto nearest = zero_between(*stepper_, rising, a, b);
-        if (!nearest) return std::nullopt;
-        const auto up = moving(*nearest, 1), down = moving(*nearest, -1);
-        if (!up || !down || !(std::abs(eigenvalue(*nearest, *up)) < 1e-6 * far) ||
-            !(std::abs(eigenvalue(*nearest, *down)) < 1e-5 * far))
+        const auto nearest = zero_between(*stepper_, {"rising", [this](const Point& at) { return rising(at); }}, a, b);
+        // two of them vanish there; which rises is not to be told at the point itself, where the tangent is noise
+        if (!nearest || nearest->next_eigenvalues.size() != 2 ||
+            !(nearest->next_eigenvalues.cwiseAbs().maxCoeff() < 1e-5 * far))
             return std::nullopt;
         const Eigen::Index own = a.weak_direction.size() - stepper_->problem().multipliers();
-        Eigen::MatrixXd both(a.weak_direction.size(), 2);
-        both << direction(*nearest, *up).normalized(), direction(*nearest, *down).normalized();
+        const Eigen::MatrixXd both = nearest->next_directions.colwise().normalized();
         // the combination that moves least
         const Eigen::MatrixXd moves = both.topRows(own);
         const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> least(moves.transpose() * moves);

@@ -134,19 +134,21 @@ private:
         return y;
     }
 
-    /// Of the next eigenvalues that rise along the branch the one nearest to 0; 0 where none does.
-    double rising(const Point& at) const {
+    /// Of the next eigenvalues that rise along the branch (sign 1), or fall (-1), the one nearest to 0; 0 where none
+    /// does.
+    double moving(const Point& at, int sign) const {
         double y = std::numeric_limits<double>::infinity();
         for (Eigen::Index k = 1; k <= at.next_eigenvalues.size(); ++k)
-            if (slope(at, k) > 0 && std::abs(eigenvalue(at, k)) < std::abs(y)) y = eigenvalue(at, k);
+            if (sign * slope(at, k) > 0 && std::abs(eigenvalue(at, k)) < std::abs(y)) y = eigenvalue(at, k);
         return std::isfinite(y) ? y : 0;
     }
     /// Where two eigenvalues cross 0 in opposite directions in one point between a and b, as at a dead point of a
     /// mechanism: there one null vector is of multipliers alone.
     std::optional<Critical> crossing_both_ways(const Point& a, const Point& b) {
-        const double at_a = rising(a), at_b = rising(b), far = std::max(-at_a, at_b);
-        if (!(at_a < 0 && at_b > 0)) return std::nullopt;
-        const auto nearest = zero_between(*stepper_, {"rising", [this](const Point& at) { return rising(at); }}, a, b);
+        const double at_a = moving(a, 1), at_b = moving(b, 1), far = std::max(-at_a, at_b);
+        if (!(at_a < 0 && at_b > 0 && moving(a, -1) > 0 && moving(b, -1) < 0)) return std::nullopt;
+        const auto nearest =
+            zero_between(*stepper_, {"rising", [this](const Point& at) { return moving(at, 1); }}, a, b);
         // two of them vanish there; which rises is not to be told at the point itself, where the tangent is noise
         if (!nearest || nearest->next_eigenvalues.size() != 2 ||
             !(nearest->next_eigenvalues.cwiseAbs().maxCoeff() < 1e-5 * far))

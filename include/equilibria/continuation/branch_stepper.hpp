@@ -43,7 +43,8 @@ public:
     /// The cubic curve with both points' tangents from one point through the other, where it is h away along the
     /// tangent: Hermite's interpolation.
     Direction through(const Point& from, const Point& other, double h) const;
-    /// The point of the branch that a share of the way from a to b, two of its points, lead to.
+    /// The point of the branch between two of its points, a share of the step from a to b away from a, from 0 to 1;
+    /// nothing where the corrector does not converge.
     std::optional<Point> between(const Point& a, const Point& b, double share);
     std::optional<Point> onto(const AnyConfiguration& q, double p, const Direction& increment, const Direction& normal,
                               const Direction& along);

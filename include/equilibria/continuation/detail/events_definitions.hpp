@@ -98,6 +98,7 @@ private:
         if (problem.properties().tangent_derivative) {
             turned = problem.tangent_derivative(from.q, from.p, t) * v;
         } else {
+            // the differences that would make dK, of products alone
             const double h = difference_step(problem.weights(from.q, t.size()), t);
             const auto at = [&](double by) {
                 return Eigen::MatrixXd(problem.tangent(problem.retract(from.q, Eigen::VectorXd(by * t)), from.p) * v);
@@ -164,6 +165,7 @@ private:
         y.kind = CriticalKind::kinematic;
         return y;
     }
+    /// What is known of a point between a and b at which K has this null vector, but for its kind.
     static Critical critical_at(const Point& at, const Point& a, const Point& b, const Eigen::VectorXd& null) {
         Critical y;
         y.q = at.q;

@@ -23,8 +23,8 @@ public:
     SparseLDLT& operator=(SparseLDLT&&) noexcept;
     ~SparseLDLT() override;
 
-    /// False where a pivot is 0 or not finite.
     using SymmetricFactors::factor;
+    /// False where a pivot is 0 or not finite.
     bool factor(const Matrix& k, const RemovedUnknown& removed) override;
     Eigen::MatrixXd solve(const Eigen::MatrixXd& f) const override;
     int negative() const override;

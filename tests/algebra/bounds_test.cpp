@@ -2,8 +2,10 @@
 #include <array>
 #include <cstddef>
 #include <numeric>
+#include <set>
 #include <sstream>
 #include <stdexcept>
+#include <vector>
 
 #include <equilibria/algebra/bounds.hpp>
 #include <equilibria/mechanisms/rotating_chain.hpp>
@@ -89,18 +91,29 @@ TEST_CASE("the names of the groups do not matter") {
     CHECK_THROWS_AS(multihomogeneous_number<M>({{0, 0, -1, 1}}), InvalidArgument);
 }
 
-TEST_CASE("the partitions are counted by the numbers of Bell") {
-    const auto count = [](auto grouping) {
-        int partitions = 1;
-        while (detail::next_partition(grouping)) ++partitions;
-        return partitions;
-    };
-    CHECK(count(Array<int, 1>{}) == 1);
-    CHECK(count(Array<int, 2>{}) == 2);
-    CHECK(count(Array<int, 3>{}) == 5);
-    CHECK(count(Array<int, 4>{}) == 15);
-    CHECK(count(Array<int, 5>{}) == 52);
-    CHECK(count(Array<int, 8>{}) == 4140);
+template <class M, class Count>
+void compare_partitions_with_coefficients(std::size_t bell) {
+    std::set<std::vector<int>> groupings;
+    detail::GroupingSearch<Count> search({Formulation<M>::support, n_unknowns<M>});
+    search.for_each([&](Count ways, const std::vector<int>& grouping, int groups) {
+        groupings.insert(grouping);
+        CHECK(groups == detail::n_groups(grouping));
+        Grouping<M> g;
+        std::ranges::copy(grouping, g.begin());
+        PathCount number{ways};
+        for (int i = 0; i < n_angles<M>; ++i) number = number * PathCount{2};
+        CHECK(number == multihomogeneous_number<M>(g));
+    });
+    CHECK(groupings.size() == bell);
+}
+
+TEST_CASE("the partitions are all visited, each with its number") {
+    compare_partitions_with_coefficients<models::CoupledAngles<2>, std::int64_t>(2);
+    compare_partitions_with_coefficients<models::CoupledAngles<5>, std::int64_t>(52);
+    compare_partitions_with_coefficients<models::Everything, PathCount>(5);
+    compare_partitions_with_coefficients<RotatingChain<6>, PathCount>(203);
+    compare_partitions_with_coefficients<Uncoupled<8>, std::int64_t>(4140);
+    compare_partitions_with_coefficients<models::CoupledAngles<8>, std::int64_t>(4140);
 }
 
 TEST_CASE("the smallest multihomogeneous number") {

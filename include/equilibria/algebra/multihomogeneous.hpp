@@ -18,6 +18,7 @@
 #include <string>
 #include <vector>
 
+#include <equilibria/algebra/detail/grouping_search.hpp>
 #include <equilibria/algebra/formulation.hpp>
 #include <equilibria/core/array.hpp>
 #include <equilibria/core/error.hpp>
@@ -97,21 +98,6 @@ constexpr PathCount bezout_coefficient(const auto& degree, const auto& size, int
     return ways.back();
 }
 
-/// The next set partition as a restricted growth string (no entry exceeds the largest before it by more than 1); false
-/// after the last.
-constexpr bool next_partition(auto& g) {
-    const int n = static_cast<int>(g.size());
-    for (int i = n - 1; i > 0; --i) {
-        int highest = 0;
-        for (int j = 0; j < i; ++j) highest = std::max(highest, g[at(j)]);
-        if (g[at(i)] > highest) continue;
-        ++g[at(i)];
-        for (int j = i + 1; j < n; ++j) g[at(j)] = 0;
-        return true;
-    }
-    return false;
-}
-
 /// The number for one grouping of the unknowns, the first `angles` of which are angles. support: entries with
 /// `equation` and `monomial.degree(unknown)`. Of zeros, to be counted in: size, an entry a group, and degree, an entry
 /// an equation of an entry a group, as many groups as unknowns.
@@ -188,23 +174,38 @@ using SmallestGrouping = GroupingNumber<Grouping<M>>;
 
 namespace detail {
 
-/// Compares `best`, which is one group of all, with the other groupings.
+/// The number of every partition of the unknowns against `best`, which is one group of all.
+template <class Count, class G>
+constexpr void compare_partitions(GroupingNumber<G>& best, const DegreesInSets& degrees, int angles) {
+    int fewest = 1;
+    GroupingSearch<Count>(degrees).for_each([&](Count ways, const std::vector<int>& grouping, int groups) {
+        PathCount number{ways};
+        for (int i = 0; i < angles; ++i) number = number * PathCount{2};
+        if (best.number < number || (best.number == number && fewest < groups)) return;
+        if (best.number == number && fewest == groups && !std::ranges::lexicographical_compare(grouping, best.grouping))
+            return;
+        best.number = number, fewest = groups;
+        std::ranges::copy(grouping, best.grouping.begin());
+    });
+}
+
+/// Compares `best`, which is one group of all, with the other groupings; number_of: of one of them.
 template <class G>
-constexpr void compare_groupings(GroupingNumber<G>& best, auto number_of) {
+constexpr void compare_groupings(GroupingNumber<G>& best, const auto& support, int angles, auto number_of) {
     const int n = static_cast<int>(best.grouping.size());
-    const auto try_grouping = [&](const G& grouping) {
-        const PathCount number = number_of(grouping);
-        const bool simpler = number == best.number && n_groups(grouping) < n_groups(best.grouping);
-        if (number < best.number || simpler) best.number = number, best.grouping = grouping;
-    };
-    G grouping = best.grouping;
     if (n <= 8) {
         best.compared = ComparedGroupings::all;
-        while (next_partition(grouping)) try_grouping(grouping);
+        if (n < 2) return;
+        const DegreesInSets degrees(support, n);
+        if (degrees.most() < 0x1p62)
+            compare_partitions<std::int64_t>(best, degrees, angles);
+        else
+            compare_partitions<PathCount>(best, degrees, angles);
     } else if (n <= 20) {
         best.compared = ComparedGroupings::one_or_each;
-        for (int u = 0; u < n; ++u) grouping[at(u)] = u;
-        try_grouping(grouping);
+        G each = best.grouping;
+        for (int u = 0; u < n; ++u) each[at(u)] = u;
+        if (const PathCount number = number_of(each); number < best.number) best.number = number, best.grouping = each;
     }
 }
 
@@ -214,7 +215,8 @@ constexpr void compare_groupings(GroupingNumber<G>& best, auto number_of) {
 template <Model M>
 constexpr SmallestGrouping<M> smallest_multihomogeneous_number() {
     SmallestGrouping<M> best{total_degree_count<M>(), {}, ComparedGroupings::one};
-    detail::compare_groupings(best, [](const Grouping<M>& grouping) { return multihomogeneous_number<M>(grouping); });
+    detail::compare_groupings(best, Formulation<M>::support, n_angles<M>,
+                              [](const Grouping<M>& grouping) { return multihomogeneous_number<M>(grouping); });
     return best;
 }
 

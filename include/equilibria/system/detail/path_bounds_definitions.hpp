@@ -27,8 +27,9 @@ EQUILIBRIA_INLINE PathCount multihomogeneous_number(const SparseSystem& system, 
 EQUILIBRIA_INLINE GroupingNumber<std::vector<int>> smallest_multihomogeneous_number(const SparseSystem& system) {
     GroupingNumber<std::vector<int>> best{total_degree_count(system), std::vector<int>(system.degrees().size()),
                                           ComparedGroupings::one};
-    detail::compare_groupings(
-        best, [&](const std::vector<int>& grouping) { return multihomogeneous_number(system, grouping); });
+    detail::compare_groupings(best, system.terms(), system.sizes().angles, [&](const std::vector<int>& grouping) {
+        return multihomogeneous_number(system, grouping);
+    });
     return best;
 }
 

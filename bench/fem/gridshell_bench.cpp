@@ -1,7 +1,8 @@
 // A shallow gridshell of beams under its nodes' loads, from rest through its first critical point. Arguments: bays
-// along an edge, 1e5 degrees of freedom with 129, threads of assembly, and what factors: 0 SparseLDLT, 1 MUMPS where it
-// is installed. Counters: unknowns, entries of the factors, shares of a step's time, and the peak of the process's
-// memory in GiB, which is that of all that ran before as well.
+// along an edge, 1e5 degrees of freedom with 129 and 1e6 with 409, threads of assembly, and what factors: 0 SparseLDLT,
+// where they are installed 1 MUMPS, 2 SparseLDLT ordered by METIS, 3 CHOLMOD. Counters: unknowns, entries of the
+// factors, shares of a step's time, and the peak of the process's memory in GiB, which is that of all that ran before
+// as well.
 #include <benchmark/benchmark.h>
 #include <sys/resource.h>
 
@@ -10,6 +11,12 @@
 #include <equilibria/continuation/factorization/sparse_ldlt.hpp>
 #ifdef EQUILIBRIA_WITH_MUMPS
 #include <equilibria/continuation/factorization/mumps.hpp>
+#endif
+#ifdef EQUILIBRIA_WITH_METIS
+#include <equilibria/continuation/factorization/nested_dissection.hpp>
+#endif
+#ifdef EQUILIBRIA_WITH_CHOLMOD
+#include <equilibria/continuation/factorization/cholmod.hpp>
 #endif
 #include <equilibria/fem/mesh.hpp>
 #include <equilibria/fem/structure.hpp>
@@ -56,10 +63,15 @@ Structure gridshell(int bays, unsigned threads, MakeSymmetricFactors factors) {
 MakeSymmetricFactors back_end(std::int64_t number) {
     if (number == 0) return sparse_ldlt;
 #ifdef EQUILIBRIA_WITH_MUMPS
-    return mumps;
-#else
-    return nullptr;
+    if (number == 1) return mumps;
 #endif
+#ifdef EQUILIBRIA_WITH_METIS
+    if (number == 2) return sparse_ldlt_by_nested_dissection;
+#endif
+#ifdef EQUILIBRIA_WITH_CHOLMOD
+    if (number == 3) return cholmod;
+#endif
+    return nullptr;
 }
 
 double seconds(const auto& work) {
@@ -70,7 +82,7 @@ double seconds(const auto& work) {
 
 void first_critical_point(benchmark::State& state) {
     const MakeSymmetricFactors make = back_end(state.range(2));
-    if (!make) return state.SkipWithError("built without MUMPS");
+    if (!make) return state.SkipWithError("built without this library");
     const Structure shell = gridshell(static_cast<int>(state.range(0)), static_cast<unsigned>(state.range(1)), make);
     BranchOptions options;
     options.first_step = 0.002;
@@ -122,6 +134,10 @@ BENCHMARK(first_critical_point)
     ->Args({64, 1, 1})
     ->Args({129, 1, 0})
     ->Args({129, 1, 1})
+    ->Args({129, 1, 2})
+    ->Args({129, 1, 3})
     ->Args({129, 2, 1})
+    ->Args({409, 1, 0})
+    ->Args({409, 1, 2})
     ->Unit(benchmark::kSecond)
     ->Iterations(1);

@@ -1,7 +1,7 @@
 /// \file
 /// What factors the sparse symmetric tangents of a problem, which are indefinite beyond its first critical point. A
 /// problem chooses by its function symmetric_factors(): SparseLDLT where it has none, or what an opt-in header brings
-/// (factorization/mumps.hpp).
+/// (factorization/mumps.hpp, cholmod.hpp, nested_dissection.hpp).
 #pragma once
 
 #include <memory>

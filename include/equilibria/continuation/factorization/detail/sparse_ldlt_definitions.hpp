@@ -19,7 +19,7 @@ struct SparseLDLT::Factors {
     using Panel = Eigen::Map<const Eigen::MatrixXd>;
     using Node = detail::Supernodes::Node;
 
-    explicit Factors(int multipliers) : multipliers_(multipliers) {}
+    Factors(int multipliers, EliminationOrder by) : multipliers_(multipliers), elimination_order_(by) {}
 
     bool factor(const Matrix& k, const RemovedUnknown& removed) {
         if (!has_pattern(k)) {
@@ -146,7 +146,6 @@ private:
     }
     /// An order of elimination that leaves few entries.
     void order(const Matrix& k) {
-        using Permutation = Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int>;
         columns_.clear();
         rows_.clear();
         if (k.isCompressed()) {
@@ -154,11 +153,10 @@ private:
             rows_.assign(k.innerIndexPtr(), k.innerIndexPtr() + k.nonZeros());
         }
         const int size = static_cast<int>(k.rows()), own = size - multipliers_;
-        Matrix block = k.topLeftCorner(own, own);
-        Permutation inverse(own);  // place -> unknown
-        if (own > 0) Eigen::AMDOrdering<int>()(block, inverse);
+        std::vector<int> unknown;  // at each place
+        if (own > 0) unknown = elimination_order_(k.topLeftCorner(own, own));
         std::vector<int> place(static_cast<std::size_t>(own));
-        for (int i = 0; i < own; ++i) place[static_cast<std::size_t>(inverse.indices()(i))] = i;
+        for (int i = 0; i < own; ++i) place[static_cast<std::size_t>(unknown[static_cast<std::size_t>(i)])] = i;
         // each multiplier after the last of its constraint's unknowns
         std::vector<std::vector<int>> following(static_cast<std::size_t>(own) + 1);
         for (int m = own; m < size; ++m) {
@@ -170,12 +168,13 @@ private:
         place_.resize(static_cast<std::size_t>(size));
         int next = 0;
         for (int i = 0; i <= own; ++i) {
-            if (i > 0) place_[static_cast<std::size_t>(inverse.indices()(i - 1))] = next++;
+            if (i > 0) place_[static_cast<std::size_t>(unknown[static_cast<std::size_t>(i - 1)])] = next++;
             for (const int m : following[static_cast<std::size_t>(i)]) place_[static_cast<std::size_t>(m)] = next++;
         }
     }
 
     int multipliers_;
+    EliminationOrder elimination_order_;
     std::vector<int> columns_, rows_;  // the pattern of the matrices that were analysed
     std::vector<int> place_;           // of each unknown in the order of elimination
     detail::Supernodes supernodes_;
@@ -187,7 +186,14 @@ private:
     Eigen::MatrixXd product_;
 };
 
-EQUILIBRIA_INLINE SparseLDLT::SparseLDLT(int multipliers) : factors_(std::make_unique<Factors>(multipliers)) {}
+EQUILIBRIA_INLINE std::vector<int> minimum_degree(const SymmetricFactors::Matrix& k) {
+    Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> order(k.rows());
+    Eigen::AMDOrdering<int>()(k, order);
+    return {order.indices().begin(), order.indices().end()};
+}
+
+EQUILIBRIA_INLINE SparseLDLT::SparseLDLT(int multipliers, EliminationOrder order)
+    : factors_(std::make_unique<Factors>(multipliers, order)) {}
 EQUILIBRIA_INLINE SparseLDLT::SparseLDLT(SparseLDLT&&) noexcept = default;
 EQUILIBRIA_INLINE SparseLDLT& SparseLDLT::operator=(SparseLDLT&&) noexcept = default;
 EQUILIBRIA_INLINE SparseLDLT::~SparseLDLT() = default;

@@ -10,7 +10,12 @@
 
 #include "support/catch.hpp"
 
-namespace equilibria::tests {
+namespace tests {
+
+using equilibria::continue_branch;
+using equilibria::Generator;
+using equilibria::MakeSymmetricFactors;
+using equilibria::uniform;
 
 /// A random symmetric K with a few entries a row, indefinite or positive definite, and constraints B below it, each on
 /// three unknowns, of which the last `redundant` repeat others: [K B^T; B 0].
@@ -93,4 +98,4 @@ inline void check_branch(MakeSymmetricFactors make) {
     }
 }
 
-}  // namespace equilibria::tests
+}  // namespace tests

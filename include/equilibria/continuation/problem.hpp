@@ -205,17 +205,23 @@ TangentMatrix<P> tangent_derivative(const P& problem, const Configuration<P>& q,
     }
 }
 
+/// The derivative of dg/dp along v by central differences.
+template <ContinuationProblem P>
+Eigen::VectorXd parameter_difference_along(const P& problem, const Configuration<P>& q, double p,
+                                           const Eigen::VectorXd& v) {
+    const double h = detail::difference_step(problem, q, v);
+    const Eigen::VectorXd ahead = problem.parameter_derivative(retract(problem, q, h * v), p);
+    return (ahead - problem.parameter_derivative(retract(problem, q, -h * v), p)) / (2 * h);
+}
+
 /// The derivative of dg/dp along v: dK/dp v.
 template <ContinuationProblem P>
 Eigen::VectorXd parameter_derivative_along(const P& problem, const Configuration<P>& q, double p,
                                            const Eigen::VectorXd& v) {
-    if constexpr (requires { problem.parameter_derivative_along(q, p, v); }) {
+    if constexpr (requires { problem.parameter_derivative_along(q, p, v); })
         return problem.parameter_derivative_along(q, p, v);
-    } else {
-        const double h = detail::difference_step(problem, q, v);
-        const Eigen::VectorXd ahead = problem.parameter_derivative(retract(problem, q, h * v), p);
-        return (ahead - problem.parameter_derivative(retract(problem, q, -h * v), p)) / (2 * h);
-    }
+    else
+        return parameter_difference_along(problem, q, p, v);
 }
 
 /// Whether a problem has a scalar of its own to be controlled by.

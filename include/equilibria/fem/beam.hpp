@@ -52,6 +52,7 @@ class BeamElement {
 public:
     static constexpr int n_nodes = Geometry::gauss_points + 1;
     static constexpr auto components = motion_components<Geometry::n_strains == 6 ? 3 : 2>();
+    static constexpr bool depends_on_parameter = false;
     static constexpr int gauss_points = Geometry::gauss_points;
     using Frames = typename Geometry::Frames;
     using Strains = typename Geometry::Strains;
@@ -109,6 +110,7 @@ class MixedBeamElement {
 public:
     static constexpr int n_nodes = Geometry::gauss_points + 1;
     static constexpr auto components = BeamElement<Geometry, S>::components;
+    static constexpr bool depends_on_parameter = false;
     static constexpr int gauss_points = Geometry::gauss_points;
     static constexpr int n_multipliers = Geometry::n_strains * gauss_points;
     using Frames = typename Geometry::Frames;

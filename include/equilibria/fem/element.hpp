@@ -25,9 +25,11 @@
 ///                                                      conservative = false` where the tangent is not symmetric
 ///     void evaluate(at, multipliers, p, ConstraintScale, Need, ElementValues&)
 ///                                                      the same, with `static constexpr int n_multipliers`
-/// p is the load parameter. Derivatives are those by increments of the nodes at increment 0: x + dx, R exp(dPsi).
-/// Numbers in brackets: equations of Cardona and Huespe, Evaluation of simple bifurcation points and post-critical path
-/// in large finite rotation problems, Comput. Methods Appl. Mech. Engrg. 175 (1999).
+/// p is the load parameter; an element that does not change with it may say so by `static constexpr bool
+/// depends_on_parameter = false`: it is not asked for derivatives by p then. Derivatives are those by increments of the
+/// nodes at increment 0: x + dx, R exp(dPsi). Numbers in brackets: equations of Cardona and Huespe, Evaluation of
+/// simple bifurcation points and post-critical path in large finite rotation problems, Comput. Methods Appl. Mech.
+/// Engrg. 175 (1999).
 #pragma once
 
 #include <array>
@@ -123,6 +125,15 @@ inline constexpr int multipliers_of = [] {
 /// How many unknowns of nodes an element has.
 template <Element E>
 inline constexpr int node_unknowns_of = E::n_nodes * static_cast<int>(E::components.size());
+
+/// Whether its residual changes with p: so unless it says `depends_on_parameter = false`.
+template <Element E>
+inline constexpr bool depends_on_parameter = [] {
+    if constexpr (requires { E::depends_on_parameter; })
+        return static_cast<bool>(E::depends_on_parameter);
+    else
+        return true;
+}();
 
 /// Whether its tangent is symmetric: so unless it has a residual alone, or says `conservative = false`.
 template <Element E>
@@ -279,6 +290,7 @@ public:
     virtual const Component* components() const = 0;
     virtual int multipliers() const = 0;
     virtual bool conservative() const = 0;
+    virtual bool depends_on_parameter() const = 0;
     /// Of element e, whose nodes are taken from `frames`, all of the structure's.
     virtual void evaluate(std::size_t e, const Frame<double>* frames, const ElementQuery& query,
                           ElementValues& out) const = 0;
@@ -305,6 +317,7 @@ public:
     const Component* components() const override { return E::components.data(); }
     int multipliers() const override { return multipliers_of<E>; }
     bool conservative() const override { return is_conservative<E>; }
+    bool depends_on_parameter() const override { return fem::depends_on_parameter<E>; }
     void evaluate(std::size_t e, const Frame<double>* frames, const ElementQuery& query,
                   ElementValues& out) const override {
         detail::Frames<E, double> at;

@@ -51,6 +51,7 @@ struct Frame {
 
 /// The frame moved by an increment (dx, dPsi): x + dx and q exp(dPsi).
 inline Frame<double> retract(const Frame<double>& at, const Vector3<double>& dx, const Vector3<double>& dpsi) {
+    if (dpsi.isZero(0)) return {at.x + dx, at.q};
     return {at.x + dx, (at.q * quaternion(dpsi)).normalized()};
 }
 

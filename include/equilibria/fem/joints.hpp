@@ -38,6 +38,7 @@ Vector3<T> turned(const Frame<T>& at, const Eigen::Vector3d& v) {
 struct SphericalJoint {
     static constexpr int n_nodes = 2, n_constraints = 3;
     static constexpr auto components = spatial;
+    static constexpr bool depends_on_parameter = false;
     Eigen::Vector3d a = Eigen::Vector3d::Zero(), b = Eigen::Vector3d::Zero();  ///< from the nodes to the joint
 
     template <class T>
@@ -50,6 +51,7 @@ struct SphericalJoint {
 struct PlanarHinge {
     static constexpr int n_nodes = 2, n_constraints = 2;
     static constexpr auto components = planar;
+    static constexpr bool depends_on_parameter = false;
     Eigen::Vector3d a = Eigen::Vector3d::Zero(), b = Eigen::Vector3d::Zero();  ///< from the nodes to the joint
 
     template <class T>
@@ -63,6 +65,7 @@ class RevoluteJoint {
 public:
     static constexpr int n_nodes = 2, n_constraints = 5;
     static constexpr auto components = spatial;
+    static constexpr bool depends_on_parameter = false;
 
     explicit RevoluteJoint(const Eigen::Vector3d& axis, const Eigen::Vector3d& a = Eigen::Vector3d::Zero(),
                            const Eigen::Vector3d& b = Eigen::Vector3d::Zero())
@@ -87,6 +90,7 @@ class PrismaticJoint {
 public:
     static constexpr int n_nodes = 2, n_constraints = 5;
     static constexpr auto components = spatial;
+    static constexpr bool depends_on_parameter = false;
 
     /// offset: from A to B without load.
     PrismaticJoint(const Eigen::Vector3d& axis, const Eigen::Vector3d& offset)

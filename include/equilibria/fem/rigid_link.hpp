@@ -19,6 +19,7 @@ template <int Dimension>
 struct RigidLink {
     static constexpr int n_nodes = 2, n_constraints = Dimension;
     static constexpr auto components = motion_components<Dimension>();
+    static constexpr bool depends_on_parameter = false;
     Eigen::Vector3d offset;  ///< X, from A to B without load
 
     template <class T>

@@ -13,6 +13,7 @@ namespace equilibria::fem {
 struct RotationSpring {
     static constexpr int n_nodes = 2;
     static constexpr std::array components{rx, ry, rz};
+    static constexpr bool depends_on_parameter = false;
     double stiffness;
 
     template <class T>
@@ -26,6 +27,7 @@ struct RotationSpring {
 struct PlanarRotationSpring {
     static constexpr int n_nodes = 2;
     static constexpr std::array components{rz};
+    static constexpr bool depends_on_parameter = false;
     double stiffness;
 
     template <class T>
@@ -42,6 +44,7 @@ template <int Dimension>
 struct PointSpring {
     static constexpr int n_nodes = 1;
     static constexpr auto components = position_components<Dimension>();
+    static constexpr bool depends_on_parameter = false;
     Eigen::Vector3d stiffness, origin;
 
     template <class T>

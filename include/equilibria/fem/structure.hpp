@@ -72,6 +72,8 @@ public:
     Eigen::VectorXd residual(const Configuration& q, double p) const;
     Eigen::SparseMatrix<double> tangent(const Configuration& q, double p) const;
     Eigen::VectorXd parameter_derivative(const Configuration& q, double p) const;
+    /// 0 where K does not change with p; central differences otherwise.
+    Eigen::VectorXd parameter_derivative_along(const Configuration& q, double p, const Eigen::VectorXd& v) const;
 
     Configuration retract(const Configuration& q, const Eigen::VectorXd& increment) const;
     /// Increments of the frame R exp(Psi) are T(Psi) times those of Psi.

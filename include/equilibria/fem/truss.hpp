@@ -20,6 +20,7 @@ class Truss {
 public:
     static constexpr int n_nodes = 2;
     static constexpr auto components = position_components<Dimension>();
+    static constexpr bool depends_on_parameter = false;
 
     /// ea: axial stiffness; a and b: its ends, where it has no force.
     Truss(double ea, const Eigen::Vector3d& a, const Eigen::Vector3d& b, Strain strain = Strain::green)

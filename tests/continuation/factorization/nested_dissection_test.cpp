@@ -2,6 +2,7 @@
 // inertia.
 #include <algorithm>
 #include <numeric>
+#include <utility>
 #include <vector>
 
 #include <Eigen/SparseCore>
@@ -22,7 +23,7 @@ Eigen::SparseMatrix<double> grid(int m, double shift) {
     for (int i = 0; i < m; ++i)
         for (int j = 0; j < m; ++j) {
             entries.emplace_back(at(i, j), at(i, j), 4 - shift);
-            for (const auto [k, l] : {std::pair(i + 1, j), std::pair(i, j + 1)}) {
+            for (const auto& [k, l] : {std::pair(i + 1, j), std::pair(i, j + 1)}) {
                 if (k == m || l == m) continue;
                 entries.emplace_back(at(i, j), at(k, l), -1);
                 entries.emplace_back(at(k, l), at(i, j), -1);

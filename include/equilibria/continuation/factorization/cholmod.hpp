@@ -5,9 +5,10 @@
 ///     const Structure shell(model, {.factors = cholmod});
 ///
 /// Positive definite matrices, as of a structure before its first critical point, by L L^T on dense blocks; others by
-/// L D L^T without pivoting, one column after the other, which is slower and gives the inertia. Source: Chen, Davis,
-/// Hager, Rajamanickam, Algorithm 887: CHOLMOD, supernodal sparse Cholesky factorization and update/downdate, ACM
-/// Trans. Math. Softw. 35 (2008).
+/// L D L^T without pivoting, one column after the other, which is slower and gives the inertia. Of structures with
+/// Lagrange multipliers most are refused, since a multiplier may be eliminated before its unknowns. Source: Chen,
+/// Davis, Hager, Rajamanickam, Algorithm 887: CHOLMOD, supernodal sparse Cholesky factorization and update/downdate,
+/// ACM Trans. Math. Softw. 35 (2008).
 #pragma once
 
 #include <algorithm>

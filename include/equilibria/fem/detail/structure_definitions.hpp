@@ -13,6 +13,7 @@
 
 #include <Eigen/SparseCore>
 
+#include <equilibria/continuation/problem.hpp>
 #include <equilibria/core/error.hpp>
 #include <equilibria/core/streamed_text.hpp>
 #include <equilibria/fem/structure.hpp>
@@ -49,7 +50,9 @@ void BasicStructure<Conservative>::assemble_group(const GroupAssembly& assembly,
 template <bool Conservative>
 template <class Add>
 void BasicStructure<Conservative>::assemble(const Configuration& q, double p, Need need, const Add& add) const {
-    for (const GroupAssembly& group : assemblies_) assemble_group(group, q, p, need, add);
+    for (const GroupAssembly& group : assemblies_)
+        if (need != Need::parameter_derivative || group.group().depends_on_parameter())
+            assemble_group(group, q, p, need, add);
 }
 
 template <bool Conservative>
@@ -110,6 +113,16 @@ Eigen::VectorXd BasicStructure<Conservative>::parameter_derivative(const Configu
             if (const int i = unknown(m.node, Component(rx + c)); i >= 0) g_p(i) -= moment(c);
     }
     return g_p;
+}
+
+template <bool Conservative>
+Eigen::VectorXd BasicStructure<Conservative>::parameter_derivative_along(const Configuration& q, double p,
+                                                                         const Eigen::VectorXd& v) const {
+    const bool depends =
+        std::ranges::any_of(assemblies_,
+                            [](const GroupAssembly& group) { return group.group().depends_on_parameter(); }) ||
+        std::ranges::any_of(moments_, [](const NodalLoad& m) { return m.kind != LoadKind::constant; });
+    return depends ? parameter_difference_along(*this, q, p, v) : Eigen::VectorXd::Zero(size_);
 }
 
 template <bool Conservative>

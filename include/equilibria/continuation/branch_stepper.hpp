@@ -65,6 +65,9 @@ public:
         d.p *= by;
     }
 
+    /// Gives back the memory of the factors of large problems, which the next step needs again.
+    void release() { solver_.release(); }
+
 private:
     struct Constraint {
         StepConstraint kind = StepConstraint::normal_plane;

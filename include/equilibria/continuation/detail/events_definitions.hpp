@@ -215,6 +215,7 @@ private:
             const bool first = std::abs(a.weak_eigenvalue) < std::abs(b.weak_eigenvalue);
             const Point guess = interpolated(a, b, turned);
             for (const Point* from : {&guess, first ? &a : &b, first ? &b : &a}) {
+                stepper_->release();
                 auto point = critical_point_near(stepper_->problem(), from->q, from->p, options_, from->border);
                 if (!point) continue;
                 const std::optional<double> share = share_of(a, b, *point);

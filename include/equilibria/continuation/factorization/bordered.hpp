@@ -102,6 +102,9 @@ public:
     /// Factors the last K with another border.
     bool factor(Border border);
 
+    /// Gives back the memory of the factors of a large K: the next solution factors it again.
+    void release();
+
     /// The last K.
     const Matrix& matrix() const { return k_; }
     /// Its largest absolute value; NaN where one is.
@@ -129,6 +132,7 @@ public:
 
 private:
     BorderedSolutions solve(const Eigen::MatrixXd& f, const Eigen::VectorXd& xi, bool transposed, int rounds = 2) const;
+    int factor_without() const;
     Eigen::MatrixXd apply(const Eigen::MatrixXd& x, bool transposed) const;
 
     bool symmetric_;
@@ -137,6 +141,7 @@ private:
     Border border_;
     Eigen::VectorXd column_, row_;  ///< of K at the border
     int sign_without_ = 1;
+    mutable bool released_ = false;                             ///< the factors are not there
     std::unique_ptr<detail::BorderedFactors<Matrix>> without_;  ///< of K without them
 };
 

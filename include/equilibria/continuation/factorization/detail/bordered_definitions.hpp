@@ -62,9 +62,20 @@ bool BorderedSolver<Matrix>::factor(Border border) {
         row_ = column_;
     else
         row_ = k_.transpose().col(border.row);
-    const int sign = without_->factor(k_, border, size_ > 0 ? size_ : 1.0);
+    const int sign = factor_without();
     if (sign != 0) sign_without_ = sign;
     return sign != 0;
+}
+
+template <class Matrix>
+int BorderedSolver<Matrix>::factor_without() const {
+    released_ = false;
+    return without_->factor(k_, border_, size_ > 0 ? size_ : 1.0);
+}
+
+template <class Matrix>
+void BorderedSolver<Matrix>::release() {
+    if constexpr (sparse) released_ = released_ || without_->release();
 }
 
 template <class Matrix>
@@ -76,6 +87,7 @@ std::optional<TangentInertia> BorderedSolver<Matrix>::inertia(double sigma) cons
 template <class Matrix>
 BorderedSolutions BorderedSolver<Matrix>::solve(const Eigen::MatrixXd& f, const Eigen::VectorXd& xi, bool transposed,
                                                 int rounds) const {
+    if (released_) factor_without();
     // of B^T, row and column change places
     const Eigen::VectorXd &row = transposed ? column_ : row_, &column = transposed ? row_ : column_;
     const Eigen::Index j = transposed ? border_.column : border_.row, i = transposed ? border_.row : border_.column;

@@ -38,6 +38,7 @@ struct SparseLDLT::Factors {
                     l_[static_cast<std::size_t>(*to)] += removed.corner;
             }
         updates_.clear();
+        updates_.reserve(supernodes_.most_waiting());
         waiting_.clear();
         for (std::size_t s = 0; s < supernodes_.nodes().size(); ++s)
             if (!factor_node(static_cast<int>(s))) return false;
@@ -79,6 +80,11 @@ struct SparseLDLT::Factors {
         return y;
     }
     int negative() const { return static_cast<int>((d_.array() < 0).count()); }
+    bool release() {
+        if (l_.size() < std::size_t{1} << 22) return false;  // 32 MiB
+        for (std::vector<double>* v : {&l_, &updates_, &update_}) std::vector<double>().swap(*v);
+        return true;
+    }
     Eigen::Index fill() const { return supernodes_.fill(); }
 
 private:
@@ -202,6 +208,7 @@ EQUILIBRIA_INLINE bool SparseLDLT::factor(const Matrix& k, const RemovedUnknown&
     return factors_->factor(k, removed);
 }
 EQUILIBRIA_INLINE Eigen::MatrixXd SparseLDLT::solve(const Eigen::MatrixXd& f) const { return factors_->solve(f); }
+EQUILIBRIA_INLINE bool SparseLDLT::release() { return factors_->release(); }
 EQUILIBRIA_INLINE int SparseLDLT::negative() const { return factors_->negative(); }
 EQUILIBRIA_INLINE Eigen::Index SparseLDLT::fill() const { return factors_->fill(); }
 

@@ -62,6 +62,18 @@ public:
     std::size_t panel_size() const { return panel_size_; }
     /// Of each stored entry of k, where in the panels it belongs; -1 above the diagonal.
     const std::vector<std::ptrdiff_t>& entries() const { return entries_; }
+    /// Entries of the updates that wait for their parents, at most at a time, where nodes are factored in turn.
+    std::size_t most_waiting() const {
+        std::size_t now = 0, most = 0;
+        std::vector<std::size_t> of_children(nodes_.size(), 0);
+        for (std::size_t s = 0; s < nodes_.size(); ++s) {
+            const std::size_t own = at(nodes_[s].below()) * at(nodes_[s].below());
+            now += own - of_children[s];
+            most = std::max(most, now);
+            if (nodes_[s].parent >= 0) of_children[at(nodes_[s].parent)] += own;
+        }
+        return most;
+    }
     /// Entries of L that are not zero by structure, below its diagonal.
     Eigen::Index fill() const { return fill_; }
 

@@ -2,6 +2,7 @@
 # names hide another's. And a function in a header that lacks `inline`, which two units would define: it is a strong symbol.
 # Where headers come with their definitions, nothing but reading them is asked for; what they instantiate is compiled by
 # ARCHIVES, whose strong symbols are as many as there are functions marked EQUILIBRIA_INLINE. BINARY is this script's own.
+# SYSTEM_INCLUDES: of the libraries behind opt-in headers; LEFT_OUT: names of those headers whose libraries are missing.
 cmake_minimum_required(VERSION 3.25)
 
 file(REMOVE_RECURSE ${BINARY})
@@ -9,11 +10,17 @@ file(MAKE_DIRECTORY ${BINARY})
 separate_arguments(flags UNIX_COMMAND "${FLAGS}")
 string(REPLACE "|" ";" includes "${INCLUDES}")
 list(TRANSFORM includes PREPEND -I)
+string(REPLACE "|" ";" system_includes "${SYSTEM_INCLUDES}")
+list(TRANSFORM system_includes PREPEND -idirafter)
+list(APPEND includes ${system_includes})
 string(REPLACE "|" ";" archives "${ARCHIVES}")
 set(ENV{LC_ALL} C)
 
 file(GLOB_RECURSE headers RELATIVE ${ROOT}/include ${ROOT}/include/equilibria/*.hpp)
 list(FILTER headers EXCLUDE REGEX "/mpi[^/]*[.]hpp$")  # need MPI's own; their functions are marked or members
+if(LEFT_OUT)
+    list(FILTER headers EXCLUDE REGEX "/(${LEFT_OUT})[.]hpp$")
+endif()
 list(REVERSE headers)
 
 function(write_unit name last)

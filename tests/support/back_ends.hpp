@@ -1,6 +1,9 @@
 // What each back end of sparse symmetric factors is tested with: saddle points, and a branch.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
 #include <vector>
 
 #include <Eigen/SparseCore>
@@ -9,6 +12,7 @@
 #include <equilibria/core/random.hpp>
 
 #include "support/catch.hpp"
+#include "support/dense.hpp"
 
 namespace tests {
 
@@ -50,6 +54,35 @@ inline Eigen::SparseMatrix<double> with_diagonal(const Eigen::MatrixXd& k) {
     Eigen::SparseMatrix<double> y(k.rows(), k.cols());
     y.setFromTriplets(entries.begin(), entries.end());
     return y;
+}
+
+/// One of those that back ends are compared on, with the inertia that dense eigenvalues give.
+struct RandomSaddlePoint {
+    Eigen::MatrixXd dense;
+    Eigen::SparseMatrix<double> sparse;
+    int constraints, redundant, negative;
+    double largest;  ///< absolute value of an eigenvalue
+    Eigen::VectorXd right_side;
+};
+
+/// visit(RandomSaddlePoint) for 200 of them: half definite but for the constraints, of which there are up to three, and
+/// some redundant ones.
+inline void for_each_saddle_point(auto visit) {
+    Generator generator(1);
+    for (int k = 0; k < 200; ++k) {
+        CAPTURE(k);
+        RandomSaddlePoint y;
+        y.constraints = k % 4;
+        y.redundant = std::min(y.constraints, k % 3);
+        y.dense = saddle_point(10 + k % 40, y.constraints, y.redundant, k % 2 == 0, generator);
+        y.sparse = with_diagonal(y.dense);
+        const Eigen::VectorXd values = symmetric_eigen(y.dense).values;
+        y.largest = values.cwiseAbs().maxCoeff();
+        y.negative = static_cast<int>((values.array() < -1e-10 * y.largest).count());
+        REQUIRE((values.array().abs() <= 1e-10 * y.largest).count() == y.redundant);
+        y.right_side = Eigen::VectorXd::LinSpaced(y.dense.rows(), -1, 1);
+        visit(y);
+    }
 }
 
 /// x^3 / 3 - p x of each unknown of a chain, held together by springs: sparse, with folds and bifurcations.

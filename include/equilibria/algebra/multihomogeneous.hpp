@@ -174,7 +174,8 @@ using SmallestGrouping = GroupingNumber<Grouping<M>>;
 
 namespace detail {
 
-/// The number of every partition of the unknowns against `best`, which is one group of all.
+/// The number of every partition of the unknowns against `best`, which is one group of all: the smallest, of those the
+/// fewest groups, of those the first in lexicographic order.
 template <class Count, class G>
 constexpr void compare_partitions(GroupingNumber<G>& best, const DegreesInSets& degrees, int angles) {
     int fewest = 1;

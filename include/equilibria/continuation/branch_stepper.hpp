@@ -65,8 +65,10 @@ public:
         d.p *= by;
     }
 
-    /// Gives back the memory of the factors of large problems, which the next step needs again.
-    void release() { solver_.release(); }
+    /// Gives back the memory of the factors of 10,000 unknowns and more: the next step makes its own.
+    void release() {
+        if (weights_.size() >= 10000) solver_.release();
+    }
 
 private:
     struct Constraint {

@@ -77,10 +77,6 @@ public:
     }
 
     void evaluate(const Frames& at, double, Need need, ElementValues& out) const {
-        if (need == Need::parameter_derivative) {
-            out.parameter_derivative.setZero();
-            return;
-        }
         if (need == Need::residual) out.residual.setZero();
         NodeMatrix<Geometry> tangent = NodeMatrix<Geometry>::Zero();
         for (int g = 0; g < gauss_points; ++g) {
@@ -133,10 +129,6 @@ public:
 
     void evaluate(const Frames& at, const double* multipliers, double, const ConstraintScale& scale, Need need,
                   ElementValues& out) const {
-        if (need == Need::parameter_derivative) {
-            out.parameter_derivative.setZero();
-            return;
-        }
         if (need == Need::residual) out.residual.setZero();
         if (need == Need::tangent) out.tangent.template bottomRightCorner<n_multipliers, n_multipliers>().setZero();
         NodeMatrix<Geometry> tangent = NodeMatrix<Geometry>::Zero();

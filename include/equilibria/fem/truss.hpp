@@ -39,10 +39,6 @@ public:
     void evaluate(const std::array<Frame<double>, 2>& at, double, Need need, ElementValues& out) const {
         using Vector = Eigen::Matrix<double, Dimension, 1>;
         using Matrix = Eigen::Matrix<double, Dimension, Dimension>;
-        if (need == Need::parameter_derivative) {
-            out.parameter_derivative.setZero();
-            return;
-        }
         const Vector d = (at[1].x - at[0].x).template head<Dimension>();
         // the force over the length, and its derivative by |d|^2 / 2
         const double now = d.norm();

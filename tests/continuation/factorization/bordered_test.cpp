@@ -118,6 +118,22 @@ TEST_CASE("The weakest direction of a singular K is its null vector, and sigma i
     }
 }
 
+TEST_CASE("Factors that were given back are made again for the next solution") {
+    const Dense k = Dense(Eigen::VectorXd::LinSpaced(5, -1, 3).asDiagonal()) + Dense::Ones(5, 5);
+    BorderedSolver<Sparse> solver(true);
+    REQUIRE(solver.factor(as<Sparse>(k), {1, 1}));
+    const Eigen::VectorXd f = Eigen::VectorXd::LinSpaced(5, 1, 2);
+    const BorderedSolution before = solver.solve(f, 0.5);
+    solver.release();
+    solver.release();
+    const BorderedSolution after = solver.solve(f, 0.5);
+    CHECK(after.x == before.x);
+    CHECK(after.tau == before.tau);
+    solver.release();
+    REQUIRE(solver.factor(as<Sparse>(2 * k), {1, 1}));
+    CHECK((solver.solve(2 * f, 0.5).x - before.x).norm() < 1e-12 * (1 + before.x.norm()));
+}
+
 TEST_CASE("A K of nullity two, or one that is not finite, has no border") {
     const Dense k = Eigen::Vector4d(1, 0, 0, 2).asDiagonal();
     BorderedSolver<Dense> solver(true);

@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 
 #include <equilibria/continuation/factorization/cholmod.hpp>
+#include <equilibria/continuation/factorization/sparse_ldlt.hpp>
 #include <equilibria/core/random.hpp>
 
 #include "support/back_ends.hpp"
@@ -13,27 +14,21 @@ using namespace equilibria;
 using tests::saddle_point;
 using tests::with_diagonal;
 
-TEST_CASE("CHOLMOD has the inertia of dense eigenvalues on 200 random matrices with constraints") {
-    Generator generator(1);
-    CholmodFactors factors;
+TEST_CASE("CHOLMOD has the inertia of dense eigenvalues on random matrices with constraints, as SparseLDLT") {
     int factored = 0;
-    for (int k = 0; k < 200; ++k) {
-        CAPTURE(k);
-        const int constraints = k % 4;
-        const Eigen::MatrixXd dense = saddle_point(10 + k % 40, constraints, 0, k % 2 == 0, generator);
-        const Eigen::VectorXd values = tests::symmetric_eigen(dense).values;
-        const int negative = static_cast<int>((values.array() < 0).count());
-        const bool done = factors.factor(with_diagonal(dense));
-        if (k % 2 == 0 && constraints == 0) CHECK((done && negative == 0));
-        if (!done) continue;  // without pivoting a pivot may be 0: a multiplier's, where it comes before its unknowns
-        const Eigen::VectorXd f = Eigen::VectorXd::LinSpaced(dense.rows(), -1, 1), x = factors.solve(f);
-        const double left = (dense * x - f).norm() / (1 + values.cwiseAbs().maxCoeff() * x.norm());
-        if (left > 1e-9) continue;  // nor is it safe
+    tests::for_each_saddle_point([&](const tests::RandomSaddlePoint& k) {
+        if (k.redundant > 0) return;
+        CholmodFactors factors(k.constraints);
+        SparseLDLT ldlt(k.constraints);
+        REQUIRE(factors.factor(k.sparse));
+        REQUIRE(ldlt.factor(k.sparse));
         ++factored;
-        CHECK(factors.negative() == negative);
-        CHECK(factors.fill() >= dense.rows());
-    }
-    CHECK(factored > 50);
+        CHECK(factors.negative() == k.negative);
+        CHECK(factors.fill() >= k.dense.rows());
+        const Eigen::VectorXd x = factors.solve(k.right_side);
+        CHECK((ldlt.solve(k.right_side) - x).norm() < 1e-7 * (1 + x.norm()));
+    });
+    CHECK(factored == 100);
 }
 
 TEST_CASE("CHOLMOD leaves an unknown out, and finds what is singular") {

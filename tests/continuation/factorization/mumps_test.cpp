@@ -1,6 +1,4 @@
 // MUMPS beside SparseLDLT and dense eigenvalues: solutions, inertia with constraints, redundant ones, and branches.
-#include <algorithm>
-
 #include <Eigen/Core>
 
 #include <equilibria/continuation/factorization/mumps.hpp>
@@ -9,38 +7,27 @@
 
 #include "support/back_ends.hpp"
 #include "support/catch.hpp"
-#include "support/dense.hpp"
 
 using namespace equilibria;
 using tests::saddle_point;
 using tests::with_diagonal;
 
 TEST_CASE("MUMPS has the inertia of dense eigenvalues on 200 random matrices with constraints") {
-    Generator generator(1);
     MumpsFactors factors;
     int by_ldlt = 0;
-    for (int k = 0; k < 200; ++k) {
-        CAPTURE(k);
-        const int n = 10 + k % 40, constraints = k % 4, redundant = std::min(constraints, k % 3);
-        const Eigen::MatrixXd dense = saddle_point(n, constraints, redundant, k % 2 == 0, generator);
-        const auto sparse = with_diagonal(dense);
-        const Eigen::VectorXd values = tests::symmetric_eigen(dense).values;
-        const double largest = values.cwiseAbs().maxCoeff();
-        const int negative = static_cast<int>((values.array() < -1e-10 * largest).count()),
-                  zero = static_cast<int>((values.array().abs() <= 1e-10 * largest).count());
-        REQUIRE(zero == redundant);
-        CHECK(factors.factor(sparse) == (redundant == 0));
-        CHECK(factors.negative() == negative);
-        CHECK(factors.zero() == redundant);
-        if (redundant > 0) continue;
-        const Eigen::VectorXd f = Eigen::VectorXd::LinSpaced(dense.rows(), -1, 1), x = factors.solve(f);
-        CHECK((dense * x - f).norm() < 1e-10 * (1 + largest * x.norm()));
-        SparseLDLT ldlt(constraints);
-        if (!ldlt.factor(sparse)) continue;
+    tests::for_each_saddle_point([&](const tests::RandomSaddlePoint& k) {
+        CHECK(factors.factor(k.sparse) == (k.redundant == 0));
+        CHECK(factors.negative() == k.negative);
+        CHECK(factors.zero() == k.redundant);
+        if (k.redundant > 0) return;
+        const Eigen::VectorXd x = factors.solve(k.right_side);
+        CHECK((k.dense * x - k.right_side).norm() < 1e-10 * (1 + k.largest * x.norm()));
+        SparseLDLT ldlt(k.constraints);
+        if (!ldlt.factor(k.sparse)) return;
         ++by_ldlt;
-        CHECK(ldlt.negative() == negative);
-        CHECK((ldlt.solve(f) - x).norm() < 1e-7 * (1 + x.norm()));
-    }
+        CHECK(ldlt.negative() == k.negative);
+        CHECK((ldlt.solve(k.right_side) - x).norm() < 1e-7 * (1 + x.norm()));
+    });
     CHECK(by_ldlt > 80);
 }
 

@@ -46,9 +46,10 @@ struct DegreesInSets {
 };
 
 /// The number of a partition is a sum over the ways to hand each block as many equations as it has unknowns: of the
-/// product, over the equations, of their degrees in their blocks. Blocks are put down depth first, each with the first
-/// unknown that is left, and ways[equations] is the sum for the blocks so far and these equations: partitions share it
-/// as far as they share blocks. Count: an integer that holds every number (DegreesInSets::most), or PathCount.
+/// product, over the equations, of their degrees in their blocks (Wampler, Bezout number calculations for
+/// multi-homogeneous polynomial systems, Appl. Math. Comput. 51 (1992)). Blocks are put down depth first, each with the
+/// first unknown that is left, and ways[equations] is the sum for the blocks so far and these equations: partitions
+/// share it as far as they share blocks. Count: an integer that holds every number (DegreesInSets::most), or PathCount.
 template <class Count>
 class GroupingSearch {
 public:

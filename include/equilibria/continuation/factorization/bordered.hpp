@@ -102,7 +102,7 @@ public:
     /// Factors the last K with another border.
     bool factor(Border border);
 
-    /// Gives back the memory of the factors of a large K: the next solution factors it again.
+    /// Gives back the memory of the factors of a sparse symmetric K: the next solution factors it again.
     void release();
 
     /// The last K.

@@ -24,6 +24,10 @@ using EliminationOrder = std::vector<int> (*)(const SymmetricFactors::Matrix& k)
 /// By approximate minimum degree (Eigen's): quick, and good up to some 1e5 unknowns.
 std::vector<int> minimum_degree(const SymmetricFactors::Matrix& k);
 
+/// The order `by` of all but the last `multipliers` unknowns, and each of these right after the last unknown that its
+/// constraint holds: which unknown is at each place.
+std::vector<int> order_with_multipliers(const SymmetricFactors::Matrix& k, int multipliers, EliminationOrder by);
+
 class SparseLDLT final : public SymmetricFactors {
 public:
     /// order: of the unknowns that are no multipliers.
@@ -37,7 +41,7 @@ public:
     bool factor(const Matrix& k, const RemovedUnknown& removed) override;
     Eigen::MatrixXd solve(const Eigen::MatrixXd& f) const override;
     int negative() const override;
-    bool release() override;
+    void release() override;
     /// Entries of L below its diagonal.
     Eigen::Index fill() const override;
 

@@ -34,9 +34,9 @@ public:
     virtual int negative() const = 0;
     /// Entries of the factors.
     virtual Eigen::Index fill() const = 0;
-    /// Gives back the memory of the factors where that is much, but not what the pattern alone decides. Whether it did:
-    /// `factor` comes before `solve` then.
-    virtual bool release() { return false; }
+    /// May give back the memory of the factors, but not what the pattern alone decides: `factor` comes before the next
+    /// `solve`.
+    virtual void release() {}
     /// Whether pivots are chosen so that the solutions can be trusted.
     virtual bool pivots() const { return false; }
 };

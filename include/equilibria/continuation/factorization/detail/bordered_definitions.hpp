@@ -75,7 +75,11 @@ int BorderedSolver<Matrix>::factor_without() const {
 
 template <class Matrix>
 void BorderedSolver<Matrix>::release() {
-    if constexpr (sparse) released_ = released_ || without_->release();
+    if constexpr (sparse) {
+        if (!symmetric_ || released_ || k_.size() == 0) return;
+        without_->release();
+        released_ = true;
+    }
 }
 
 template <class Matrix>

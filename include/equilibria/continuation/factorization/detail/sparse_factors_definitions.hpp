@@ -84,7 +84,7 @@ public:
         // SparseLU's transposed view is not const in Eigen 3.4
         return transposed ? Eigen::MatrixXd(const_cast<LU&>(lu_).transpose().solve(f)) : Eigen::MatrixXd(lu_.solve(f));
     }
-    bool release() { return !use_lu_ && factors_->release(); }
+    void release() { factors_->release(); }
     std::optional<TangentInertia> inertia(const Matrix&, double sigma) const {
         if (!negative_) return std::nullopt;
         TangentInertia y;

@@ -80,12 +80,10 @@ struct SparseLDLT::Factors {
         return y;
     }
     int negative() const { return static_cast<int>((d_.array() < 0).count()); }
-    bool release() {
-        if (l_.size() < std::size_t{1} << 22) return false;  // 32 MiB
-        for (std::vector<double>* v : {&l_, &updates_, &update_}) std::vector<double>().swap(*v);
-        return true;
-    }
     Eigen::Index fill() const { return supernodes_.fill(); }
+    void release() {
+        for (std::vector<double>* v : {&l_, &updates_, &update_}) std::vector<double>().swap(*v);
+    }
 
 private:
     /// Adds the updates of a node's children to its panel, factors it, and leaves its own update for its parent.
@@ -150,7 +148,6 @@ private:
                std::equal(columns_.begin(), columns_.end(), k.outerIndexPtr()) &&
                std::equal(rows_.begin(), rows_.end(), k.innerIndexPtr());
     }
-    /// An order of elimination that leaves few entries.
     void order(const Matrix& k) {
         columns_.clear();
         rows_.clear();
@@ -158,25 +155,10 @@ private:
             columns_.assign(k.outerIndexPtr(), k.outerIndexPtr() + k.outerSize() + 1);
             rows_.assign(k.innerIndexPtr(), k.innerIndexPtr() + k.nonZeros());
         }
-        const int size = static_cast<int>(k.rows()), own = size - multipliers_;
-        std::vector<int> unknown;  // at each place
-        if (own > 0) unknown = elimination_order_(k.topLeftCorner(own, own));
-        std::vector<int> place(static_cast<std::size_t>(own));
-        for (int i = 0; i < own; ++i) place[static_cast<std::size_t>(unknown[static_cast<std::size_t>(i)])] = i;
-        // each multiplier after the last of its constraint's unknowns
-        std::vector<std::vector<int>> following(static_cast<std::size_t>(own) + 1);
-        for (int m = own; m < size; ++m) {
-            int last = -1;
-            for (Matrix::InnerIterator entry(k, m); entry; ++entry)
-                if (entry.row() < own) last = std::max(last, place[static_cast<std::size_t>(entry.row())]);
-            following[static_cast<std::size_t>(last + 1)].push_back(m);
-        }
-        place_.resize(static_cast<std::size_t>(size));
-        int next = 0;
-        for (int i = 0; i <= own; ++i) {
-            if (i > 0) place_[static_cast<std::size_t>(unknown[static_cast<std::size_t>(i - 1)])] = next++;
-            for (const int m : following[static_cast<std::size_t>(i)]) place_[static_cast<std::size_t>(m)] = next++;
-        }
+        const std::vector<int> unknown = order_with_multipliers(k, multipliers_, elimination_order_);
+        place_.resize(unknown.size());
+        for (std::size_t i = 0; i < unknown.size(); ++i)
+            place_[static_cast<std::size_t>(unknown[i])] = static_cast<int>(i);
     }
 
     int multipliers_;
@@ -198,6 +180,27 @@ EQUILIBRIA_INLINE std::vector<int> minimum_degree(const SymmetricFactors::Matrix
     return {order.indices().begin(), order.indices().end()};
 }
 
+EQUILIBRIA_INLINE std::vector<int> order_with_multipliers(const SymmetricFactors::Matrix& k, int multipliers,
+                                                          EliminationOrder by) {
+    const int size = static_cast<int>(k.rows()), own = size - multipliers;
+    std::vector<int> unknown;  // those that are no multipliers
+    if (own > 0) unknown = by(k.topLeftCorner(own, own));
+    std::vector<int> place(unknown.size()), y;
+    for (std::size_t i = 0; i < unknown.size(); ++i) place[static_cast<std::size_t>(unknown[i])] = static_cast<int>(i);
+    std::vector<std::vector<int>> following(unknown.size() + 1);  // the multipliers after each of them
+    for (int m = own; m < size; ++m) {
+        int last = -1;
+        for (SymmetricFactors::Matrix::InnerIterator entry(k, m); entry; ++entry)
+            if (entry.row() < own) last = std::max(last, place[static_cast<std::size_t>(entry.row())]);
+        following[static_cast<std::size_t>(last + 1)].push_back(m);
+    }
+    for (std::size_t i = 0; i < following.size(); ++i) {
+        if (i > 0) y.push_back(unknown[i - 1]);
+        y.insert(y.end(), following[i].begin(), following[i].end());
+    }
+    return y;
+}
+
 EQUILIBRIA_INLINE SparseLDLT::SparseLDLT(int multipliers, EliminationOrder order)
     : factors_(std::make_unique<Factors>(multipliers, order)) {}
 EQUILIBRIA_INLINE SparseLDLT::SparseLDLT(SparseLDLT&&) noexcept = default;
@@ -208,7 +211,7 @@ EQUILIBRIA_INLINE bool SparseLDLT::factor(const Matrix& k, const RemovedUnknown&
     return factors_->factor(k, removed);
 }
 EQUILIBRIA_INLINE Eigen::MatrixXd SparseLDLT::solve(const Eigen::MatrixXd& f) const { return factors_->solve(f); }
-EQUILIBRIA_INLINE bool SparseLDLT::release() { return factors_->release(); }
+EQUILIBRIA_INLINE void SparseLDLT::release() { factors_->release(); }
 EQUILIBRIA_INLINE int SparseLDLT::negative() const { return factors_->negative(); }
 EQUILIBRIA_INLINE Eigen::Index SparseLDLT::fill() const { return factors_->fill(); }
 

@@ -15,8 +15,8 @@ namespace {
 
 using Chain = mechanisms::TwoLinkChain;
 
-CuspLocus<Chain> find(const Box& box, const CuspLocusOptions& options = {}) {
-    return find_cusp_locus<Chain, Chain::alpha, Chain::omega, Chain::ratio>({0.5, 1.5, 1}, box, {}, options);
+CuspLocus<Chain> find(const Box& box, const CuspLocusOptions& options = {}, MoreDigits<> resort = nullptr) {
+    return find_cusp_locus<Chain, Chain::alpha, Chain::omega, Chain::ratio>({0.5, 1.5, 1}, box, {}, options, resort);
 }
 
 void check_beak_to_beak(const CuspCurve<Chain>& curve) {
@@ -36,13 +36,16 @@ void check_complete(const CuspLocus<Chain>& locus) {
     std::uint64_t cusps = 0;
     for (const auto& plane : locus.planes) {
         CHECK(plane.counts.paths.failed == 0);
-        CHECK(plane.counts.solutions >= 42);
+        CHECK(plane.counts.solutions == 44);
         cusps += plane.cusps.size();
         for (const auto& cusp : plane.cusps) {
             const Parameters<Chain> p{cusp.x(), plane.z, cusp.y()};
             const auto at =
                 refine_singularity<Chain, SingularityKind::cusp, Chain::alpha, Chain::omega>(cusp.q, p, cusp.v);
-            CHECK(at.kind == SingularityKind::cusp);
+            CHECK(at.settled());
+            // next to a face all derivatives are as small as alpha
+            CHECK((at.kind == SingularityKind::cusp || at.x() < 1e-6));
+            CHECK(std::abs(at.derivative(4)) > 1e-3 * at.x());
             CHECK(at.residual < 1e-13);
         }
     }
@@ -77,17 +80,18 @@ TEST_CASE("two cusps at ratio 1.5, none at 2.2: one curve, which turns back in a
 }
 
 TEST_CASE("at ratio 1, where the chain is degenerate, the plane is given up for one next to it") {
-    const auto locus = find({{0, 1}, {0, 20}, {1, 3}}, {.planes = 2});
+    const auto locus = find({{0, 1}, {0, 20}, {1, 3}}, {.planes = 2}, more_digits);
     check_complete(locus);
     REQUIRE(locus.planes.size() == 2);
     const auto &first = locus.planes[0], &last = locus.planes[1];
     CHECK(first.z > 1);
-    CHECK(first.z <= 1.25);
+    CHECK(first.z < 1.01);
     CHECK(locus.evidence.beyond[0] == Approx((first.z - 1) / 2));
     REQUIRE(!first.given_up.empty());
     CHECK(first.given_up[0].z == 1);
     CHECK(first.given_up[0].solutions < 22);
-    CHECK(first.cusps.size() == 2);
+    CHECK(first.cusps.size() == 1);
+    CHECK(first.outside > 0);     // the other cusp's omega is above 20
     CHECK(first.degenerate > 0);  // at alpha = 0 the second link has no mass
     CHECK(last.z == 3);
     CHECK(last.cusps.empty());
@@ -104,8 +108,7 @@ TEST_CASE("at ratio 1, where the chain is degenerate, the plane is given up for 
 
 TEST_CASE("next to ratio 1 more digits leave no path undecided, and lose no solution") {
     // where solutions come together
-    const auto locus = find_cusp_locus<Chain, Chain::alpha, Chain::omega, Chain::ratio>(
-        {0.5, 1.5, 1}, {{0, 1}, {0, 20}, {1.015, 1.05}}, {}, {.planes = 3}, more_digits);
+    const auto locus = find({{0, 1}, {0, 20}, {1.015, 1.05}}, {.planes = 3}, more_digits);
     CHECK(locus.complete());
     REQUIRE(locus.planes.size() == 3);
     for (const auto& plane : locus.planes) {
@@ -113,6 +116,20 @@ TEST_CASE("next to ratio 1 more digits leave no path undecided, and lose no solu
         CHECK(plane.counts.paths.failed == 0);
         CHECK(plane.counts.paths.singular == 0);
         CHECK(plane.counts.solutions == 44);
+    }
+}
+
+TEST_CASE("next to ratio 1 a cusp as close to the face alpha = 0 as 1e-11 is found, and is on the curve") {
+    const auto locus = find({{0, 1}, {0, 20}, {1.005, 1.02}}, {.planes = 3}, more_digits);
+    check_complete(locus);
+    REQUIRE(locus.curves.size() == 1);
+    for (const auto end : locus.curves[0].ends) CHECK(end == CurveEnd::border);
+    for (const auto& plane : locus.planes) {
+        REQUIRE(plane.cusps.size() == 1);
+        // alpha goes to 0 as the fourth power of ratio - 1
+        const double power = std::pow(plane.z - 1, 4), x = plane.cusps[0].x();
+        CHECK(x > 0.04 * power);
+        CHECK(x < 0.08 * power);
     }
 }
 

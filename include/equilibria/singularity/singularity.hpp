@@ -39,6 +39,8 @@ struct Singularity {
     S correction{};          ///< the last Newton step, largest entry over the unknown's size or 1: about the error
     int steps = 0;           ///< of Newton's method
     bool converged = false;  ///< the correction is a few thousand roundings, or less
+    /// Newton's method came to rest: it converged, or the corrections are the roundings of a badly conditioned point.
+    bool settled() const { return converged || (correction > S(0.0) && correction < S(1e-10)); }
 
     int nullity = 0;          ///< singular values of J below 1e-8 of the largest derivative, in double
     Array<S, 6> derivatives;  ///< corank 1: of the reduced potential along v, phi''' .. phi^(8)

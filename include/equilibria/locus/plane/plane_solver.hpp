@@ -198,7 +198,7 @@ private:
     /// Keeps the refined point if Newton's method stayed near, and it is new.
     void keep(Points& points, const RuntimeSingularity<>& near, RuntimeSingularity<> at) const {
         at.active = near.active;
-        if (!at.converged || !same(at, near, 1e-3)) return;
+        if (!at.settled() || !same(at, near, 1e-3)) return;
         for (const auto& other : points)
             if (same(other, at, 1e-8)) return;
         points.push_back(at);

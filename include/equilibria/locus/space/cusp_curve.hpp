@@ -156,7 +156,7 @@ private:
             const bool leaves = !contains(*next);
             if (leaves) next = at_border(last, *next);
             note_transitions(half, last, *next);
-            if (!leaves && half.points.size() > 10 && closes(first, *next)) {
+            if (!leaves && closes(first, last, *next)) {
                 half.points.push_back(first);
                 return CurveEnd::closed;
             }
@@ -175,15 +175,22 @@ private:
         return CurveEnd::degenerate;
     }
 
-    /// Back at the first point, in the same direction; angles modulo 2 pi, the null vector up to its sign.
-    bool closes(const Point& first, const Point& now) const {
-        Direction d = stepper_.difference(first, now.q, now.p), along = now.tangent;
-        for (int i = 0; i < n_angles<M>; ++i) d.q(i) = wrap(d.q(i));
-        if (first.q.segment(n, n).dot(now.q.segment(n, n)) < 0) {
-            d.q.segment(n, n) = -now.q.segment(n, n) - first.q.segment(n, n);
-            along.q.segment(n, n) *= -1;
-        }
-        return stepper_.length(d) < 1.5 * options_.branch.largest_step && stepper_.dot(first.tangent, along) > 0.95;
+    /// Back at the first point: between `last` and `now` the curve passes the plane through it that is normal to its
+    /// tangent, in its direction. Angles modulo 2 pi, the null vector up to its sign.
+    bool closes(const Point& first, const Point& last, const Point& now) const {
+        const double sign = first.q.segment(n, n).dot(now.q.segment(n, n)) < 0 ? -1 : 1;
+        const auto from_first = [&](const Point& at) {
+            Direction d = stepper_.difference(first, at.q, at.p);
+            for (int i = 0; i < n_angles<M>; ++i) d.q(i) = wrap(d.q(i));
+            d.q.segment(n, n) = sign * at.q.segment(n, n) - first.q.segment(n, n);
+            return d;
+        };
+        const Direction d = from_first(now);
+        if (!(stepper_.length(d) < 1.5 * options_.branch.largest_step)) return false;
+        Direction along = now.tangent;
+        along.q.segment(n, n) *= sign;
+        return stepper_.dot(first.tangent, along) > 0.95 && stepper_.dot(first.tangent, from_first(last)) < 0 &&
+               stepper_.dot(first.tangent, d) >= 0;
     }
 
     /// `at`: what Newton's method found from `near`, a point of the curve.

@@ -9,9 +9,10 @@
 /// some curve must pass, up to the mirror image theta -> -theta; and where a curve crosses a plane there must be one of
 /// its cusps. So a curve is missed only if it crosses no plane: if it is closed, or runs from face to face of the box,
 /// between two neighbouring planes.
-/// Where it fails: next to parameters at which the model is degenerate paths remain undecided. A plane that leaves such
-/// paths, or has less than half of the solutions of the others, is given up for one a small part of the range away; a
-/// part of the box next to its face is then beyond the planes, which is said.
+/// Where it fails: next to parameters at which the model is degenerate solutions come together, and paths remain
+/// undecided. A plane that leaves such paths, or has fewer regular solutions than another, is given up for one a small
+/// part of the range away; a part of the box next to its face is then beyond the planes, which is said. Solutions that
+/// a plane still lacks are counted, and speak against completeness.
 #pragma once
 
 #include <algorithm>
@@ -88,7 +89,7 @@ public:
 private:
     double range() const { return locus_.box.z.high - locus_.box.z.low; }
 
-    /// All planes where they are wanted; then those that are degenerate a little way off, and once more.
+    /// All planes where they are wanted; then those that lack solutions a little way off, and once more.
     void solve_planes() {
         const Box& box = locus_.box;
         Generator generator(run_.seed);
@@ -97,20 +98,19 @@ private:
         std::vector<std::array<double, 3>> at;
         auto& planes = locus_.planes;
         for (std::size_t k = 0; k <= last; ++k) {
-            double z = k == 0 ? box.z.low : box.z.high, step = k == 0 ? range() / 16 : -range() / 16;
+            double z = k == 0 ? box.z.low : box.z.high, step = k == 0 ? range() / 256 : -range() / 256;
             if (k > 0 && k < last) {
                 z = box.z.low + spacing * (static_cast<double>(k) + uniform(generator, -0.1, 0.1));
                 step = 0.05 * spacing;
             }
-            at.push_back({z, z + step, k > 0 && k < last ? z - step : z + 2 * step});
+            at.push_back({z, z + step, k > 0 && k < last ? z - step : z + 16 * step});
             planes.push_back(solved_at(z));
         }
         for (std::size_t attempt = 1; attempt < 3; ++attempt) {
-            std::uint64_t most = 0;
-            for (const auto& plane : planes) most = std::max(most, plane.counts.solutions);
+            const std::uint64_t most = most_solutions();
             for (std::size_t k = 0; k <= last; ++k) {
                 const std::uint64_t failed = planes[k].counts.paths.failed, solutions = planes[k].counts.solutions;
-                if (failed == 0 && 2 * solutions >= most) continue;
+                if (failed == 0 && solutions == most) continue;
                 auto given_up = std::move(planes[k].given_up);
                 given_up.push_back({planes[k].z, failed, solutions});
                 planes[k] = solved_at(at[k][attempt]);
@@ -121,7 +121,14 @@ private:
         for (const auto& plane : planes) {
             locus_.evidence.solved.add(plane.counts);
             locus_.evidence.cusps += plane.cusps.size();
+            locus_.evidence.missing_solutions += most_solutions() - plane.counts.solutions;
         }
+    }
+
+    std::uint64_t most_solutions() const {
+        std::uint64_t most = 0;
+        for (const auto& plane : locus_.planes) most = std::max(most, plane.counts.solutions);
+        return most;
     }
 
     CuspPlane<M> solved_at(double z) {
@@ -153,7 +160,7 @@ private:
                         std::max(b.y.low - at.y(), at.y() - b.y.high) / (b.y.high - b.y.low));
     }
     bool within(const Singularity<M>& at) const { return beyond(at) < 1e-9; }
-    bool at_face(const Singularity<M>& at) const { return std::abs(beyond(at)) < 1e-9; }
+    bool at_face(const Singularity<M>& at) const { return std::abs(beyond(at)) < 1e-12; }
 
     /// The same cusp, or its mirror image.
     bool same(const Singularity<M>& a, const Singularity<M>& b, double tolerance) const {
@@ -207,7 +214,7 @@ private:
         const auto d = displacement<M>(a.q, b.q);
         for (int i = 0; i < n; ++i) at.q[i] = a.q[i] + part * d[i];
         const auto refined = refine_singularity<M, SingularityKind::cusp, X, Y>(at.q, at.p, at.v);
-        return refined.converged && same(refined, at, 1e-2) ? refined : at;
+        return refined.settled() && same(refined, at, 1e-2) ? refined : at;
     }
 
     static constexpr int active_[] = {X, Y};

@@ -26,7 +26,8 @@ struct CuspPlane {
     std::uint64_t degenerate = 0;
     SolutionCounts counts;
 
-    /// A plane that was given up, as it left paths undecided or has too few solutions: the model is degenerate there.
+    /// A plane that was given up, as it left paths undecided or has fewer solutions than others: the model is
+    /// degenerate there or next to it.
     struct GivenUp {
         double z = 0;
         std::uint64_t failed_paths = 0, solutions = 0;
@@ -50,6 +51,7 @@ struct CuspLocus {
         /// Parts of the range of z beyond the first and beyond the last plane.
         std::array<double, 2> beyond{};
         // what follows must be 0
+        std::uint64_t missing_solutions = 0;        ///< regular ones that a plane has fewer than another, of all planes
         std::uint64_t untraced_cusps = 0;           ///< cusps of planes that no curve passes
         std::uint64_t unsolved_crossings = 0;       ///< crossings that are no cusp solved for
         std::uint64_t broken_curves = 0;            ///< curves that the step control gave up, or too long
@@ -57,7 +59,7 @@ struct CuspLocus {
         double seconds = 0;
 
         bool complete() const {
-            return solved.paths.failed + untraced_cusps + unsolved_crossings + broken_curves +
+            return solved.paths.failed + missing_solutions + untraced_cusps + unsolved_crossings + broken_curves +
                        unconfirmed_transitions ==
                    0;
         }
@@ -78,9 +80,11 @@ std::string CuspLocus<M>::argument() const {
     std::uint64_t outside = 0, degenerate = 0;
     for (const auto& plane : planes) outside += plane.outside, degenerate += plane.degenerate;
     out << "all cusps of " << planes.size() << " planes are solved for: " << e.solved.paths.total << " paths, "
-        << e.solved.paths.failed << " failed, " << e.solved.solutions << " regular complex solutions; "
-        << counted(e.cusps, "cusp", "cusps") << " in the box, one of a mirror pair counted, " << e.untraced_cusps
-        << " of them on no curve; " << outside << " outside the box";
+        << e.solved.paths.failed << " failed, " << e.solved.solutions << " regular complex solutions";
+    if (e.missing_solutions > 0)
+        out << ", " << e.missing_solutions << " fewer than if each plane had as many as the one with the most";
+    out << "; " << counted(e.cusps, "cusp", "cusps") << " in the box, one of a mirror pair counted, "
+        << e.untraced_cusps << " of them on no curve; " << outside << " outside the box";
     if (degenerate > 0)
         out << "; " << counted(degenerate, "solution", "solutions")
             << " on its faces left out, where the model is degenerate";

@@ -2,13 +2,13 @@
 /// A converged point of a branch.
 #pragma once
 
-#include <limits>
 #include <optional>
 
 #include <Eigen/Core>
 
 #include <equilibria/continuation/any_problem.hpp>
 #include <equilibria/continuation/factorization/bordered.hpp>
+#include <equilibria/continuation/factorization/eigenvalue_counts.hpp>
 #include <equilibria/continuation/problem.hpp>
 
 namespace equilibria {
@@ -26,19 +26,17 @@ struct BranchPointEvidence {
     /// Of the weak eigenvalue and the next ones along the branch, once somebody has asked for them: the search for
     /// events does.
     mutable Eigen::VectorXd weak_slopes;
-    double sigma = 0, mu = 0;     ///< test functions, see bordered.hpp
-    Border border;                ///< where the weak directions are large
-    std::optional<int> negative;  ///< negative eigenvalues of K; under constraints, of the energy on their set
-    /// Eigenvalues of a dense symmetric K next to 0, below and above; infinite where there is none or it is not known.
-    double eigenvalue_below = -std::numeric_limits<double>::infinity();
-    double eigenvalue_above = std::numeric_limits<double>::infinity();
-    int determinant_sign = 1;  ///< of K
-    double residual = 0;       ///< |g|, the largest entry
-    int corrections = 0;       ///< of the corrector
-    double step = 0;           ///< the length that led here, 0 at the start
-    double turning = 0;        ///< the angle between the last tangent and this one, radians
-    double proposed_step = 0;  ///< for the next one
-    double arc_length = 0;     ///< from the start
+    double sigma = 0, mu = 0;      ///< test functions, see bordered.hpp
+    Border border;                 ///< where the weak directions are large
+    std::optional<int> negative;   ///< negative eigenvalues of K; under constraints, of the energy on their set
+    EigenvalueCounts eigenvalues;  ///< of a dense symmetric K; else empty
+    int determinant_sign = 1;      ///< of K
+    double residual = 0;           ///< |g|, the largest entry
+    int corrections = 0;           ///< of the corrector
+    double step = 0;               ///< the length that led here, 0 at the start
+    double turning = 0;            ///< the angle between the last tangent and this one, radians
+    double proposed_step = 0;      ///< for the next one
+    double arc_length = 0;         ///< from the start
 
     /// The weak direction and the next ones, a column each.
     Eigen::MatrixXd weak_directions() const {

@@ -65,10 +65,8 @@ public:
         d.p *= by;
     }
 
-    /// Gives back the memory of the factors of 10,000 unknowns and more: the next step makes its own.
-    void release() {
-        if (weights_.size() >= 10000) solver_.release();
-    }
+    /// What a step factors with; its factors are not kept from one step to the next.
+    BorderedSolver<Matrix>& solver() { return solver_; }
 
 private:
     struct Constraint {
@@ -81,7 +79,7 @@ private:
     /// The largest entry by the weights, multipliers apart.
     Eigen::Index largest(const Eigen::VectorXd& v) const;
     /// Factors K with the last border, or with another one where that is singular.
-    bool factor(Matrix k);
+    bool factor(Matrix&& k);
     /// How many directions are watched beside the weakest one, where the eigenvalues are not known.
     int watched() const { return BorderedSolver<Matrix>::sparse && problem_.properties().symmetric ? 2 : 0; }
     /// The converged point (q, p), by the factors of the last corrector, of a K that is this one but for a correction

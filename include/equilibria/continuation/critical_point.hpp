@@ -77,10 +77,12 @@ CriticalPoint<P> typed(const CriticalPoint<Erased>& point) {
     return {point, point.q.as<Configuration<P>>()};
 }
 
-/// Of a problem of any type, see CriticalPointSolver.
+/// Of a problem of any type, see CriticalPointSolver. solver: of this problem's tangents, whose factors are no longer
+/// needed; null: one of its own, which analyses their pattern first.
 template <class Matrix>
 std::optional<CriticalPoint<Erased>> critical_point_near(const AnyProblem<Matrix>& problem, const AnyConfiguration& q,
-                                                         double p, const CriticalPointOptions& options, Border border);
+                                                         double p, const CriticalPointOptions& options, Border border,
+                                                         BorderedSolver<Matrix>* solver = nullptr);
 
 /// Newton's method on both systems, and what the converged point is.
 template <ContinuationProblem P>

@@ -183,26 +183,31 @@ double difference_step(const P& problem, const Configuration<P>& q, const Eigen:
 
 }  // namespace detail
 
+/// dK along v by central differences.
+template <ContinuationProblem P>
+TangentMatrix<P> tangent_difference(const P& problem, const Configuration<P>& q, double p, const Eigen::VectorXd& v) {
+    const double h = detail::difference_step(problem, q, v);
+    TangentMatrix<P> ahead = problem.tangent(retract(problem, q, h * v), p);
+    const TangentMatrix<P> behind = problem.tangent(retract(problem, q, -h * v), p);
+    if constexpr (detail::is_sparse<P>) {
+        if (detail::same_pattern(ahead, behind))
+            ahead.coeffs() -= behind.coeffs();
+        else
+            ahead -= behind;
+    } else {
+        ahead -= behind;
+    }
+    ahead *= 1 / (2 * h);
+    return ahead;
+}
+
 /// dK along v.
 template <ContinuationProblem P>
 TangentMatrix<P> tangent_derivative(const P& problem, const Configuration<P>& q, double p, const Eigen::VectorXd& v) {
-    if constexpr (requires { problem.tangent_derivative(q, p, v); }) {
+    if constexpr (requires { problem.tangent_derivative(q, p, v); })
         return problem.tangent_derivative(q, p, v);
-    } else {
-        const double h = detail::difference_step(problem, q, v);
-        TangentMatrix<P> ahead = problem.tangent(retract(problem, q, h * v), p);
-        const TangentMatrix<P> behind = problem.tangent(retract(problem, q, -h * v), p);
-        if constexpr (detail::is_sparse<P>) {
-            if (detail::same_pattern(ahead, behind))
-                ahead.coeffs() -= behind.coeffs();
-            else
-                ahead -= behind;
-        } else {
-            ahead -= behind;
-        }
-        ahead *= 1 / (2 * h);
-        return ahead;
-    }
+    else
+        return tangent_difference(problem, q, p, v);
 }
 
 /// The derivative of dg/dp along v by central differences.

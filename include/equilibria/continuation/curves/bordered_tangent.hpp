@@ -25,9 +25,9 @@ struct CriticalConfiguration {
 template <ContinuationProblem P>
 struct BorderedTangent {
     BorderedTangent(const P& problem, const CriticalConfiguration<Configuration<P>>& y)
-        : g(problem.residual(y.q, y.p)), g_p(problem.parameter_derivative(y.q, y.p)), k(problem.tangent(y.q, y.p)),
+        : g(problem.residual(y.q, y.p)), g_p(problem.parameter_derivative(y.q, y.p)),
           solver(symmetric_tangent<P>, equilibria::multipliers(problem), symmetric_factors(problem)),
-          regular(g.allFinite() && solver.factor(k, y.border)) {
+          regular(solver.factor(problem.tangent(y.q, y.p), y.border) && g.allFinite()) {
         if (!regular) return;
         const Eigen::VectorXd zero = Eigen::VectorXd::Zero(g.size());
         null = solver.solve(zero, 1);
@@ -36,9 +36,9 @@ struct BorderedTangent {
     }
     double sigma() const { return null.tau; }
     double mu() const { return -slope.tau; }
+    const TangentMatrix<P>& k() const { return solver.matrix(); }
 
     Eigen::VectorXd g, g_p;
-    TangentMatrix<P> k;
     BorderedSolver<TangentMatrix<P>> solver;
     bool regular;
     BorderedSolution null, left, slope;  ///< [r; sigma], the same of B^T, [s; -mu]; empty where not regular

@@ -185,7 +185,7 @@ public:
         } else {
             row.setConstant(std::numeric_limits<double>::quiet_NaN());
         }
-        return Base::bordered(b.k, row, b.g_p);
+        return Base::bordered(b.k(), row, b.g_p);
     }
     Eigen::VectorXd parameter_derivative(const Configuration& y, double r) const {
         return Base::by_second_parameter(*this, y, r);
@@ -237,7 +237,7 @@ public:
         } else {
             rows.setConstant(std::numeric_limits<double>::quiet_NaN());
         }
-        return Base::bordered(b.k, rows, columns);
+        return Base::bordered(b.k(), rows, columns);
     }
     Eigen::VectorXd parameter_derivative(const Configuration& y, double r) const {
         return Base::by_second_parameter(*this, y, r);

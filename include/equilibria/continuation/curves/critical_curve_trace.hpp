@@ -70,7 +70,7 @@ double second_eigenvalue(const Curve& curve, const BranchPoint<Curve>& point) {
         v = b.solver.solve(w.cwiseProduct(v), 0).x;
         v /= std::sqrt(v.dot(w.cwiseProduct(v)));
     }
-    return v.dot(b.k * v);
+    return v.dot(b.k() * v);
 }
 
 template <class Curve>

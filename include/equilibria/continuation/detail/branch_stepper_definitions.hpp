@@ -197,11 +197,10 @@ std::optional<BranchPoint<Erased>> AnyBranchStepper<Matrix>::point_of(const AnyC
     point.next_directions = weak.next;
     point.next_eigenvalues = weak.next_eigenvalues;
     point.border = border_;
-    if (const auto inertia = solver_.inertia(r.tau)) {
+    if (auto inertia = solver_.inertia(r.tau)) {
         // each independent constraint brings a negative eigenvalue of its own
         point.negative = inertia->negative - problem_.multipliers();
-        point.eigenvalue_below = inertia->below;
-        point.eigenvalue_above = inertia->above;
+        point.eigenvalues = std::move(inertia->eigenvalues);
     }
     point.determinant_sign = solver_.sign_of_determinant(r.tau);
     if (theta_ == 0) {
@@ -249,7 +248,7 @@ Eigen::Index AnyBranchStepper<Matrix>::largest(const Eigen::VectorXd& v) const {
 }
 
 template <class Matrix>
-bool AnyBranchStepper<Matrix>::factor(Matrix k) {
+bool AnyBranchStepper<Matrix>::factor(Matrix&& k) {
     return detail::factor_with_border(solver_, std::move(k), weights_, problem_.multipliers(), border_);
 }
 
@@ -340,7 +339,7 @@ std::optional<BranchPoint<Erased>> AnyBranchStepper<Matrix>::correct_from(const 
             along.q = problem_.transport(from.q, moved.q, along.q);
             q = problem_.rebase(q, p);
             auto point =
-                size > 0.01 * tolerance(moved) ? assess(q, p, along) : assess_from(q, p, r, s, g_p, from, along);
+                size > tolerance(moved) ? assess(q, p, along) : assess_from(q, p, r, s, g_p, from, along);
             if (!point) return std::nullopt;
             point->corrections = k + 1;
             point->step = h;

@@ -23,9 +23,9 @@ class CriticalPointNewton {
 public:
     using Point = CriticalPoint<Erased>;
 
-    CriticalPointNewton(const AnyProblem<Matrix>& problem, const CriticalPointOptions& options)
-        : problem_(problem), options_(options), symmetric_(problem.properties().symmetric),
-          solver_(symmetric_, problem.multipliers(), problem.symmetric_factors()) {}
+    CriticalPointNewton(const AnyProblem<Matrix>& problem, const CriticalPointOptions& options,
+                        BorderedSolver<Matrix>& solver)
+        : problem_(problem), options_(options), symmetric_(problem.properties().symmetric), solver_(solver) {}
 
     /// limit_first: the limit point's system unless the bifurcation's leads to a point that is about as near.
     std::optional<Point> solve(const AnyConfiguration& q, double p, Border border, bool limit_first) {
@@ -119,6 +119,7 @@ private:
         residual_ = g_.lpNorm<Eigen::Infinity>();
         if (!g_.allFinite()) return false;
         g_p_ = problem_.parameter_derivative(q, p);
+        Matrix().swap(dr_);  // its memory is needed
         auto weak =
             factor_at_weakest(solver_, problem_.tangent(q, p), weights_, problem_.multipliers(), border_, weak_);
         if (!weak) return false;
@@ -136,7 +137,7 @@ private:
         const double slope = std::sqrt(s_.x.head(own).dot(weights_.head(own).cwiseProduct(s_.x.head(own))) +
                                        weights_.head(own).maxCoeff() * s_.x.tail(g_.size() - own).squaredNorm());
         if (scale_p_ == 0) scale_p_ = slope > 0 ? 1 / slope : 1.0;
-        dr_ = problem_.tangent_derivative(q, p, r_.x);
+        problem_.tangent_derivative(q, p, r_.x).swap(dr_);
         gp_r_ = problem_.parameter_derivative_along(q, p, r_.x);
         return true;
     }
@@ -270,7 +271,7 @@ private:
     const AnyProblem<Matrix>& problem_;
     CriticalPointOptions options_;
     bool symmetric_;
-    BorderedSolver<Matrix> solver_;
+    BorderedSolver<Matrix>& solver_;
     Eigen::VectorXd weights_, g_, g_p_, gp_r_, weak_;
     Matrix dr_;
     BorderedSolution r_, left_, s_, q0_;
@@ -283,8 +284,12 @@ private:
 
 template <class Matrix>
 std::optional<CriticalPoint<Erased>> critical_point_near(const AnyProblem<Matrix>& problem, const AnyConfiguration& q,
-                                                         double p, const CriticalPointOptions& options, Border border) {
-    detail::CriticalPointNewton<Matrix> newton(problem, options);
+                                                         double p, const CriticalPointOptions& options, Border border,
+                                                         BorderedSolver<Matrix>* solver) {
+    std::optional<BorderedSolver<Matrix>> own;
+    if (!solver)
+        solver = &own.emplace(problem.properties().symmetric, problem.multipliers(), problem.symmetric_factors());
+    detail::CriticalPointNewton<Matrix> newton(problem, options, *solver);
     auto point = newton.solve(q, p, border, false);
     // a fold whose load does little work looks like a bifurcation
     return point ? point : newton.solve(q, p, border, true);

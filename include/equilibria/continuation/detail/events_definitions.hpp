@@ -77,11 +77,18 @@ private:
     /// One eigenvalue may have risen through 0 and another one fallen: both are within reach at both ends. Eigenvalues
     /// of a symmetric K move by no more than the norm of K's change (Weyl).
     bool two_may_cross(const Point& a, const Point& b) const {
-        if (!std::isfinite(a.eigenvalue_below) || !std::isfinite(a.eigenvalue_above)) return false;
+        const auto on_both_sides = [](const Point& at) {
+            return !at.eigenvalues.empty() && *at.negative > 0 && *at.negative < at.eigenvalues.size();
+        };
+        if (!on_both_sides(a) || !on_both_sides(b)) return false;
         Matrix change = stepper_->problem().tangent(b.q, b.p);
         change -= stepper_->problem().tangent(a.q, a.p);
         const double reach = change.norm();
-        return std::max({a.eigenvalue_above, -a.eigenvalue_below, b.eigenvalue_above, -b.eigenvalue_below}) < reach;
+        const auto within_reach = [reach](const EigenvalueCounts& of) {
+            const int negative = of.below(0);
+            return of.below(-reach) < negative && negative < of.below(reach);
+        };
+        return within_reach(a.eigenvalues) && within_reach(b.eigenvalues);
     }
     /// Of eigenvalue k along the branch.
     double slope(const Point& from, Eigen::Index k) const {
@@ -215,8 +222,8 @@ private:
             const bool first = std::abs(a.weak_eigenvalue) < std::abs(b.weak_eigenvalue);
             const Point guess = interpolated(a, b, turned);
             for (const Point* from : {&guess, first ? &a : &b, first ? &b : &a}) {
-                stepper_->release();
-                auto point = critical_point_near(stepper_->problem(), from->q, from->p, options_, from->border);
+                auto point = critical_point_near(stepper_->problem(), from->q, from->p, options_, from->border,
+                                                 &stepper_->solver());
                 if (!point) continue;
                 const std::optional<double> share = share_of(a, b, *point);
                 if (!share) continue;

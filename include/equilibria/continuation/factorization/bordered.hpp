@@ -5,8 +5,8 @@
 ///         [ e_i^T  0   ],       [ tau ] = [ xi ]
 ///
 /// is regular where K has at most a simple null vector phi, with phi_i != 0, and a left one psi with psi_j != 0, thus
-/// at folds and simple bifurcations. For a symmetric K j = i. What is factored is K without its row j and column i
-/// ("displacement control of unknown i"), never the nearly singular K. Then
+/// at folds and simple bifurcations. For a symmetric K j = i. What is factored is B itself or, where K is sparse, K
+/// without its row j and column i ("displacement control of unknown i"), never the nearly singular K. Then
 ///     B [r; sigma] = [0; 1]         sigma = -det K / det K without them: 0 at every singular point, smooth, signed;
 ///                                   r is the null vector there, with r_i = 1
 ///     B [s; -mu] = [-dg/dp; 0]      mu = r^T dg/dp for a symmetric K: 0 at bifurcations alone
@@ -15,7 +15,6 @@
 #pragma once
 
 #include <cstdint>
-#include <limits>
 #include <memory>
 #include <optional>
 #include <type_traits>
@@ -23,6 +22,7 @@
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 
+#include <equilibria/continuation/factorization/eigenvalue_counts.hpp>
 #include <equilibria/continuation/factorization/symmetric_factors.hpp>
 #include <equilibria/core/compiled.hpp>
 
@@ -48,10 +48,10 @@ struct Border {
     friend bool operator==(const Border&, const Border&) = default;
 };
 
-/// The inertia of a symmetric K. Its eigenvalues next to 0 are not known of a sparse one.
+/// The inertia of a symmetric K.
 struct TangentInertia {
     int negative = 0;
-    double below = -std::numeric_limits<double>::infinity(), above = std::numeric_limits<double>::infinity();
+    EigenvalueCounts eigenvalues;  ///< of a dense K; else empty
 };
 
 namespace detail {
@@ -65,15 +65,22 @@ double largest_entry(const Eigen::SparseMatrix<double>& k);
 double largest_force(const Eigen::MatrixXd& k, const Eigen::VectorXd& weights, Eigen::Index own);
 double largest_force(const Eigen::SparseMatrix<double>& k, const Eigen::VectorXd& weights, Eigen::Index own);
 
-/// K with the border's row and column replaced by zeros and, where they cross, `corner`. The pattern of a sparse K
-/// stays, so that it is analysed once, where the entry of the corner is stored.
-template <class Matrix>
-Matrix without(const Matrix& k, Border border, double corner);
+/// K with the border's row and column replaced by zeros and, where they cross, `corner`. Its pattern stays, so that it
+/// is analysed once, where the entry of the corner is stored.
+Eigen::SparseMatrix<double> without(const Eigen::SparseMatrix<double>& k, Border border, double corner);
 
 /// k x of a symmetric k.
 Eigen::MatrixXd symmetric_product(const Eigen::SparseMatrix<double>& k, const Eigen::MatrixXd& x);
 
-/// What a BorderedSolver factors with.
+/// What a BorderedSolver factors with:
+///     int factor(k, border, size)                    the sign of det K without the border's row and column, a positive
+///                                                    entry where they cross; 0 where B is singular to working
+///                                                    precision
+///     BorderedSolutions solve(k, f, xi, transposed, rounds)   with B or B^T, for each column of f and its xi; rounds:
+///     1
+///                                                    for a rough solution, else 2
+///     std::optional<TangentInertia> inertia(k, sigma)
+/// size: the largest entry of K. k is the same in all three.
 template <class Matrix>
 class BorderedFactors;
 
@@ -96,14 +103,10 @@ public:
     ~BorderedSolver();
     bool symmetric() const { return symmetric_; }
 
-    /// Factors K without the border's row and column. False where that is singular to working precision, or K not
-    /// finite.
-    bool factor(Matrix k, Border border);
+    /// Factors K, which it takes, with the border. False where B is singular to working precision, or K not finite.
+    bool factor(Matrix&& k, Border border);
     /// Factors the last K with another border.
     bool factor(Border border);
-
-    /// Gives back the memory of the factors of a sparse symmetric K: the next solution factors it again.
-    void release();
 
     /// The last K.
     const Matrix& matrix() const { return k_; }
@@ -132,17 +135,13 @@ public:
 
 private:
     BorderedSolutions solve(const Eigen::MatrixXd& f, const Eigen::VectorXd& xi, bool transposed, int rounds = 2) const;
-    int factor_without() const;
-    Eigen::MatrixXd apply(const Eigen::MatrixXd& x, bool transposed) const;
 
     bool symmetric_;
     Matrix k_;
     double size_ = 0;
     Border border_;
-    Eigen::VectorXd column_, row_;  ///< of K at the border
     int sign_without_ = 1;
-    mutable bool released_ = false;                             ///< the factors are not there
-    std::unique_ptr<detail::BorderedFactors<Matrix>> without_;  ///< of K without them
+    std::unique_ptr<detail::BorderedFactors<Matrix>> factors_;
 };
 
 /// The direction in which K is weakest, and the factorisation of K without its largest entry.
@@ -162,7 +161,7 @@ namespace detail {
 /// Factors K with the given border, or, where that is singular, with another one, which `border` is then. False where
 /// that is singular too, or K not finite.
 template <class Matrix>
-bool factor_with_border(BorderedSolver<Matrix>& solver, Matrix k, const Eigen::VectorXd& weights, int multipliers,
+bool factor_with_border(BorderedSolver<Matrix>& solver, Matrix&& k, const Eigen::VectorXd& weights, int multipliers,
                         Border& border);
 
 }  // namespace detail
@@ -172,9 +171,9 @@ bool factor_with_border(BorderedSolver<Matrix>& solver, Matrix k, const Eigen::V
 /// of some borders are singular: nullity 2 or more, or K not finite. guess: a direction that may be the weakest, as
 /// that of a K nearby.
 template <class Matrix>
-std::optional<WeakDirection> factor_at_weakest(BorderedSolver<Matrix>& solver, Matrix k, const Eigen::VectorXd& weights,
-                                               int multipliers, Border& border, const Eigen::MatrixXd& guess = {},
-                                               int next = 0);
+std::optional<WeakDirection> factor_at_weakest(BorderedSolver<Matrix>& solver, Matrix&& k,
+                                               const Eigen::VectorXd& weights, int multipliers, Border& border,
+                                               const Eigen::MatrixXd& guess = {}, int next = 0);
 
 /// The same of the K that the solver has factored with `border`, where it has solved for r.
 template <class Matrix>

@@ -41,7 +41,6 @@ public:
     bool factor(const Matrix& k, const RemovedUnknown& removed) override;
     Eigen::MatrixXd solve(const Eigen::MatrixXd& f) const override;
     int negative() const override;
-    void release() override;
     /// Entries of L below its diagonal.
     Eigen::Index fill() const override;
 

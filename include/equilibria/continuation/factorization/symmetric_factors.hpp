@@ -34,9 +34,6 @@ public:
     virtual int negative() const = 0;
     /// Entries of the factors.
     virtual Eigen::Index fill() const = 0;
-    /// May give back the memory of the factors, but not what the pattern alone decides: `factor` comes before the next
-    /// `solve`.
-    virtual void release() {}
     /// Whether pivots are chosen so that the solutions can be trusted.
     virtual bool pivots() const { return false; }
 };

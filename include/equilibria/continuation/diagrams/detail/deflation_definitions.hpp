@@ -31,8 +31,7 @@ std::optional<AnyConfiguration> deflated_newton(const AnyProblem<Matrix>& proble
     for (int k = 0; k < options.most_iterations; ++k) {
         const Eigen::VectorXd g = problem.residual(q, p);
         if (!g.allFinite()) return std::nullopt;
-        const Matrix tangent = problem.tangent(q, p);
-        if (!factor_at_weakest(solver, tangent, w, problem.multipliers(), border)) return std::nullopt;
+        if (!factor_at_weakest(solver, problem.tangent(q, p), w, problem.multipliers(), border)) return std::nullopt;
         const BorderedSolution q0 = solver.solve(-g, 0), r = solver.solve(zero, 1);
         Eigen::VectorXd d = q0.x - q0.tau / r.tau * r.x;
         const double plain = std::sqrt(d.dot(w.cwiseProduct(d)));

@@ -15,29 +15,9 @@
 
 namespace equilibria {
 
-namespace detail {
-
-template <class Matrix>
-Matrix without(const Matrix& k, Border border, double corner) {
-    Matrix y = k;
-    if constexpr ((!BorderedSolver<Matrix>::sparse)) {
-        y.row(border.row).setZero();
-        y.col(border.column).setZero();
-        y(border.row, border.column) = corner;
-    } else {
-        for (Eigen::Index c = 0; c < y.outerSize(); ++c)
-            for (typename Matrix::InnerIterator entry(y, c); entry; ++entry)
-                if (entry.row() == border.row || entry.col() == border.column) entry.valueRef() = 0;
-        y.coeffRef(border.row, border.column) = corner;
-    }
-    return y;
-}
-
-}  // namespace detail
-
 template <class Matrix>
 BorderedSolver<Matrix>::BorderedSolver(bool symmetric, int multipliers, MakeSymmetricFactors make)
-    : symmetric_(symmetric), without_(std::make_unique<detail::BorderedFactors<Matrix>>(symmetric, multipliers, make)) {
+    : symmetric_(symmetric), factors_(std::make_unique<detail::BorderedFactors<Matrix>>(symmetric, multipliers, make)) {
 }
 template <class Matrix>
 BorderedSolver<Matrix>::BorderedSolver(BorderedSolver&&) noexcept = default;
@@ -47,8 +27,10 @@ template <class Matrix>
 BorderedSolver<Matrix>::~BorderedSolver() = default;
 
 template <class Matrix>
-bool BorderedSolver<Matrix>::factor(Matrix k, Border border) {
-    k_ = std::move(k);
+bool BorderedSolver<Matrix>::factor(Matrix&& k, Border border) {
+    // Eigen's sparse matrices are copied where they are moved, and the last K's memory is not kept
+    Matrix().swap(k_);
+    k_.swap(k);
     size_ = detail::largest_entry(k_);
     return factor(border);
 }
@@ -57,65 +39,21 @@ template <class Matrix>
 bool BorderedSolver<Matrix>::factor(Border border) {
     border_ = border;
     if (!std::isfinite(size_)) return false;
-    column_ = k_.col(border.column);
-    if (sparse && symmetric_)
-        row_ = column_;
-    else
-        row_ = k_.transpose().col(border.row);
-    const int sign = factor_without();
+    const int sign = factors_->factor(k_, border_, size_ > 0 ? size_ : 1.0);
     if (sign != 0) sign_without_ = sign;
     return sign != 0;
 }
 
 template <class Matrix>
-int BorderedSolver<Matrix>::factor_without() const {
-    released_ = false;
-    return without_->factor(k_, border_, size_ > 0 ? size_ : 1.0);
-}
-
-template <class Matrix>
-void BorderedSolver<Matrix>::release() {
-    if constexpr (sparse) {
-        if (!symmetric_ || released_ || k_.size() == 0) return;
-        without_->release();
-        released_ = true;
-    }
+BorderedSolutions BorderedSolver<Matrix>::solve(const Eigen::MatrixXd& f, const Eigen::VectorXd& xi, bool transposed,
+                                                int rounds) const {
+    return factors_->solve(k_, f, xi, transposed, rounds);
 }
 
 template <class Matrix>
 std::optional<TangentInertia> BorderedSolver<Matrix>::inertia(double sigma) const {
     if (!symmetric_) return std::nullopt;
-    return without_->inertia(k_, sigma);
-}
-
-template <class Matrix>
-BorderedSolutions BorderedSolver<Matrix>::solve(const Eigen::MatrixXd& f, const Eigen::VectorXd& xi, bool transposed,
-                                                int rounds) const {
-    if (released_) factor_without();
-    // of B^T, row and column change places
-    const Eigen::VectorXd &row = transposed ? column_ : row_, &column = transposed ? row_ : column_;
-    const Eigen::Index j = transposed ? border_.column : border_.row, i = transposed ? border_.row : border_.column;
-    BorderedSolutions y{Eigen::MatrixXd::Zero(f.rows(), f.cols()), {}};
-    Eigen::MatrixXd rest = f;
-    for (Eigen::Index k = 0; k < f.cols(); ++k)
-        if (xi(k) != 0) rest.col(k) -= xi(k) * column;
-    // the second round removes the rounding of the first
-    for (int round = 0; round < rounds; ++round) {
-        if (round > 0) rest = f - apply(y.x, transposed);
-        rest.row(j).setZero();
-        y.x += without_->solve(rest, transposed);
-        y.x.row(i) = xi.transpose();
-    }
-    y.tau = f.row(j).transpose() - y.x.transpose() * row;
-    return y;
-}
-
-template <class Matrix>
-Eigen::MatrixXd BorderedSolver<Matrix>::apply(const Eigen::MatrixXd& x, bool transposed) const {
-    if constexpr (sparse) {
-        if (symmetric_) return detail::symmetric_product(k_, x);
-    }
-    return transposed ? Eigen::MatrixXd(k_.transpose() * x) : Eigen::MatrixXd(k_ * x);
+    return factors_->inertia(k_, sigma);
 }
 
 namespace detail {
@@ -157,7 +95,7 @@ Border border_for(const Matrix& k, const Eigen::VectorXd& weights, int multiplie
 }
 
 template <class Matrix>
-bool factor_with_border(BorderedSolver<Matrix>& solver, Matrix k, const Eigen::VectorXd& weights, int multipliers,
+bool factor_with_border(BorderedSolver<Matrix>& solver, Matrix&& k, const Eigen::VectorXd& weights, int multipliers,
                         Border& border) {
     if (solver.factor(std::move(k), border)) return true;
     if (!std::isfinite(solver.largest_entry())) return false;
@@ -287,9 +225,9 @@ std::optional<WeakDirection> search_weakest(BorderedSolver<Matrix>& solver, cons
 }  // namespace detail
 
 template <class Matrix>
-std::optional<WeakDirection> factor_at_weakest(BorderedSolver<Matrix>& solver, Matrix k, const Eigen::VectorXd& weights,
-                                               int multipliers, Border& border, const Eigen::MatrixXd& guess,
-                                               int next) {
+std::optional<WeakDirection> factor_at_weakest(BorderedSolver<Matrix>& solver, Matrix&& k,
+                                               const Eigen::VectorXd& weights, int multipliers, Border& border,
+                                               const Eigen::MatrixXd& guess, int next) {
     if (!solver.factor(std::move(k), border)) {
         if (!std::isfinite(solver.largest_entry())) return std::nullopt;
         return detail::search_weakest(solver, nullptr, weights, multipliers, border, guess, next);

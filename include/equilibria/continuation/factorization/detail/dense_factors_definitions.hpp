@@ -7,7 +7,6 @@
 #include <limits>
 #include <optional>
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 
 #include <equilibria/continuation/factorization/bordered.hpp>
@@ -24,7 +23,7 @@ EQUILIBRIA_INLINE double largest_force(const Eigen::MatrixXd& k, const Eigen::Ve
     return y;
 }
 
-/// L U of a dense K without its border.
+/// L U of B for a dense K, its ones of the size of K's entries.
 template <class Number>
 class BorderedFactors<Eigen::MatrixX<Number>> {
 public:
@@ -33,36 +32,43 @@ public:
 
     BorderedFactors(bool, int, MakeSymmetricFactors) {}
 
-    /// The sign of the determinant, 0 where it is singular to working precision.
-    int factor(const Matrix& k, Border border, double corner) {
-        lu_.compute(without(k, border, corner));
-        const double determinant_sign = lu_.permutationP().determinant() < 0 ? -1 : 1;
-        double sign = determinant_sign, smallest = std::numeric_limits<double>::infinity(), largest = 0;
-        for (Eigen::Index i = 0; i < lu_.rows(); ++i) {
+    int factor(const Matrix& k, Border border, double size) {
+        const Eigen::Index n = k.rows();
+        size_ = size;
+        Matrix b = Matrix::Zero(n + 1, n + 1);
+        b.topLeftCorner(n, n) = k;
+        b(border.row, n) = b(n, border.column) = size;
+        lu_.compute(b);
+        bool negative = lu_.permutationP().determinant() < 0;
+        double smallest = std::numeric_limits<double>::infinity(), largest = 0;
+        for (Eigen::Index i = 0; i <= n; ++i) {
             const double pivot = lu_.matrixLU()(i, i);
-            if (pivot < 0) sign = -sign;
+            if (pivot < 0) negative = !negative;
             smallest = std::min(smallest, std::abs(pivot));
             largest = std::max(largest, std::abs(pivot));
         }
         if (!(smallest > 4 * std::numeric_limits<double>::epsilon() * largest)) return 0;
-        return sign < 0 ? -1 : 1;
+        return negative ? 1 : -1;  // det B is minus that of K without them
     }
-    Eigen::MatrixXd solve(const Eigen::MatrixXd& f, bool transposed) const {
-        return transposed ? Eigen::MatrixXd(lu_.transpose().solve(f)) : Eigen::MatrixXd(lu_.solve(f));
+    BorderedSolutions solve(const Matrix&, const Eigen::MatrixXd& f, const Eigen::VectorXd& xi, bool transposed,
+                            int) const {
+        const Eigen::Index n = f.rows();
+        Eigen::MatrixXd right(n + 1, f.cols());
+        right.topRows(n) = f;
+        right.row(n) = size_ * xi.transpose();
+        const Eigen::MatrixXd y = transposed ? Eigen::MatrixXd(lu_.transpose().solve(right)) : lu_.solve(right).eval();
+        return {y.topRows(n), size_ * y.row(n).transpose()};
     }
     /// Of a symmetric K, the border included.
     static std::optional<TangentInertia> inertia(const Matrix& k, double) {
-        TangentInertia y;
-        const Eigen::SelfAdjointEigenSolver<Matrix> eigen(k, Eigen::EigenvaluesOnly);
-        const Eigen::VectorXd& values = eigen.eigenvalues();  // in increasing order
-        y.negative = static_cast<int>((values.array() < 0).count());
-        if (y.negative > 0) y.below = values(y.negative - 1);
-        if (y.negative < values.size()) y.above = values(y.negative);
+        TangentInertia y{0, EigenvalueCounts(k)};
+        y.negative = y.eigenvalues.below(0);
         return y;
     }
 
 private:
     LU lu_;
+    double size_ = 1;
 };
 
 }  // namespace equilibria::detail

@@ -34,6 +34,16 @@ EQUILIBRIA_INLINE double largest_force(const Eigen::SparseMatrix<double>& k, con
     return y;
 }
 
+EQUILIBRIA_INLINE Eigen::SparseMatrix<double> without(const Eigen::SparseMatrix<double>& k, Border border,
+                                                      double corner) {
+    Eigen::SparseMatrix<double> y = k;
+    for (Eigen::Index c = 0; c < y.outerSize(); ++c)
+        for (Eigen::SparseMatrix<double>::InnerIterator entry(y, c); entry; ++entry)
+            if (entry.row() == border.row || entry.col() == border.column) entry.valueRef() = 0;
+    y.coeffRef(border.row, border.column) = corner;
+    return y;
+}
+
 EQUILIBRIA_INLINE Eigen::MatrixXd symmetric_product(const Eigen::SparseMatrix<double>& k, const Eigen::MatrixXd& x) {
     // each column of k is a row: entries of the result are sums, several side by side
     Eigen::MatrixXd y(x.rows(), x.cols());
@@ -64,8 +74,13 @@ public:
     BorderedFactors(bool symmetric, int multipliers, MakeSymmetricFactors make)
         : symmetric_(symmetric), factors_((make ? make : &sparse_ldlt)(multipliers)) {}
 
-    /// The sign of the determinant, 0 where it is singular to working precision.
     int factor(const Matrix& k, Border border, double corner) {
+        border_ = border;
+        column_ = k.col(border.column);
+        if (symmetric_)
+            row_ = column_;
+        else
+            row_ = k.transpose().col(border.row);
         negative_.reset();
         use_lu_ = !symmetric_;
         if (symmetric_) {
@@ -79,12 +94,25 @@ public:
         if (lu_.info() != Eigen::Success) return 0;
         return lu_.signDeterminant() < 0 ? -1 : 1;
     }
-    Eigen::MatrixXd solve(const Eigen::MatrixXd& f, bool transposed) const {
-        if (!use_lu_) return factors_->solve(f);
-        // SparseLU's transposed view is not const in Eigen 3.4
-        return transposed ? Eigen::MatrixXd(const_cast<LU&>(lu_).transpose().solve(f)) : Eigen::MatrixXd(lu_.solve(f));
+    BorderedSolutions solve(const Matrix& k, const Eigen::MatrixXd& f, const Eigen::VectorXd& xi, bool transposed,
+                            int rounds) const {
+        // of B^T, row and column change places
+        const Eigen::VectorXd &row = transposed ? column_ : row_, &column = transposed ? row_ : column_;
+        const Eigen::Index j = transposed ? border_.column : border_.row, i = transposed ? border_.row : border_.column;
+        BorderedSolutions y{Eigen::MatrixXd::Zero(f.rows(), f.cols()), {}};
+        Eigen::MatrixXd rest = f;
+        for (Eigen::Index c = 0; c < f.cols(); ++c)
+            if (xi(c) != 0) rest.col(c) -= xi(c) * column;
+        // the second round removes the rounding of the first
+        for (int round = 0; round < rounds; ++round) {
+            if (round > 0) rest = f - product(k, y.x, transposed);
+            rest.row(j).setZero();
+            y.x += solve_without(rest, transposed);
+            y.x.row(i) = xi.transpose();
+        }
+        y.tau = f.row(j).transpose() - y.x.transpose() * row;
+        return y;
     }
-    void release() { factors_->release(); }
     std::optional<TangentInertia> inertia(const Matrix&, double sigma) const {
         if (!negative_) return std::nullopt;
         TangentInertia y;
@@ -93,6 +121,16 @@ public:
     }
 
 private:
+    /// Of K without the border.
+    Eigen::MatrixXd solve_without(const Eigen::MatrixXd& f, bool transposed) const {
+        if (!use_lu_) return factors_->solve(f);
+        // SparseLU's transposed view is not const in Eigen 3.4
+        return transposed ? Eigen::MatrixXd(const_cast<LU&>(lu_).transpose().solve(f)) : Eigen::MatrixXd(lu_.solve(f));
+    }
+    Eigen::MatrixXd product(const Matrix& k, const Eigen::MatrixXd& x, bool transposed) const {
+        if (symmetric_) return symmetric_product(k, x);
+        return transposed ? Eigen::MatrixXd(k.transpose() * x) : Eigen::MatrixXd(k * x);
+    }
     /// Whether the factors reproduce a vector: without pivoting they may not. corner: the largest entry of k.
     bool safe(const Matrix& k, Border border, double corner) const {
         Eigen::MatrixXd x = factors_->solve(Eigen::VectorXd::Ones(k.rows()));
@@ -108,6 +146,8 @@ private:
     std::optional<int> negative_;
     std::unique_ptr<SymmetricFactors> factors_;
     LU lu_;
+    Border border_;
+    Eigen::VectorXd column_, row_;  // of K at the border
 };
 
 }  // namespace equilibria::detail

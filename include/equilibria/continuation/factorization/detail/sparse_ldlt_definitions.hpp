@@ -30,12 +30,13 @@ struct SparseLDLT::Factors {
         d_.resize(k.rows());
         auto to = supernodes_.entries().begin();
         for (int c = 0; c < k.outerSize(); ++c)
-            for (Matrix::InnerIterator entry(k, c); entry; ++entry, ++to) {
-                if (*to < 0) continue;
+            for (Matrix::InnerIterator entry(k, c); entry; ++entry) {
+                if (entry.row() < c) continue;
+                double& in_panel = l_[static_cast<std::size_t>(*to++)];
                 if (entry.row() != removed.unknown && c != removed.unknown)
-                    l_[static_cast<std::size_t>(*to)] += entry.value();
+                    in_panel += entry.value();
                 else if (entry.row() == c)
-                    l_[static_cast<std::size_t>(*to)] += removed.corner;
+                    in_panel += removed.corner;
             }
         updates_.clear();
         updates_.reserve(supernodes_.most_waiting());
@@ -81,9 +82,6 @@ struct SparseLDLT::Factors {
     }
     int negative() const { return static_cast<int>((d_.array() < 0).count()); }
     Eigen::Index fill() const { return supernodes_.fill(); }
-    void release() {
-        for (std::vector<double>* v : {&l_, &updates_, &update_}) std::vector<double>().swap(*v);
-    }
 
 private:
     /// Adds the updates of a node's children to its panel, factors it, and leaves its own update for its parent.
@@ -183,6 +181,7 @@ EQUILIBRIA_INLINE std::vector<int> minimum_degree(const SymmetricFactors::Matrix
 EQUILIBRIA_INLINE std::vector<int> order_with_multipliers(const SymmetricFactors::Matrix& k, int multipliers,
                                                           EliminationOrder by) {
     const int size = static_cast<int>(k.rows()), own = size - multipliers;
+    if (multipliers == 0) return by(k);
     std::vector<int> unknown;  // those that are no multipliers
     if (own > 0) unknown = by(k.topLeftCorner(own, own));
     std::vector<int> place(unknown.size()), y;
@@ -211,7 +210,6 @@ EQUILIBRIA_INLINE bool SparseLDLT::factor(const Matrix& k, const RemovedUnknown&
     return factors_->factor(k, removed);
 }
 EQUILIBRIA_INLINE Eigen::MatrixXd SparseLDLT::solve(const Eigen::MatrixXd& f) const { return factors_->solve(f); }
-EQUILIBRIA_INLINE void SparseLDLT::release() { factors_->release(); }
 EQUILIBRIA_INLINE int SparseLDLT::negative() const { return factors_->negative(); }
 EQUILIBRIA_INLINE Eigen::Index SparseLDLT::fill() const { return factors_->fill(); }
 

@@ -10,6 +10,8 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <numeric>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -37,9 +39,8 @@ public:
     /// walked through depth first.
     Supernodes(const Matrix& k, std::vector<int>& place) {
         const std::size_t n = place.size();
-        std::vector<std::vector<int>> earlier = neighbours(k, place, false);
         std::vector<int> parent(n, -1), count(n, 1);
-        make_tree(earlier, parent, count);
+        make_tree(neighbours(k, place, false), parent, count);
         const std::vector<int> moved = depth_first(parent, count);
         for (int& p : place) p = moved[at(p)];
         const std::vector<int> own_parent = std::exchange(parent, std::vector<int>(n)), own_count = count;
@@ -60,7 +61,7 @@ public:
     const std::vector<int>& relative() const { return relative_; }
     /// Entries of all panels.
     std::size_t panel_size() const { return panel_size_; }
-    /// Of each stored entry of k, where in the panels it belongs; -1 above the diagonal.
+    /// Of each stored entry of k on and below the diagonal, where in the panels it belongs.
     const std::vector<std::ptrdiff_t>& entries() const { return entries_; }
     /// Entries of the updates that wait for their parents, at most at a time, where nodes are factored in turn.
     std::size_t most_waiting() const {
@@ -80,20 +81,35 @@ public:
 private:
     static std::size_t at(int k) { return static_cast<std::size_t>(k); }
 
+    /// Lists of places, one a place.
+    struct Lists {
+        std::vector<std::size_t> first;
+        std::vector<int> places;
+        std::span<const int> operator[](std::size_t j) const {
+            return {places.data() + first[j], places.data() + first[j + 1]};
+        }
+    };
     /// Of each place those that it shares an entry with, earlier or later ones.
-    static std::vector<std::vector<int>> neighbours(const Matrix& k, const std::vector<int>& place, bool later) {
-        std::vector<std::vector<int>> y(place.size());
-        for (int c = 0; c < k.outerSize(); ++c)
-            for (Matrix::InnerIterator entry(k, c); entry; ++entry) {
-                if (entry.row() <= entry.col()) continue;
-                const auto [low, high] = std::minmax(place[at(c)], place[at(static_cast<int>(entry.row()))]);
-                later ? y[at(low)].push_back(high) : y[at(high)].push_back(low);
-            }
+    static Lists neighbours(const Matrix& k, const std::vector<int>& place, bool later) {
+        Lists y;
+        y.first.assign(place.size() + 1, 0);
+        const auto each = [&](const auto& take) {
+            for (int c = 0; c < k.outerSize(); ++c)
+                for (Matrix::InnerIterator entry(k, c); entry; ++entry) {
+                    if (entry.row() <= entry.col()) continue;
+                    const auto [low, high] = std::minmax(place[at(c)], place[at(static_cast<int>(entry.row()))]);
+                    later ? take(at(low), high) : take(at(high), low);
+                }
+        };
+        each([&](std::size_t of, int) { ++y.first[of + 1]; });
+        std::partial_sum(y.first.begin(), y.first.end(), y.first.begin());
+        y.places.resize(y.first.back());
+        std::vector<std::size_t> next(y.first.begin(), y.first.end() - 1);
+        each([&](std::size_t of, int other) { y.places[next[of]++] = other; });
         return y;
     }
     /// The elimination tree, and the entries of each column of L, its diagonal among them.
-    static void make_tree(const std::vector<std::vector<int>>& earlier, std::vector<int>& parent,
-                          std::vector<int>& count) {
+    static void make_tree(const Lists& earlier, std::vector<int>& parent, std::vector<int>& count) {
         const int n = static_cast<int>(parent.size());
         std::vector<int> ancestor(parent.size(), -1), seen(parent.size(), -1);
         for (int j = 0; j < n; ++j)
@@ -182,9 +198,9 @@ private:
         }
         rows_.resize(row);
     }
-    void make_rows(const std::vector<std::vector<int>>& later) {
+    void make_rows(const Lists& later) {
         std::vector<std::vector<int>> children(nodes_.size());
-        std::vector<int> seen(later.size(), -1);
+        std::vector<int> seen(node_of_.size(), -1);
         for (std::size_t s = 0; s < nodes_.size(); ++s) {
             const Node& node = nodes_[s];
             const int end = node.first + node.width;
@@ -220,16 +236,16 @@ private:
         }
     }
     void make_entries(const Matrix& k, const std::vector<int>& place) {
+        entries_.reserve((place.size() + static_cast<std::size_t>(k.nonZeros()) + 1) / 2);
         for (int c = 0; c < k.outerSize(); ++c)
             for (Matrix::InnerIterator entry(k, c); entry; ++entry) {
-                entries_.push_back(-1);
                 if (entry.row() < entry.col()) continue;
                 const auto [low, high] = std::minmax(place[at(c)], place[at(static_cast<int>(entry.row()))]);
                 const Node& node = nodes_[at(node_of_[at(low)])];
                 const int* own = rows_.data() + node.row;
                 const auto row = std::lower_bound(own, own + node.rows, high) - own;
-                entries_.back() = static_cast<std::ptrdiff_t>(node.panel) +
-                                  static_cast<std::ptrdiff_t>(low - node.first) * node.rows + row;
+                entries_.push_back(static_cast<std::ptrdiff_t>(node.panel) +
+                                   static_cast<std::ptrdiff_t>(low - node.first) * node.rows + row);
             }
     }
 

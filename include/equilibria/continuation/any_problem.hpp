@@ -67,6 +67,7 @@ public:
     virtual Vector residual(const Q& q, double p) const = 0;
     virtual Matrix tangent(const Q& q, double p) const = 0;
     virtual Vector parameter_derivative(const Q& q, double p) const = 0;
+    virtual Linearization<Matrix> linearization(const Q& q, double p) const = 0;
     virtual Q retract(const Q& q, const Vector& increment) const = 0;
     virtual Vector transport(const Q& q, const Vector& increment, const Vector& v) const = 0;
     virtual Vector difference(const Q& q, const Q& near) const = 0;
@@ -95,6 +96,9 @@ public:
     Matrix tangent(const Q& q, double p) const override { return problem_->tangent(of(q), p); }
     Vector parameter_derivative(const Q& q, double p) const override {
         return problem_->parameter_derivative(of(q), p);
+    }
+    Linearization<Matrix> linearization(const Q& q, double p) const override {
+        return equilibria::linearization(*problem_, of(q), p);
     }
     Q retract(const Q& q, const Vector& increment) const override {
         return Q::of(equilibria::retract(*problem_, of(q), increment));
@@ -194,6 +198,7 @@ public:
     Vector residual(const Q& q, double p) const { return functions_->residual(q, p); }
     Matrix tangent(const Q& q, double p) const { return functions_->tangent(q, p); }
     Vector parameter_derivative(const Q& q, double p) const { return functions_->parameter_derivative(q, p); }
+    Linearization<Matrix> linearization(const Q& q, double p) const { return functions_->linearization(q, p); }
     Q retract(const Q& q, const Vector& increment) const { return functions_->retract(q, increment); }
     Vector transport(const Q& q, const Vector& increment, const Vector& v) const {
         return functions_->transport(q, increment, v);

@@ -87,9 +87,10 @@ private:
     std::optional<Point> assess_from(const AnyConfiguration& q, double p, const BorderedSolution& r,
                                      const BorderedSolution& s, const Eigen::VectorXd& g_p, const Point& from,
                                      const Direction& along);
-    /// The point (q, p) with this weakest direction; s: [s; -mu] of bordered.hpp.
-    std::optional<Point> point_of(const AnyConfiguration& q, double p, const WeakDirection& weak,
-                                  const BorderedSolution& s, const std::optional<Direction>& along);
+    /// The point (q, p) with this residual and weakest direction; s: [s; -mu] of bordered.hpp.
+    std::optional<Point> point_of(const AnyConfiguration& q, double p, const Eigen::VectorXd& g,
+                                  const WeakDirection& weak, const BorderedSolution& s,
+                                  const std::optional<Direction>& along);
     Constraint normal_of(const Point& from, const Direction& predicted, double h) const;
     /// The gradient of the constraint, in weighted coordinates, and its value at (q, p), the increment `moved` away
     /// from the last point; planes have the value 0 at every iterate.

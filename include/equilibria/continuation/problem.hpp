@@ -25,6 +25,7 @@
 ///     std::vector<Configuration> images(q)            those equivalent to q by symmetries, always as many; none
 ///     Configuration image(q, k)                       images(q)[k] alone
 ///     MakeSymmetricFactors symmetric_factors()        what factors a sparse symmetric K; null: SparseLDLT
+///     Linearization<Matrix> linearization(q, p)       g, K and dg/dp, where they are quicker together; one by one
 /// On a curved space g and K are taken at q itself: derivatives of the energy by increments of q at increment 0.
 #pragma once
 
@@ -158,6 +159,21 @@ MakeSymmetricFactors symmetric_factors(const P& problem) {
         return problem.symmetric_factors();
     else
         return nullptr;
+}
+
+/// g, K and dg/dp at one place.
+template <class Matrix>
+struct Linearization {
+    Eigen::VectorXd residual;
+    Matrix tangent;
+    Eigen::VectorXd parameter_derivative;
+};
+template <ContinuationProblem P>
+Linearization<TangentMatrix<P>> linearization(const P& problem, const Configuration<P>& q, double p) {
+    if constexpr (requires { problem.linearization(q, p); })
+        return problem.linearization(q, p);
+    else
+        return {problem.residual(q, p), problem.tangent(q, p), problem.parameter_derivative(q, p)};
 }
 
 namespace detail {

@@ -29,10 +29,12 @@ struct BorderedTangent {
           solver(symmetric_tangent<P>, equilibria::multipliers(problem), symmetric_factors(problem)),
           regular(solver.factor(problem.tangent(y.q, y.p), y.border) && g.allFinite()) {
         if (!regular) return;
-        const Eigen::VectorXd zero = Eigen::VectorXd::Zero(g.size());
-        null = solver.solve(zero, 1);
-        left = symmetric_tangent<P> ? null : solver.solve_transposed(zero, 1);
-        slope = solver.solve(-g_p, 0);
+        Eigen::MatrixXd right = Eigen::MatrixXd::Zero(g.size(), 2);
+        right.col(1) = -g_p;
+        const BorderedSolutions solutions = solver.solve(right, Eigen::Vector2d(1, 0));
+        null = solutions[0];
+        slope = solutions[1];
+        left = symmetric_tangent<P> ? null : solver.solve_transposed(Eigen::VectorXd::Zero(g.size()), 1);
     }
     double sigma() const { return null.tau; }
     double mu() const { return -slope.tau; }

@@ -10,8 +10,9 @@
 ///                                             [ g(q, p; r) + gamma e_j     ]
 /// sigma and mu are those of bordered.hpp, with a border that is chosen anew after each step. Their derivatives are
 ///     d sigma = -psi^T dK r        d mu = psi^T (dK s + d(dg/dp)),        psi the left null vector,
-/// exact where the problem's tangent_derivative is; otherwise, as those by r, five-point differences, error
-/// O(eps^(4/5)). Source: Govaerts, Numerical Methods for Bifurcations of Dynamical Equilibria, chapters 3, 4 and 8.
+/// exact where the problem's tangent_derivative is, those of folds by r where the family is differentiable; otherwise
+/// five-point differences, error O(eps^(4/5)). Source: Govaerts, Numerical Methods for Bifurcations of Dynamical
+/// Equilibria, chapters 3, 4 and 8.
 #pragma once
 
 #include <cmath>
@@ -22,6 +23,7 @@
 #include <vector>
 
 #include <equilibria/continuation/curves/bordered_tangent.hpp>
+#include <equilibria/continuation/curves/member_derivatives.hpp>
 #include <equilibria/core/error.hpp>
 
 namespace equilibria {
@@ -64,6 +66,14 @@ using MemberOf = std::remove_cvref_t<std::invoke_result_t<const F&, double>>;
 /// Gives a problem in p for each value of the second parameter.
 template <class F>
 concept ParametricProblem = std::invocable<const F&, double> && ContinuationProblem<detail::MemberOf<F>>;
+
+/// One with exact derivatives by the second parameter, MemberDerivatives member_derivatives(q, p, r, v).
+template <class F>
+concept DifferentiableFamily =
+    ParametricProblem<F> &&
+    requires(const F& problems, const Configuration<detail::MemberOf<F>>& q, const Eigen::VectorXd& v) {
+        { problems.member_derivatives(q, 0.0, 0.0, v) } -> std::convertible_to<MemberDerivatives>;
+    };
 
 /// Base of both curves: extra unknowns first, then q.
 template <ParametricProblem F, int extra>
@@ -165,16 +175,37 @@ public:
     using Base::Base;
 
     Eigen::VectorXd residual(const Configuration& y, double r) const {
+        return residual(y, BorderedTangent<Problem>(this->problems_(r), y));
+    }
+    Matrix tangent(const Configuration& y, double r) const {
+        const Problem problem = this->problems_(r);
+        return tangent(problem, y, BorderedTangent<Problem>(problem, y));
+    }
+    Eigen::VectorXd parameter_derivative(const Configuration& y, double r) const {
+        if constexpr (DifferentiableFamily<F>)
+            return parameter_derivative(y, r, BorderedTangent<Problem>(this->problems_(r), y));
+        else
+            return Base::by_second_parameter(*this, y, r);
+    }
+    Linearization<Matrix> linearization(const Configuration& y, double r) const {
         const Problem problem = this->problems_(r);
         const BorderedTangent<Problem> b(problem, y);
+        Linearization<Matrix> all{residual(y, b), tangent(problem, y, b), {}};
+        if constexpr (DifferentiableFamily<F>)
+            all.parameter_derivative = parameter_derivative(y, r, b);
+        else
+            all.parameter_derivative = parameter_derivative(y, r);
+        return all;
+    }
+
+private:
+    static Eigen::VectorXd residual(const Configuration& y, const BorderedTangent<Problem>& b) {
         if (!b.regular) return Base::not_a_number(b.g.size() + 1);
         Eigen::VectorXd f(b.g.size() + 1);
         f << y.sign * b.sigma(), b.g;
         return f;
     }
-    Matrix tangent(const Configuration& y, double r) const {
-        const Problem problem = this->problems_(r);
-        const BorderedTangent<Problem> b(problem, y);
+    static Matrix tangent(const Problem& problem, const Configuration& y, const BorderedTangent<Problem>& b) {
         const Eigen::Index n = b.g.size();
         Eigen::MatrixXd row(1, n + 1);
         if (b.regular) {
@@ -187,8 +218,12 @@ public:
         }
         return Base::bordered(b.k(), row, b.g_p);
     }
-    Eigen::VectorXd parameter_derivative(const Configuration& y, double r) const {
-        return Base::by_second_parameter(*this, y, r);
+    Eigen::VectorXd parameter_derivative(const Configuration& y, double r, const BorderedTangent<Problem>& b) const {
+        if (!b.regular) return Base::not_a_number(b.g.size() + 1);
+        Eigen::VectorXd f(b.g.size() + 1);
+        const MemberDerivatives by_r = this->problems_.member_derivatives(y.q, y.p, r, b.null.x);
+        f << -y.sign * b.left.x.dot(by_r.tangent_of_v), by_r.residual;
+        return f;
     }
 };
 template <class F>

@@ -20,23 +20,47 @@ template <class Matrix>
 std::optional<std::size_t> turns_into_image(AnyBranchStepper<Matrix>& stepper, const Branch<Erased>& branch,
                                             const CriticalPoint<Erased>& point);
 template <class Matrix>
-void go_back_by_image(AnyBranchStepper<Matrix>& stepper, const std::vector<EventFunction<Erased>>& functions,
-                      Branch<Erased>& branch, std::size_t image);
-
-/// Zeros of the functions between points `step` and `step` + 1 of the branch.
+class CrossingFinder;
 template <class Matrix>
-void find_crossings(AnyBranchStepper<Matrix>& stepper, const std::vector<EventFunction<Erased>>& functions,
-                    Branch<Erased>& branch, std::size_t step) {
-    const BranchPoint<Erased>&from = branch.points[step], &next = branch.points[step + 1];
-    for (std::size_t f = 0; f < functions.size(); ++f) {
-        const double at_from = functions[f].value(from), at_next = functions[f].value(next);
-        if (!(at_from * at_next < 0 || (at_next == 0 && at_from != 0))) continue;
-        if (auto zero = zero_between(stepper, functions[f], from, next))
-            branch.crossings.push_back({step, f, std::move(*zero)});
-        else
-            branch.unexplained.push_back({step, functions[f].name + " changes sign, and no zero was found"});
+void go_back_by_image(AnyBranchStepper<Matrix>& stepper, CrossingFinder<Matrix>& crossings, Branch<Erased>& branch,
+                      std::size_t image);
+
+/// Finds the zeros of functions between the points of a branch, one step after the other.
+template <class Matrix>
+class CrossingFinder {
+public:
+    CrossingFinder(AnyBranchStepper<Matrix>& stepper, const std::vector<EventFunction<Erased>>& functions)
+        : stepper_(stepper), functions_(functions) {}
+
+    /// Those between points `step` and `step` + 1.
+    void add(Branch<Erased>& branch, std::size_t step) {
+        const BranchPoint<Erased>&from = branch.points[step], &next = branch.points[step + 1];
+        if (at_ != step) values_ = values_at(from);
+        at_ = step + 1;
+        const std::vector<double> before = std::exchange(values_, values_at(next));
+        for (std::size_t f = 0; f < functions_.size(); ++f) {
+            if (!(before[f] * values_[f] < 0 || (values_[f] == 0 && before[f] != 0))) continue;
+            if (auto zero = zero_between(stepper_, functions_[f], from, next))
+                branch.crossings.push_back({step, f, std::move(*zero)});
+            else
+                branch.unexplained.push_back({step, functions_[f].name + " changes sign, and no zero was found"});
+        }
     }
-}
+    /// Points have been replaced.
+    void forget() { at_.reset(); }
+
+private:
+    std::vector<double> values_at(const BranchPoint<Erased>& point) const {
+        std::vector<double> y;
+        for (const auto& function : functions_) y.push_back(function.value(point));
+        return y;
+    }
+
+    AnyBranchStepper<Matrix>& stepper_;
+    const std::vector<EventFunction<Erased>>& functions_;
+    std::optional<std::size_t> at_;  ///< the point of values_
+    std::vector<double> values_;
+};
 
 }  // namespace detail
 
@@ -45,6 +69,7 @@ Branch<Erased> follow(AnyBranchStepper<Matrix>& stepper, const BranchPoint<Erase
                       const ContinuationOptions& options, const std::vector<EventFunction<Erased>>& functions) {
     Branch<Erased> branch;
     branch.points.push_back(start);
+    detail::CrossingFinder<Matrix> crossings(stepper, functions);
     BranchPoint<Erased> before;
     bool gone_back = false;  // by images: at the other end the branch closes
     for (int k = 0; k < options.most_steps; ++k) {
@@ -60,7 +85,7 @@ Branch<Erased> follow(AnyBranchStepper<Matrix>& stepper, const BranchPoint<Erase
         if (!events.explained) branch.unexplained.push_back({step, std::move(events.reason)});
         before = from;
         branch.points.push_back(std::move(*next));
-        detail::find_crossings(stepper, functions, branch, step);
+        crossings.add(branch, step);
         const BranchPoint<Erased>& last = branch.points.back();
         if (branch.events.size() >= static_cast<std::size_t>(options.most_critical_points)) {
             branch.end = BranchEnd::critical;
@@ -85,7 +110,7 @@ Branch<Erased> follow(AnyBranchStepper<Matrix>& stepper, const BranchPoint<Erase
             std::count_if(branch.events.begin(), branch.events.end(), [&](const auto& e) { return e.step == step; }));
         if (events_here == 1 && !gone_back)
             if (const auto image = detail::turns_into_image(stepper, branch, branch.events.back().point)) {
-                detail::go_back_by_image(stepper, functions, branch, *image);
+                detail::go_back_by_image(stepper, crossings, branch, *image);
                 before = branch.points[branch.points.size() - 2];
                 k += static_cast<int>(step);
                 gone_back = true;

@@ -101,8 +101,8 @@ std::optional<std::size_t> turns_into_image(AnyBranchStepper<Matrix>& stepper, c
 
 /// Puts the images of all points before the last in place of the last: as they come on the way back.
 template <class Matrix>
-void go_back_by_image(AnyBranchStepper<Matrix>& stepper, const std::vector<EventFunction<Erased>>& functions,
-                      Branch<Erased>& branch, std::size_t image) {
+void go_back_by_image(AnyBranchStepper<Matrix>& stepper, CrossingFinder<Matrix>& crossings, Branch<Erased>& branch,
+                      std::size_t image) {
     const ImageMap<Matrix> map(stepper.problem(), image);
     branch.points.pop_back();
     const std::size_t end = branch.points.size() - 1;
@@ -126,7 +126,8 @@ void go_back_by_image(AnyBranchStepper<Matrix>& stepper, const std::vector<Event
     for (std::size_t k = branch.unexplained.size(); k-- > 0;)
         branch.unexplained.push_back({step_of(branch.unexplained[k].step), branch.unexplained[k].reason});
     std::erase_if(branch.crossings, [&](const auto& crossing) { return crossing.step == end; });
-    for (std::size_t k = end; k + 1 < branch.points.size(); ++k) find_crossings(stepper, functions, branch, k);
+    crossings.forget();
+    for (std::size_t k = end; k + 1 < branch.points.size(); ++k) crossings.add(branch, k);
 }
 
 }  // namespace detail
@@ -140,7 +141,8 @@ Branch<Erased> image_of(AnyBranchStepper<Matrix>& stepper, const Branch<Erased>&
     for (const auto& [step, point] : branch.events) y.events.push_back({step, map(point, false)});
     y.unexplained = branch.unexplained;
     y.end = branch.end;
-    for (std::size_t k = 0; k + 1 < y.points.size(); ++k) detail::find_crossings(stepper, functions, y, k);
+    detail::CrossingFinder<Matrix> crossings(stepper, functions);
+    for (std::size_t k = 0; k + 1 < y.points.size(); ++k) crossings.add(y, k);
     return y;
 }
 

@@ -157,12 +157,12 @@ std::optional<BranchPoint<Erased>> AnyBranchStepper<Matrix>::onto(const AnyConfi
 template <class Matrix>
 std::optional<BranchPoint<Erased>> AnyBranchStepper<Matrix>::assess(const AnyConfiguration& q, double p,
                                                                     const std::optional<Direction>& along) {
-    const Eigen::VectorXd g_p = problem_.parameter_derivative(q, p);
-    if (weights_.size() == 0) weights_ = problem_.weights(q, g_p.size());
+    Linearization<Matrix> here = problem_.linearization(q, p);
+    if (weights_.size() == 0) weights_ = problem_.weights(q, here.residual.size());
     const auto weak =
-        factor_at_weakest(solver_, problem_.tangent(q, p), weights_, problem_.multipliers(), border_, {}, watched());
+        factor_at_weakest(solver_, std::move(here.tangent), weights_, problem_.multipliers(), border_, {}, watched());
     if (!weak) return std::nullopt;
-    return point_of(q, p, *weak, solver_.solve(-g_p, 0), along);
+    return point_of(q, p, here.residual, *weak, solver_.solve(-here.parameter_derivative, 0), along);
 }
 
 template <class Matrix>
@@ -175,15 +175,15 @@ std::optional<BranchPoint<Erased>> AnyBranchStepper<Matrix>::assess_from(const A
     const auto weak =
         weakest_direction(solver_, r, weights_, problem_.multipliers(), border_, from.weak_directions(), watched());
     if (!weak) return std::nullopt;
-    return point_of(q, p, *weak, border_ == before ? s : solver_.solve(-g_p, 0), along);
+    return point_of(q, p, problem_.residual(q, p), *weak, border_ == before ? s : solver_.solve(-g_p, 0), along);
 }
 
 template <class Matrix>
 std::optional<BranchPoint<Erased>> AnyBranchStepper<Matrix>::point_of(const AnyConfiguration& q, double p,
+                                                                      const Eigen::VectorXd& g,
                                                                       const WeakDirection& weak,
                                                                       const BorderedSolution& s,
                                                                       const std::optional<Direction>& along) {
-    const Eigen::VectorXd g = problem_.residual(q, p);
     Point point;
     point.q = q;
     point.p = p;
@@ -302,10 +302,9 @@ std::optional<BranchPoint<Erased>> AnyBranchStepper<Matrix>::correct_from(const 
     const double start = length(moved);
     double before = 0, contraction = 0;
     for (int k = 0; k < options_.most_corrections; ++k) {
-        const Eigen::VectorXd g = problem_.residual(q, p);
-        if (!g.allFinite()) return std::nullopt;
-        const Eigen::VectorXd g_p = problem_.parameter_derivative(q, p);
-        if (!factor(problem_.tangent(q, p))) return std::nullopt;
+        Linearization<Matrix> here = problem_.linearization(q, p);
+        const Eigen::VectorXd &g = here.residual, &g_p = here.parameter_derivative;
+        if (!g.allFinite() || !factor(std::move(here.tangent))) return std::nullopt;
         Eigen::MatrixXd right = Eigen::MatrixXd::Zero(g.size(), 3);
         right.col(0) = -g;
         right.col(1) = -g_p;
@@ -338,8 +337,7 @@ std::optional<BranchPoint<Erased>> AnyBranchStepper<Matrix>::correct_from(const 
             Direction along = from.tangent;
             along.q = problem_.transport(from.q, moved.q, along.q);
             q = problem_.rebase(q, p);
-            auto point =
-                size > tolerance(moved) ? assess(q, p, along) : assess_from(q, p, r, s, g_p, from, along);
+            auto point = size > tolerance(moved) ? assess(q, p, along) : assess_from(q, p, r, s, g_p, from, along);
             if (!point) return std::nullopt;
             point->corrections = k + 1;
             point->step = h;

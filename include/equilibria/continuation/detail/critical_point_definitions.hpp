@@ -115,13 +115,14 @@ private:
     bool evaluate(const AnyConfiguration& q, double p) {
         q_ = &q;
         p_ = p;
-        g_ = problem_.residual(q, p);
+        Matrix().swap(dr_);  // its memory is needed
+        Linearization<Matrix> here = problem_.linearization(q, p);
+        g_ = std::move(here.residual);
+        g_p_ = std::move(here.parameter_derivative);
         residual_ = g_.lpNorm<Eigen::Infinity>();
         if (!g_.allFinite()) return false;
-        g_p_ = problem_.parameter_derivative(q, p);
-        Matrix().swap(dr_);  // its memory is needed
         auto weak =
-            factor_at_weakest(solver_, problem_.tangent(q, p), weights_, problem_.multipliers(), border_, weak_);
+            factor_at_weakest(solver_, std::move(here.tangent), weights_, problem_.multipliers(), border_, weak_);
         if (!weak) return false;
         r_ = std::move(weak->r);
         weak_ = std::move(weak->direction);

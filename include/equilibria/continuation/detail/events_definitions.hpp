@@ -104,16 +104,18 @@ private:
         Eigen::MatrixXd turned;  // what dK along the branch makes of them
         if (problem.properties().tangent_derivative) {
             turned = problem.tangent_derivative(from.q, from.p, t) * v;
+            for (Eigen::Index k = 0; k < v.cols(); ++k)
+                turned.col(k) += from.tangent.p * problem.parameter_derivative_along(from.q, from.p, v.col(k));
         } else {
-            // the differences that would make dK, of products alone
-            const double h = difference_step(problem.weights(from.q, t.size()), t);
+            // differences along the tangent, which is of length 1
+            const double h = third_root_of_rounding;
             const auto at = [&](double by) {
-                return Eigen::MatrixXd(problem.tangent(problem.retract(from.q, Eigen::VectorXd(by * t)), from.p) * v);
+                return Eigen::MatrixXd(
+                    problem.tangent(problem.retract(from.q, Eigen::VectorXd(by * t)), from.p + by * from.tangent.p) *
+                    v);
             };
             turned = (at(h) - at(-h)) / (2 * h);
         }
-        for (Eigen::Index k = 0; k < v.cols(); ++k)
-            turned.col(k) += from.tangent.p * problem.parameter_derivative_along(from.q, from.p, v.col(k));
         return (left.cwiseProduct(turned)).colwise().sum().transpose();
     }
 

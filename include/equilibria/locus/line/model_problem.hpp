@@ -6,6 +6,7 @@
 
 #include <Eigen/Core>
 
+#include <equilibria/continuation/curves/member_derivatives.hpp>
 #include <equilibria/continuation/problem.hpp>
 #include <equilibria/core/eigen_copies.hpp>
 #include <equilibria/model/active_parameters.hpp>
@@ -28,14 +29,17 @@ public:
         return eigen_vector(equations(*model_, runtime_array(q), at(p)));
     }
     Matrix tangent(const Vector& q, double p) const { return eigen_matrix(jacobian(*model_, runtime_array(q), at(p))); }
-    Vector parameter_derivative(const Vector& q, double p) const {
-        return eigen_vector(parameter_derivatives(*model_, runtime_array(q), at(p), active_).first);
-    }
+    Vector parameter_derivative(const Vector& q, double p) const { return derivatives(active_, q, p).first; }
     Matrix tangent_derivative(const Vector& q, double p, const Vector& v) const {
         return eigen_matrix(jacobian_derivative(*model_, runtime_array(q), runtime_array(v), at(p)));
     }
     Vector parameter_derivative_along(const Vector& q, double p, const Vector& v) const {
-        return eigen_matrix(parameter_derivatives(*model_, runtime_array(q), at(p), active_).second) * v;
+        return derivatives(active_, q, p).second * v;
+    }
+    /// The derivatives of g and K by any of the model's parameters.
+    std::pair<Vector, Matrix> derivatives(int parameter, const Vector& q, double p) const {
+        const auto y = parameter_derivatives(*model_, runtime_array(q), at(p), parameter);
+        return {eigen_vector(y.first), eigen_matrix(y.second)};
     }
 
 private:
@@ -79,6 +83,10 @@ template <Model M, int X, int Y>
 struct ModelProblems {
     Parameters<M> parameters;  ///< entries X and Y are not read
     ModelProblem<M, X> operator()(double y) const { return ModelProblem<M, X>(with_active<Y>(parameters, y)); }
+    MemberDerivatives member_derivatives(const Eigen::VectorXd& q, double x, double y, const Eigen::VectorXd& v) const {
+        const auto [residual, tangent] = (*this)(y).derivatives(Y, q, x);
+        return {residual, tangent * v};
+    }
 };
 
 }  // namespace equilibria

@@ -8,6 +8,7 @@
 
 #include <Eigen/Core>
 
+#include <equilibria/continuation/curves/member_derivatives.hpp>
 #include <equilibria/core/eigen_copies.hpp>
 #include <equilibria/model/model_functions.hpp>
 #include <equilibria/system/critical_system.hpp>
@@ -31,17 +32,20 @@ public:
     Matrix tangent(const Vector& q, double x) const {
         return scales(x).asDiagonal().inverse() * eigen_matrix(jacobian(*model_, array(q), at(x)));
     }
-    Vector parameter_derivative(const Vector& q, double x) const {
-        Vector y = divided(parameter_derivatives(*model_, array(q), at(x), parameter(0)).first, x);
-        const Vector g = residual(q, x);
-        for (int i = 0; i < y.size(); ++i) y(i) -= exponent(i, 0) / x * g(i);
-        return y;
-    }
+    Vector parameter_derivative(const Vector& q, double x) const { return residual_by_parameter(0, q, x); }
     Matrix tangent_derivative(const Vector& q, double x, const Vector& v) const {
         return scales(x).asDiagonal().inverse() * eigen_matrix(jacobian_derivative(*model_, array(q), array(v), at(x)));
     }
     Vector parameter_derivative_along(const Vector& q, double x, const Vector& v) const {
         return tangent_by_parameter(0, q, x, v);
+    }
+    /// dg/dx (axis 0) or dg/dy (axis 1).
+    Vector residual_by_parameter(int axis, const Vector& q, double x) const {
+        const RuntimeArray<double> values = at(x);
+        Vector y = divided(parameter_derivatives(*model_, array(q), values, parameter(axis)).first, x);
+        const Vector g = residual(q, x);
+        for (int i = 0; i < y.size(); ++i) y(i) -= exponent(i, axis) / values[parameter(axis)] * g(i);
+        return y;
     }
     /// (dK/dx) v (axis 0) or (dK/dy) v (axis 1).
     Vector tangent_by_parameter(int axis, const Vector& q, double x, const Vector& v) const {
@@ -87,6 +91,10 @@ struct PlaneProblems {
         RuntimeArray<double> p = parameters;
         p[system->active()[1]] = y;
         return PlaneProblem(*model, *system, std::move(p));
+    }
+    MemberDerivatives member_derivatives(const Eigen::VectorXd& q, double x, double y, const Eigen::VectorXd& v) const {
+        const PlaneProblem member = (*this)(y);
+        return {member.residual_by_parameter(1, q, x), member.tangent_by_parameter(1, q, x, v)};
     }
 };
 

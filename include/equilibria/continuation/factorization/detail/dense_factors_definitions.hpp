@@ -53,11 +53,15 @@ public:
     BorderedSolutions solve(const Matrix&, const Eigen::MatrixXd& f, const Eigen::VectorXd& xi, bool transposed,
                             int) const {
         const Eigen::Index n = f.rows();
-        Eigen::MatrixXd right(n + 1, f.cols());
-        right.topRows(n) = f;
-        right.row(n) = size_ * xi.transpose();
-        const Eigen::MatrixXd y = transposed ? Eigen::MatrixXd(lu_.transpose().solve(right)) : lu_.solve(right).eval();
-        return {y.topRows(n), size_ * y.row(n).transpose()};
+        BorderedSolutions y{Eigen::MatrixXd(n, f.cols()), Eigen::VectorXd(f.cols())};
+        Eigen::VectorXd column(n + 1);
+        for (Eigen::Index c = 0; c < f.cols(); ++c) {  // few: vectors are quicker than a matrix
+            column << f.col(c), size_ * xi(c);
+            column = transposed ? Eigen::VectorXd(lu_.transpose().solve(column)) : Eigen::VectorXd(lu_.solve(column));
+            y.x.col(c) = column.head(n);
+            y.tau(c) = size_ * column(n);
+        }
+        return y;
     }
     /// Of a symmetric K, the border included.
     static std::optional<TangentInertia> inertia(const Matrix& k, double) {

@@ -48,19 +48,21 @@ EQUILIBRIA_INLINE Eigen::MatrixXd symmetric_product(const Eigen::SparseMatrix<do
     // each column of k is a row: entries of the result are sums, several side by side
     Eigen::MatrixXd y(x.rows(), x.cols());
     const auto product = [&]<int N>(Eigen::Index first, std::integral_constant<int, N>) {
-        const Eigen::Matrix<double, Eigen::Dynamic, N, N == 1 ? Eigen::ColMajor : Eigen::RowMajor> some =
-            x.middleCols<N>(first);
+        const Eigen::Index columns = std::min<Eigen::Index>(N, x.cols() - first);
+        Eigen::Matrix<double, Eigen::Dynamic, N, N == 1 ? Eigen::ColMajor : Eigen::RowMajor> some(x.rows(), N);
+        if (columns < N) some.setZero();
+        some.leftCols(columns) = x.middleCols(first, columns);
         for (Eigen::Index c = 0; c < k.outerSize(); ++c) {
             Eigen::Matrix<double, 1, N> sum = Eigen::Matrix<double, 1, N>::Zero();
             for (Eigen::SparseMatrix<double>::InnerIterator entry(k, c); entry; ++entry)
                 sum += entry.value() * some.row(entry.row());
-            y.row(c).middleCols<N>(first) = sum;
+            for (Eigen::Index i = 0; i < columns; ++i) y(c, first + i) = sum(i);
         }
     };
     Eigen::Index c = 0;
-    for (; c + 4 <= x.cols(); c += 4) product(c, std::integral_constant<int, 4>());
-    for (; c + 2 <= x.cols(); c += 2) product(c, std::integral_constant<int, 2>());
-    for (; c < x.cols(); ++c) product(c, std::integral_constant<int, 1>());
+    for (; x.cols() - c > 2; c += 4) product(c, std::integral_constant<int, 4>());
+    if (x.cols() - c == 2) product(c, std::integral_constant<int, 2>());
+    if (x.cols() - c == 1) product(c, std::integral_constant<int, 1>());
     return y;
 }
 

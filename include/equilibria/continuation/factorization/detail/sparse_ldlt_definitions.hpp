@@ -46,44 +46,114 @@ struct SparseLDLT::Factors {
         return true;
     }
 
+    /// The columns of f side by side, in groups: each entry of L is read once for all of a group.
     Eigen::MatrixXd solve(const Eigen::MatrixXd& f) const {
-        const Eigen::Index n = f.rows();
-        Eigen::MatrixXd x(n, f.cols()), below;
-        for (Eigen::Index c = 0; c < f.cols(); ++c)
-            for (Eigen::Index i = 0; i < n; ++i) x(place_[static_cast<std::size_t>(i)], c) = f(i, c);
-        const auto& nodes = supernodes_.nodes();
-        for (const Node& node : nodes) {
-            const Panel panel(l_.data() + node.panel, node.rows, node.width);
-            auto own = x.middleRows(node.first, node.width);
-            panel.topRows(node.width).triangularView<Eigen::UnitLower>().solveInPlace(own);
-            if (node.below() == 0) continue;
-            below.noalias() = panel.bottomRows(node.below()) * own;
-            const int* rows = supernodes_.rows().data() + node.row + node.width;
-            for (Eigen::Index c = 0; c < x.cols(); ++c)
-                for (int r = 0; r < node.below(); ++r) x(rows[r], c) -= below(r, c);
-        }
-        x.array().colwise() /= d_.array();
-        for (auto node = nodes.rbegin(); node != nodes.rend(); ++node) {
-            const Panel panel(l_.data() + node->panel, node->rows, node->width);
-            auto own = x.middleRows(node->first, node->width);
-            if (node->below() > 0) {
-                const int* rows = supernodes_.rows().data() + node->row + node->width;
-                below.resize(node->below(), x.cols());
-                for (Eigen::Index c = 0; c < x.cols(); ++c)
-                    for (int r = 0; r < node->below(); ++r) below(r, c) = x(rows[r], c);
-                own.noalias() -= panel.bottomRows(node->below()).transpose() * below;
-            }
-            panel.topRows(node->width).transpose().triangularView<Eigen::UnitUpper>().solveInPlace(own);
-        }
-        Eigen::MatrixXd y(n, f.cols());
-        for (Eigen::Index c = 0; c < f.cols(); ++c)
-            for (Eigen::Index i = 0; i < n; ++i) y(i, c) = x(place_[static_cast<std::size_t>(i)], c);
+        Eigen::MatrixXd y(f.rows(), f.cols());
+        Eigen::Index c = 0;
+        for (; f.cols() - c > 4; c += 8) solve_group<8>(f, c, y);
+        if (f.cols() - c > 2) return solve_group<4>(f, c, y), y;
+        if (f.cols() - c == 2) return solve_group<2>(f, c, y), y;
+        if (f.cols() - c == 1) solve_group<1>(f, c, y);
         return y;
     }
     int negative() const { return static_cast<int>((d_.array() < 0).count()); }
     Eigen::Index fill() const { return supernodes_.fill(); }
 
 private:
+    template <int N>
+    using Rows = Eigen::Matrix<double, Eigen::Dynamic, N, N == 1 ? Eigen::ColMajor : Eigen::RowMajor>;
+
+    /// y = k^-1 f of the columns from number `first` on, at most N.
+    template <int N>
+    void solve_group(const Eigen::MatrixXd& f, Eigen::Index first, Eigen::MatrixXd& y) const {
+        const Eigen::Index columns = std::min<Eigen::Index>(N, f.cols() - first);
+        Rows<N> x(f.rows(), N), below;
+        if (columns < N) x.setZero();
+        for (Eigen::Index c = 0; c < columns; ++c)
+            for (Eigen::Index i = 0; i < f.rows(); ++i) x(place_[static_cast<std::size_t>(i)], c) = f(i, first + c);
+        for (const Node& node : supernodes_.nodes()) forward(node, x, below);
+        x.array().colwise() /= d_.array();
+        const auto& nodes = supernodes_.nodes();
+        for (auto node = nodes.rbegin(); node != nodes.rend(); ++node) backward(*node, x, below);
+        for (Eigen::Index c = 0; c < columns; ++c)
+            for (Eigen::Index i = 0; i < f.rows(); ++i) y(i, first + c) = x(place_[static_cast<std::size_t>(i)], c);
+    }
+    template <int N>
+    void forward(const Node& node, Rows<N>& x, Rows<N>& below) const {
+        const Panel panel(l_.data() + node.panel, node.rows, node.width);
+        auto own = x.middleRows(node.first, node.width);
+        const int* rows = supernodes_.rows().data() + node.row + node.width;
+        const Eigen::Index width = node.width, rest = node.below();
+        if constexpr (N == 1) {
+            panel.topRows(width).template triangularView<Eigen::UnitLower>().solveInPlace(own);
+            if (rest == 0) return;
+            below.noalias() = panel.bottomRows(rest) * own;
+        } else {
+            for (Eigen::Index c = 0; c < width; ++c)
+                for (Eigen::Index r = c + 1; r < width; ++r) own.row(r) -= panel(r, c) * own.row(c);
+            if (rest == 0) return;
+            below.setZero(rest, N);
+            // four columns at a time
+            Eigen::Index c = 0;
+            for (; c + 4 <= width; c += 4) {
+                const double* l = panel.col(c).data() + width;
+                const Eigen::Matrix<double, 1, N> a = own.row(c), b = own.row(c + 1), d = own.row(c + 2),
+                                                  e = own.row(c + 3);
+                for (Eigen::Index r = 0; r < rest; ++r)
+                    below.row(r) +=
+                        l[r] * a + l[r + node.rows] * b + l[r + 2 * node.rows] * d + l[r + 3 * node.rows] * e;
+            }
+            for (; c < width; ++c) {
+                const double* l = panel.col(c).data() + width;
+                const Eigen::Matrix<double, 1, N> a = own.row(c);
+                for (Eigen::Index r = 0; r < rest; ++r) below.row(r) += l[r] * a;
+            }
+        }
+        for (Eigen::Index r = 0; r < rest; ++r) x.row(rows[r]) -= below.row(r);
+    }
+    template <int N>
+    void backward(const Node& node, Rows<N>& x, Rows<N>& below) const {
+        const Panel panel(l_.data() + node.panel, node.rows, node.width);
+        auto own = x.middleRows(node.first, node.width);
+        const int* rows = supernodes_.rows().data() + node.row + node.width;
+        const Eigen::Index width = node.width, rest = node.below();
+        below.resize(rest, N);
+        for (Eigen::Index r = 0; r < rest; ++r) below.row(r) = x.row(rows[r]);
+        if constexpr (N == 1) {
+            if (rest > 0) own.noalias() -= panel.bottomRows(rest).transpose() * below;
+            panel.topRows(width).transpose().template triangularView<Eigen::UnitUpper>().solveInPlace(own);
+        } else {
+            using Row = Eigen::Matrix<double, 1, N>;
+            Eigen::Index c = 0;
+            for (; c + 4 <= width && rest > 0; c += 4) {
+                const double* l = panel.col(c).data() + width;
+                Row a = Row::Zero(), b = a, d = a, e = a;
+                for (Eigen::Index r = 0; r < rest; ++r) {
+                    const Row v = below.row(r);
+                    a += l[r] * v;
+                    b += l[r + node.rows] * v;
+                    d += l[r + 2 * node.rows] * v;
+                    e += l[r + 3 * node.rows] * v;
+                }
+                own.row(c) -= a;
+                own.row(c + 1) -= b;
+                own.row(c + 2) -= d;
+                own.row(c + 3) -= e;
+            }
+            for (; c < width && rest > 0; ++c) {
+                const double* l = panel.col(c).data() + width;
+                Row a = Row::Zero();
+                for (Eigen::Index r = 0; r < rest; ++r) a += l[r] * below.row(r);
+                own.row(c) -= a;
+            }
+            for (c = width; c-- > 0;) {
+                Row v = own.row(c);
+                for (Eigen::Index r = c + 1; r < width; ++r) v -= panel(r, c) * own.row(r);
+                own.row(c) = v;
+            }
+        }
+    }
+
     /// Adds the updates of a node's children to its panel, factors it, and leaves its own update for its parent.
     bool factor_node(int s) {
         const Node& node = supernodes_.nodes()[static_cast<std::size_t>(s)];

@@ -242,12 +242,14 @@ private:
                 return;
             }
         }
-        if (h > resolution_ && depth < 40) {
+        // next to several null vectors the branch is known to few digits
+        const bool several = count <= 1 && h <= 20 * resolution_ && vanishing(a, b) >= 2;
+        if (h > resolution_ && depth < 40 && !several) {
             halve(a, b, depth, out);
             return;
         }
-        if (count >= 2) {
-            out.points.push_back(multiple(a, b));
+        if (count >= 2 || several) {
+            out.points.push_back(multiple(a, b, std::max(count, several ? vanishing(a, b) : 0)));
             return;
         }
         out.explained = false;
@@ -292,14 +294,27 @@ private:
         return std::abs(stepper_->dot(chord, null)) > 0.5 * stepper_->length(chord) * stepper_->length(null);
     }
 
-    /// Several eigenvalues change sign within the resolution. There the branch is ill determined; its points some way
-    /// off are not, and p and q as functions of the weakest eigenvalue are smooth: interpolated, at 0.
-    Critical multiple(const Point& a, const Point& b) {
+    /// How many of the two weakest eigenvalues, where these are known, may vanish about a short step: at both its ends
+    /// so many are as near to 0 as they change within ten such steps.
+    int vanishing(const Point& a, const Point& b) const {
+        const double reach = 10 * std::abs(b.arc_length - a.arc_length);
+        const auto at_end = [&](const Point& at) {
+            int y = 0;
+            for (Eigen::Index k = 1; k <= at.next_eigenvalues.size(); ++k)
+                y += std::abs(eigenvalue(at, k)) <= reach * std::abs(slope(at, k));
+            return y;
+        };
+        return std::min(at_end(a), at_end(b));
+    }
+
+    /// So many eigenvalues change sign, or touch 0, within the resolution. There the branch is ill determined; its
+    /// points some way off are not: it is interpolated where the weakest eigenvalue, or, where that but touches 0 and p
+    /// turns back, dp/ds vanishes.
+    Critical multiple(const Point& a, const Point& b, int nullity) {
         const bool nearer = std::abs(a.weak_eigenvalue) < std::abs(b.weak_eigenvalue);
         const Point& close = nearer ? a : b;
         Critical y;
-        y.kind = folds(a, b) ? CriticalKind::hilltop : CriticalKind::multiple;
-        y.nullity = changes(a, b);
+        y.nullity = nullity;
         y.negative_before = a.negative;
         y.negative_after = b.negative;
         y.q = close.q;
@@ -309,27 +324,47 @@ private:
         y.residual = close.residual;
         y.sigma = close.sigma;
         y.null_vectors = stepper_->weak_directions(close.q, close.p, y.nullity);
-        std::vector<double> eigenvalue;
-        std::vector<Direction> offset;  // from `close`
-        const double h = 10 * resolution_;
+        y.kind = folds(a, b) && load_works(close, y.null_vectors) ? CriticalKind::hilltop : CriticalKind::multiple;
+        const bool by_turn = changes(a, b) < 2 && folds(a, b);
+        std::vector<double> value, way;  // what vanishes there; along the tangent
+        std::vector<Direction> offset;   // from `close`
+        const double h = std::max(10 * resolution_, b.arc_length - a.arc_length);
         for (const int k : {-3, -2, -1, 1, 2, 3}) {
             const auto point = stepper_->step(k < 0 ? a : b, k * h);
-            if (!point || changes(a, *point) != (k < 0 ? 0 : y.nullity)) return y;
-            eigenvalue.push_back(point->weak_eigenvalue);
+            if (!point || changes(a, *point) != (k < 0 ? 0 : changes(a, b))) return y;
+            value.push_back(by_turn ? point->tangent.p : point->weak_eigenvalue);
             offset.push_back(stepper_->difference(close, point->q, point->p));
+            way.push_back(stepper_->dot(close.tangent, offset.back()));
         }
-        // Neville's scheme at eigenvalue 0
-        for (std::size_t level = 1; level < offset.size(); ++level)
-            for (std::size_t k = 0; k + level < offset.size(); ++k) {
-                const double left = eigenvalue[k], right = eigenvalue[k + level];
-                const double share = left / (left - right);
-                offset[k].q += share * (offset[k + 1].q - offset[k].q);
-                offset[k].p += share * (offset[k + 1].p - offset[k].p);
-            }
-        y.q = stepper_->problem().retract(close.q, offset[0].q);
-        y.p = close.p + offset[0].p;
+        // where it vanishes, and the branch there
+        const double there = interpolated_at(0, value, way);
+        std::vector<double> p;
+        for (const Direction& d : offset) p.push_back(d.p);
+        y.p = close.p + interpolated_at(there, way, p);
+        std::vector<Eigen::VectorXd> q;
+        for (Direction& d : offset) q.push_back(std::move(d.q));
+        y.q = stepper_->problem().retract(close.q, interpolated_at(there, way, std::move(q)));
         y.residual = stepper_->problem().residual(y.q, y.p).template lpNorm<Eigen::Infinity>();
         return y;
+    }
+
+    /// The polynomial through values at places, at x: Neville's scheme.
+    template <class T>
+    static T interpolated_at(double x, const std::vector<double>& places, std::vector<T> values) {
+        for (std::size_t level = 1; level < values.size(); ++level)
+            for (std::size_t k = 0; k + level < values.size(); ++k) {
+                const double share = (x - places[k]) / (places[k + level] - places[k]);
+                values[k] += share * (values[k + 1] - values[k]);
+            }
+        return values[0];
+    }
+
+    /// Whether the load does work along null vectors, which makes a fold of them; next to the point, as it is known.
+    bool load_works(const Point& near, const Eigen::MatrixXd& null_vectors) const {
+        if (null_vectors.size() == 0) return true;
+        const Eigen::VectorXd root = stepper_->metric().cwiseSqrt(),
+                              load = stepper_->problem().parameter_derivative(near.q, near.p);
+        return (null_vectors.transpose() * load).norm() > 0.1 * load.cwiseQuotient(root).norm();
     }
 
     bool symmetric() const { return stepper_->problem().properties().symmetric; }

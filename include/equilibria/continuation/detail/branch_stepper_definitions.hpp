@@ -167,15 +167,34 @@ std::optional<BranchPoint<Erased>> AnyBranchStepper<Matrix>::assess(const AnyCon
 
 template <class Matrix>
 std::optional<BranchPoint<Erased>> AnyBranchStepper<Matrix>::assess_from(const AnyConfiguration& q, double p,
-                                                                         const BorderedSolution& r,
-                                                                         const BorderedSolution& s,
-                                                                         const Eigen::VectorXd& g_p, const Point& from,
+                                                                         BorderedSolution r, BorderedSolution s,
+                                                                         bool same, const Point& from,
                                                                          const Direction& along) {
+    Eigen::VectorXd g;
+    if (same) {
+        g = problem_.residual(q, p);
+    } else {
+        // r and s for the K here, by the factors of the one before it
+        const Linearization<Matrix> here = problem_.linearization(q, p);
+        if (!here.residual.allFinite()) return std::nullopt;
+        Eigen::MatrixXd rest(here.residual.size(), 2);
+        rest.col(0) = -(here.tangent * r.x);
+        rest.col(1) = -here.parameter_derivative - here.tangent * s.x;
+        rest(border_.row, 0) -= r.tau;
+        rest(border_.row, 1) -= s.tau;
+        const BorderedSolutions correction = solver_.solve(rest, Eigen::Vector2d::Zero());
+        r.x += correction.x.col(0);
+        s.x += correction.x.col(1);
+        r.tau += correction.tau(0);
+        s.tau += correction.tau(1);
+        g = here.residual;
+    }
     const Border before = border_;
     const auto weak =
         weakest_direction(solver_, r, weights_, problem_.multipliers(), border_, from.weak_directions(), watched());
     if (!weak) return std::nullopt;
-    return point_of(q, p, problem_.residual(q, p), *weak, border_ == before ? s : solver_.solve(-g_p, 0), along);
+    if (border_ != before) return assess(q, p, along);
+    return point_of(q, p, g, *weak, s, along);
 }
 
 template <class Matrix>
@@ -337,7 +356,9 @@ std::optional<BranchPoint<Erased>> AnyBranchStepper<Matrix>::correct_from(const 
             Direction along = from.tangent;
             along.q = problem_.transport(from.q, moved.q, along.q);
             q = problem_.rebase(q, p);
-            auto point = size > tolerance(moved) ? assess(q, p, along) : assess_from(q, p, r, s, g_p, from, along);
+            auto point = size > tolerance(moved)
+                             ? assess(q, p, along)
+                             : assess_from(q, p, r, s, size <= 0.01 * tolerance(moved), from, along);
             if (!point) return std::nullopt;
             point->corrections = k + 1;
             point->step = h;

@@ -166,10 +166,12 @@ private:
             const auto along = [&](double by) { return left_.x.dot(problem_.tangent_derivative(at(by), p_, v) * v); };
             return (along(h) - along(-h)) / (2 * h);
         } else {
-            // of fourth order in h = eps^(1/6)
-            const double h = difference_step(problem_.weights(*q_, v.size()), v) / std::sqrt(third_root_of_rounding);
+            // of sixth order in h = eps^(1/8): K may have entries that are far larger than what is sought
+            const double move = std::pow(std::numeric_limits<double>::epsilon(), 1. / 8);
+            const double h = difference_step(problem_.weights(*q_, v.size()), v) * move / third_root_of_rounding;
             const auto along = [&](double by) { return left_.x.dot(problem_.tangent(at(by), p_) * v); };
-            return (16 * (along(h) + along(-h)) - along(2 * h) - along(-2 * h) - 30 * along(0)) / (12 * h * h);
+            const auto around = [&](double by) { return along(by) + along(-by); };
+            return (270 * around(h) - 27 * around(2 * h) + 2 * around(3 * h) - 490 * along(0)) / (180 * h * h);
         }
     }
 

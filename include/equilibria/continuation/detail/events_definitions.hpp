@@ -242,14 +242,18 @@ private:
                 return;
             }
         }
-        // next to several null vectors the branch is known to few digits
-        const bool several = count <= 1 && h <= 20 * resolution_ && vanishing(a, b) >= 2;
-        if (h > resolution_ && depth < 40 && !several) {
+        // next to two null vectors the branch is known to few digits
+        if (count <= 1 && h <= 20 * resolution_ && vanishing(a, b) == 2)
+            if (Multiple found = multiple(a, b, 2); found.sure) {
+                out.points.push_back(std::move(found.point));
+                return;
+            }
+        if (h > resolution_ && depth < 40) {
             halve(a, b, depth, out);
             return;
         }
-        if (count >= 2 || several) {
-            out.points.push_back(multiple(a, b, std::max(count, several ? vanishing(a, b) : 0)));
+        if (count >= 2) {
+            out.points.push_back(multiple(a, b, count).point);
             return;
         }
         out.explained = false;
@@ -310,10 +314,15 @@ private:
     /// So many eigenvalues change sign, or touch 0, within the resolution. There the branch is ill determined; its
     /// points some way off are not: it is interpolated where the weakest eigenvalue, or, where that but touches 0 and p
     /// turns back, dp/ds vanishes.
-    Critical multiple(const Point& a, const Point& b, int nullity) {
+    struct Multiple {
+        Critical point;
+        bool sure = false;  ///< both weakest eigenvalues vanish there, to 1e-3 of what they are nearby
+    };
+    Multiple multiple(const Point& a, const Point& b, int nullity) {
         const bool nearer = std::abs(a.weak_eigenvalue) < std::abs(b.weak_eigenvalue);
         const Point& close = nearer ? a : b;
-        Critical y;
+        Multiple found;
+        Critical& y = found.point;
         y.nullity = nullity;
         y.negative_before = a.negative;
         y.negative_after = b.negative;
@@ -326,15 +335,19 @@ private:
         y.null_vectors = stepper_->weak_directions(close.q, close.p, y.nullity);
         y.kind = folds(a, b) && load_works(close, y.null_vectors) ? CriticalKind::hilltop : CriticalKind::multiple;
         const bool by_turn = changes(a, b) < 2 && folds(a, b);
-        std::vector<double> value, way;  // what vanishes there; along the tangent
-        std::vector<Direction> offset;   // from `close`
+        std::vector<double> value, way;    // what vanishes there; along the tangent
+        std::vector<double> sum, product;  // of the two weakest eigenvalues
+        std::vector<Direction> offset;     // from `close`
         const double h = std::max(10 * resolution_, b.arc_length - a.arc_length);
         for (const int k : {-3, -2, -1, 1, 2, 3}) {
             const auto point = stepper_->step(k < 0 ? a : b, k * h);
-            if (!point || changes(a, *point) != (k < 0 ? 0 : changes(a, b))) return y;
+            if (!point || changes(a, *point) != (k < 0 ? 0 : changes(a, b))) return found;
             value.push_back(by_turn ? point->tangent.p : point->weak_eigenvalue);
             offset.push_back(stepper_->difference(close, point->q, point->p));
             way.push_back(stepper_->dot(close.tangent, offset.back()));
+            if (point->next_eigenvalues.size() != 2) continue;
+            sum.push_back(point->next_eigenvalues.sum());
+            product.push_back(point->next_eigenvalues.prod());
         }
         // where it vanishes, and the branch there
         const double there = interpolated_at(0, value, way);
@@ -345,7 +358,13 @@ private:
         for (Direction& d : offset) q.push_back(std::move(d.q));
         y.q = stepper_->problem().retract(close.q, interpolated_at(there, way, std::move(q)));
         y.residual = stepper_->problem().residual(y.q, y.p).template lpNorm<Eigen::Infinity>();
-        return y;
+        const auto vanishes = [&](const std::vector<double>& values) {
+            double largest = 0;
+            for (const double x : values) largest = std::max(largest, std::abs(x));
+            return values.size() == way.size() && std::abs(interpolated_at(there, way, values)) < 1e-3 * largest;
+        };
+        found.sure = vanishes(sum) && vanishes(product);
+        return found;
     }
 
     /// The polynomial through values at places, at x: Neville's scheme.

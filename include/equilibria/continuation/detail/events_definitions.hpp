@@ -316,7 +316,7 @@ private:
     /// turns back, dp/ds vanishes.
     struct Multiple {
         Critical point;
-        bool sure = false;  ///< both weakest eigenvalues vanish there, to 1e-3 of what they are nearby
+        bool sure = false;  ///< the sum of the two weakest eigenvalues vanishes there, to 1e-2 of what it is nearby
     };
     Multiple multiple(const Point& a, const Point& b, int nullity) {
         const bool nearer = std::abs(a.weak_eigenvalue) < std::abs(b.weak_eigenvalue);
@@ -335,9 +335,9 @@ private:
         y.null_vectors = stepper_->weak_directions(close.q, close.p, y.nullity);
         y.kind = folds(a, b) && load_works(close, y.null_vectors) ? CriticalKind::hilltop : CriticalKind::multiple;
         const bool by_turn = changes(a, b) < 2 && folds(a, b);
-        std::vector<double> value, way;    // what vanishes there; along the tangent
-        std::vector<double> sum, product;  // of the two weakest eigenvalues
-        std::vector<Direction> offset;     // from `close`
+        std::vector<double> value, way;  // what vanishes there; along the tangent
+        std::vector<double> sum;         // of the two weakest eigenvalues
+        std::vector<Direction> offset;   // from `close`
         const double h = std::max(10 * resolution_, b.arc_length - a.arc_length);
         for (const int k : {-3, -2, -1, 1, 2, 3}) {
             const auto point = stepper_->step(k < 0 ? a : b, k * h);
@@ -345,9 +345,7 @@ private:
             value.push_back(by_turn ? point->tangent.p : point->weak_eigenvalue);
             offset.push_back(stepper_->difference(close, point->q, point->p));
             way.push_back(stepper_->dot(close.tangent, offset.back()));
-            if (point->next_eigenvalues.size() != 2) continue;
-            sum.push_back(point->next_eigenvalues.sum());
-            product.push_back(point->next_eigenvalues.prod());
+            if (point->next_eigenvalues.size() == 2) sum.push_back(point->next_eigenvalues.sum());
         }
         // where it vanishes, and the branch there
         const double there = interpolated_at(0, value, way);
@@ -358,12 +356,9 @@ private:
         for (Direction& d : offset) q.push_back(std::move(d.q));
         y.q = stepper_->problem().retract(close.q, interpolated_at(there, way, std::move(q)));
         y.residual = stepper_->problem().residual(y.q, y.p).template lpNorm<Eigen::Infinity>();
-        const auto vanishes = [&](const std::vector<double>& values) {
-            double largest = 0;
-            for (const double x : values) largest = std::max(largest, std::abs(x));
-            return values.size() == way.size() && std::abs(interpolated_at(there, way, values)) < 1e-3 * largest;
-        };
-        found.sure = vanishes(sum) && vanishes(product);
+        double largest = 0;
+        for (const double x : sum) largest = std::max(largest, std::abs(x));
+        found.sure = sum.size() == way.size() && std::abs(interpolated_at(there, way, sum)) < 1e-2 * largest;
         return found;
     }
 

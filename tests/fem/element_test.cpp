@@ -102,6 +102,33 @@ void check_rigid_motion(const char* name, const E& element, const std::vector<Ve
     }
 }
 
+/// The rigid link by its constraints alone.
+template <int Dimension>
+struct PlainLink {
+    static constexpr int n_nodes = 2, n_constraints = Dimension;
+    static constexpr auto components = RigidLink<Dimension>::components;
+    RigidLink<Dimension> link;
+
+    template <class T>
+    Eigen::Matrix<T, Dimension, 1> constraints(const std::array<Frame<T>, 2>& at, const T& p) const {
+        return link.constraints(at, p);
+    }
+};
+template <int Dimension>
+void check_link(const Vector3d& offset) {
+    std::mt19937 draw(23);
+    const RigidLink<Dimension> link{offset};
+    const auto closed = structure_of(link, {{0, 0, 0}, offset}),
+               plain = structure_of(PlainLink<Dimension>{link}, {{0, 0, 0}, offset});
+    for (int k = 0; k < 20; ++k) {
+        const StructureState at{states::random_frames(draw, places(closed.initial().frames), Dimension == 2, 0.1, 3),
+                                states::random_vector(draw, closed.multipliers(), 1)};
+        CHECK((closed.residual(at, 0) - plain.residual(at, 0)).norm() < 1e-13 * (1 + plain.residual(at, 0).norm()));
+        const Eigen::MatrixXd tangent = plain.tangent(at, 0);
+        CHECK((Eigen::MatrixXd(closed.tangent(at, 0)) - tangent).norm() < 1e-13 * (1 + tangent.norm()));
+    }
+}
+
 /// The beam's energy once more, from its definition: quaternions of any scalar.
 template <int Nodes>
 struct PlainBeam {
@@ -193,6 +220,11 @@ TEST_CASE("K is the derivative of the residual and symmetric: rigid bodies and j
     check("prescribed rotation", PrescribedRotation({0, 1, 2}, 3), x);
     check("planar rotation drive", PlanarRotationDrive(3, 0.2), flat);
     check("rotation drive", RotationDrive({0, 1, 2}, 3, 0.2), x);
+}
+
+TEST_CASE("The rigid link in closed form is the one of its constraints") {
+    check_link<3>({1, 0.5, 0.2});
+    check_link<2>({1, 0.5, 0});
 }
 
 TEST_CASE("K is the derivative of the residual: loads") {

@@ -17,7 +17,7 @@ namespace equilibria::fem {
 /// rotation of its own: then it is a joint of the body. Its multipliers are minus the force on B.
 template <int Dimension>
 struct RigidLink {
-    static constexpr int n_nodes = 2, n_constraints = Dimension;
+    static constexpr int n_nodes = 2, n_constraints = Dimension, n_multipliers = Dimension;
     static constexpr auto components = motion_components<Dimension>();
     static constexpr bool depends_on_parameter = false;
     Eigen::Vector3d offset;  ///< X, from A to B without load
@@ -26,6 +26,39 @@ struct RigidLink {
     Eigen::Matrix<T, Dimension, 1> constraints(const std::array<Frame<T>, 2>& at, const T&) const {
         const Vector3<T> x = offset.cast<T>(), gap = at[1].x - at[0].x - at[0].q * x;
         return gap.template head<Dimension>();
+    }
+
+    /// The same as by the constraints, in closed form: with f = R_A^T t, t = k lambda + rho Phi, the rotation Psi of
+    /// node A has the tangent f . X - (f X^T + X f^T) / 2 beside that of the derivatives of Phi.
+    void evaluate(const std::array<Frame<double>, 2>& at, const double* multipliers, double p,
+                  const ConstraintScale& scale, Need need, ElementValues& out) const {
+        constexpr int each = static_cast<int>(components.size()), own = 2 * each, turns = each - Dimension;
+        using Force = Eigen::Matrix<double, Dimension, 1>;
+        const Eigen::Matrix3d r = at[0].q.toRotationMatrix();
+        const Eigen::Matrix3d turn = r * skew(offset);  // of -R_A X, by Psi
+        Eigen::Matrix<double, Dimension, own> by = Eigen::Matrix<double, Dimension, own>::Zero();
+        by.template leftCols<Dimension>().diagonal().setConstant(-1);
+        by.template middleCols<turns>(Dimension) = turn.template topRightCorner<Dimension, turns>();
+        by.template middleCols<Dimension>(each).diagonal().setConstant(1);
+        const Force phi = constraints<double>(at, p);
+        const Force t = scale.multiplier * Eigen::Map<const Force>(multipliers) + scale.penalty * phi;
+        if (need == Need::residual) {
+            out.residual.template head<own>() = by.transpose() * t;
+            out.residual.template tail<Dimension>() = scale.multiplier * phi;
+        } else if (need == Need::tangent) {
+            const Eigen::Vector3d f = r.template topRows<Dimension>().transpose() * t;
+            const Eigen::Matrix3d dyad = f * offset.transpose();
+            const Eigen::Matrix3d curvature =
+                f.dot(offset) * Eigen::Matrix3d::Identity() - 0.5 * (dyad + dyad.transpose());
+            out.tangent.template topLeftCorner<own, own>() = scale.penalty * by.transpose() * by;
+            out.tangent.template block<turns, turns>(Dimension, Dimension) +=
+                curvature.template bottomRightCorner<turns, turns>();
+            out.tangent.template bottomLeftCorner<Dimension, own>() = scale.multiplier * by;
+            out.tangent.template topRightCorner<own, Dimension>() = scale.multiplier * by.transpose();
+            out.tangent.template bottomRightCorner<Dimension, Dimension>().setZero();
+        } else {
+            out.parameter_derivative.setZero();
+        }
     }
 };
 

@@ -103,37 +103,49 @@ bool factor_with_border(BorderedSolver<Matrix>& solver, Matrix&& k, const Eigen:
     return solver.factor(border);
 }
 
-/// WeakDirection::next, by subspace iteration from `guess` and generic vectors; y.r and the factors are there.
-template <class Matrix>
-void add_next(const BorderedSolver<Matrix>& solver, const Eigen::VectorXd& weights, int multipliers,
-              const Eigen::MatrixXd& guess, int next, WeakDirection& y) {
-    const Eigen::Index n = weights.size(), own = n - multipliers;
-    if (y.r.tau == 0 || next > own) return;
-    Eigen::VectorXd equal = weights;
-    equal.tail(multipliers).setConstant(weights.head(own).maxCoeff());
-    const bool known = guess.rows() == n && guess.cols() > next;
-    Eigen::MatrixXd v(n, next);
-    for (int c = 0; c < next; ++c) {
-        const Eigen::VectorXd generic = generic_vector(n, c + 1);
-        v.col(c) = generic / std::sqrt(generic.dot(equal.cwiseProduct(generic)));
-        if (known) v.col(c) = guess.col(1 + c) + 0.1 * v.col(c);
-    }
-    for (int iteration = known ? 1 : 0; iteration < 3; ++iteration) {
-        const BorderedSolutions f = solver.solve_roughly(equal.asDiagonal() * v);
-        v = f.x - y.r.x * (f.tau / y.r.tau).transpose();
+/// WeakDirection::next, by subspace iteration from `guess` and generic vectors.
+class NextDirections {
+public:
+    NextDirections(const Eigen::VectorXd& weights, int multipliers, const Eigen::MatrixXd& guess, int next)
+        : equal_(weights), known_(guess.rows() == weights.size() && guess.cols() > next) {
+        const Eigen::Index n = weights.size();
+        equal_.tail(multipliers).setConstant(weights.head(n - multipliers).maxCoeff());
+        v_.resize(n, next);
         for (int c = 0; c < next; ++c) {
-            for (int twice = 0; twice < 2; ++twice)
-                for (int b = 0; b < c; ++b) v.col(c) -= v.col(b).dot(equal.cwiseProduct(v.col(c))) * v.col(b);
-            v.col(c) /= std::sqrt(v.col(c).dot(equal.cwiseProduct(v.col(c))));
+            const Eigen::VectorXd generic = generic_vector(n, c + 1);
+            v_.col(c) = generic / std::sqrt(generic.dot(equal_.cwiseProduct(generic)));
+            if (known_) v_.col(c) = guess.col(1 + c) + 0.1 * v_.col(c);
         }
     }
-    if (!v.allFinite()) return;
-    // Rayleigh and Ritz
-    const Eigen::MatrixXd kv = solver.matrix() * v;
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(v.transpose() * kv);
-    y.next = v * eigen.eigenvectors();
-    y.next_eigenvalues = eigen.eigenvalues();
-}
+    /// How many iterations it takes.
+    int iterations() const { return known_ ? 2 : 3; }
+    /// The right-hand sides of an iteration.
+    Eigen::MatrixXd right() const { return equal_.asDiagonal() * v_; }
+    /// What they led to: K^-1 of them, but for multiples of r.
+    void take(const Eigen::MatrixXd& inverse) {
+        v_ = inverse;
+        for (Eigen::Index c = 0; c < v_.cols(); ++c) {
+            for (int twice = 0; twice < 2; ++twice)
+                for (Eigen::Index b = 0; b < c; ++b)
+                    v_.col(c) -= v_.col(b).dot(equal_.cwiseProduct(v_.col(c))) * v_.col(b);
+            v_.col(c) /= std::sqrt(v_.col(c).dot(equal_.cwiseProduct(v_.col(c))));
+        }
+    }
+    /// By Rayleigh and Ritz.
+    template <class Matrix>
+    void finish(const Matrix& k, WeakDirection& y) const {
+        if (!v_.allFinite()) return;
+        const Eigen::MatrixXd kv = k * v_;
+        const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(v_.transpose() * kv);
+        y.next = v_ * eigen.eigenvectors();
+        y.next_eigenvalues = eigen.eigenvalues();
+    }
+
+private:
+    Eigen::VectorXd equal_;
+    bool known_;
+    Eigen::MatrixXd v_;
+};
 
 /// See factor_at_weakest and weakest_direction. known: r, where the solver has K's factors with that border.
 template <class Matrix>
@@ -190,10 +202,20 @@ std::optional<WeakDirection> search_weakest(BorderedSolver<Matrix>& solver, cons
         y.direction = start;
         Border better;
         if (symmetric) {
-            for (int iteration = 0; iteration < iterations; ++iteration) {
-                y.direction = inverse(solver.solve_roughly(weights.cwiseProduct(y.direction))[0], y.r);
+            // all directions together
+            std::optional<NextDirections> others;
+            if (next > 0 && next <= size && y.r.tau != 0) others.emplace(weights, multipliers, guess, next);
+            const int rounds = others ? std::max(iterations, others->iterations()) : iterations;
+            for (int iteration = 0; iteration < rounds; ++iteration) {
+                Eigen::MatrixXd right(n, others ? 1 + next : 1);
+                right.col(0) = weights.cwiseProduct(y.direction);
+                if (others) right.rightCols(next) = others->right();
+                const BorderedSolutions f = solver.solve_roughly(right);
+                y.direction = inverse(f[0], y.r);
                 normalize(y.direction);
+                if (others) others->take(f.x.rightCols(next) - y.r.x * (f.tau.tail(next) / y.r.tau).transpose());
             }
+            if (others) others->finish(k, y);
             better.column = better.row = largest(y.direction, border.column);
         } else {
             const BorderedSolution l = solver.solve_transposed(zero, 1);
@@ -218,7 +240,6 @@ std::optional<WeakDirection> search_weakest(BorderedSolver<Matrix>& solver, cons
         y.r = solver.solve(zero, 1);
     }
     y.eigenvalue = (symmetric ? y.direction : y.left).dot(k * y.direction);
-    if (symmetric && next > 0) add_next(solver, weights, multipliers, guess, next, y);
     return y;
 }
 

@@ -198,6 +198,32 @@ TEST_CASE("12 and 13: trusses") {
     check(trace(support::star_dome(apex)), {{3.15579970840e-4, fold}, {-2.76052681472e-4, fold}}, 1e-10);
 }
 
+TEST_CASE("A branch that leaves a double point of the star dome passes it again, and all its steps are explained") {
+    const auto dome = support::star_dome({});
+    BranchStepper<Structure> stepper(dome.structure, dome.options.branch);
+    const auto start = stepper.start(dome.structure.initial(), 0, 1);
+    REQUIRE(start);
+    const auto main = follow(stepper, *start, dome.options);
+    REQUIRE(main.events.size() == 4);
+    auto options = dome.options;
+    options.most_steps = 400;
+    int passed = 0;
+    for (const std::size_t number : {1, 2}) {
+        const auto& left = main.events[number];
+        for (const auto& from : switch_branch(stepper, left.point, main.points[left.step].tangent, dome.amplitude)) {
+            const auto side = follow(stepper, from, options);
+            CHECK(side.unexplained.empty());
+            for (const auto& event : side.events) {
+                if (event.point.kind != multiple || std::abs(event.point.p / left.point.p - 1) > 1e-3) continue;
+                ++passed;
+                CHECK(event.point.nullity == 2);
+                CHECK(event.point.p == Approx(left.point.p).epsilon(1e-6));
+            }
+        }
+    }
+    CHECK(passed > 0);
+}
+
 TEST_CASE("14: rings under pressure") {
     for (const auto& [load, expected] :
          {std::pair{"hydrostatic", 3.0}, std::pair{"fixed", 4.0}, std::pair{"central", 4.5}}) {

@@ -65,7 +65,15 @@ void sweep(const char* name, const auto& system_at, std::size_t points, std::siz
 
 int main(int argc, char** argv) {
     const auto number = [&](int k, unsigned long otherwise) {
-        return argc > k ? std::strtoul(argv[k], nullptr, 10) : otherwise;
+        if (argc <= k) return otherwise;
+        char* end = nullptr;
+        const long value = std::strtol(argv[k], &end, 10);
+        if (*end != '\0' || value < 1 || argc > 4) {
+            std::fprintf(stderr, "parameter_sweep: %s: must be an integer above 0, of [POINTS [COMPARED [THREADS]]]\n",
+                         argv[argc > 4 ? 4 : k]);
+            std::exit(2);
+        }
+        return static_cast<unsigned long>(value);
     };
     const std::size_t points = number(1, 10000), compared = number(2, 200);
     const auto workers = static_cast<unsigned>(number(3, 1));

@@ -35,12 +35,12 @@ if (in_space) {
     set view 75,335
     set view equal xyz
     set xyplane relative 0
-    set xlabel '{/:Italic x}'
-    set ylabel '{/:Italic z}'
+    set xlabel '{/:Italic x}' offset 0,-1
+    set ylabel '{/:Italic z}' offset -1,-1
     set zlabel '{/:Italic y}'
-    set xtics tic offset 0,-0.3
-    set ytics tic
-    set ztics tic
+    set xtics tic offset 0,-0.4
+    set ytics tic offset -0.5,-0.6
+    set ztics tic offset 0,0.4
     eval('splot '.curves)
 } else {
     set size ratio -1

@@ -311,13 +311,14 @@ private:
         return std::min(at_end(a), at_end(b));
     }
 
-    /// So many eigenvalues change sign, or touch 0, within the resolution. There the branch is ill determined; its
-    /// points some way off are not: it is interpolated where the weakest eigenvalue, or, where that but touches 0 and p
-    /// turns back, dp/ds vanishes.
+    /// A point with several null vectors.
     struct Multiple {
         Critical point;
         bool sure = false;  ///< the sum of the two weakest eigenvalues vanishes there, to 1e-2 of what it is nearby
     };
+    /// So many eigenvalues change sign, or touch 0, within the resolution. There the branch is ill determined; its
+    /// points some way off are not: it is interpolated where the weakest eigenvalue, or, where that but touches 0 and p
+    /// turns back, dp/ds vanishes.
     Multiple multiple(const Point& a, const Point& b, int nullity) {
         const bool nearer = std::abs(a.weak_eigenvalue) < std::abs(b.weak_eigenvalue);
         const Point& close = nearer ? a : b;
@@ -335,9 +336,10 @@ private:
         y.null_vectors = stepper_->weak_directions(close.q, close.p, y.nullity);
         y.kind = folds(a, b) && load_works(close, y.null_vectors) ? CriticalKind::hilltop : CriticalKind::multiple;
         const bool by_turn = changes(a, b) < 2 && folds(a, b);
-        std::vector<double> value, way;  // what vanishes there; along the tangent
-        std::vector<double> sum;         // of the two weakest eigenvalues
-        std::vector<Direction> offset;   // from `close`
+        std::vector<double> value;      // what vanishes there
+        std::vector<double> way;        // along the tangent at `close`
+        std::vector<double> sum;        // of the two weakest eigenvalues
+        std::vector<Direction> offset;  // from `close`
         const double h = std::max(10 * resolution_, b.arc_length - a.arc_length);
         for (const int k : {-3, -2, -1, 1, 2, 3}) {
             const auto point = stepper_->step(k < 0 ? a : b, k * h);

@@ -72,15 +72,13 @@ Eigen::SparseMatrix<double> without(const Eigen::SparseMatrix<double>& k, Border
 /// k x of a symmetric k.
 Eigen::MatrixXd symmetric_product(const Eigen::SparseMatrix<double>& k, const Eigen::MatrixXd& x);
 
-/// What a BorderedSolver factors with:
-///     int factor(k, border, size)                    the sign of det K without the border's row and column, a positive
-///                                                    entry where they cross; 0 where B is singular to working
-///                                                    precision
-///     BorderedSolutions solve(k, f, xi, transposed, rounds)   with B or B^T, for each column of f and its xi; rounds:
-///     1
-///                                                    for a rough solution, else 2
+/// What a BorderedSolver factors with; k is the same in all three, size its largest entry:
+///     int factor(k, border, size)
+///         the sign of det K without the border's row and column, a positive entry where they cross; 0 where B is
+///         singular to working precision
+///     BorderedSolutions solve(k, f, xi, transposed, rounds)
+///         with B or B^T, for each column of f and its xi; rounds: 1 for a rough solution, else 2
 ///     std::optional<TangentInertia> inertia(k, sigma)
-/// size: the largest entry of K. k is the same in all three.
 template <class Matrix>
 class BorderedFactors;
 

@@ -42,3 +42,25 @@ TEST_CASE("the chain's fold at alpha = 0.33 and its fold curve through the cusp,
     CHECK(curve.special[1].at.p == Approx(1.93791347451593).epsilon(1e-12));
     for (const auto& point : curve.special) CHECK(point.residual < 1e-13);
 }
+
+TEST_CASE("the fold curve's derivatives by the second parameter are exact, and all of it at once is its parts") {
+    const ModelProblems<Chain, Chain::omega, Chain::alpha> family{{.33, 1.5, 2}};
+    STATIC_REQUIRE(DifferentiableFamily<decltype(family)>);
+    const auto differenced = [&](double alpha) { return family(alpha); };
+    STATIC_REQUIRE(!DifferentiableFamily<decltype(differenced)>);
+    const FoldCurve exact(family, 0.33, 1.0);
+    const FoldCurve plain(differenced, 0.33, 1.0);
+    for (const double turn : {0.0, 0.2, -0.4}) {
+        CriticalConfiguration<VectorXd> at;
+        at.q = Eigen::Vector2d(1.1 + turn, -1.04);
+        at.p = 2.06 - turn;
+        at.border = {1, 1};
+        const VectorXd by_alpha = exact.parameter_derivative(at, 0.33);
+        CHECK((by_alpha - plain.parameter_derivative(at, 0.33)).norm() < 1e-9 * (1 + by_alpha.norm()));
+        for (const auto& all : {exact.linearization(at, 0.33), plain.linearization(at, 0.33)}) {
+            CHECK((all.residual - exact.residual(at, 0.33)).norm() == 0);
+            CHECK((all.tangent - exact.tangent(at, 0.33)).norm() == 0);
+            CHECK((all.parameter_derivative - by_alpha).norm() < 1e-9 * (1 + by_alpha.norm()));
+        }
+    }
+}

@@ -23,7 +23,7 @@
 #include <vector>
 
 #include <equilibria/continuation/curves/bordered_tangent.hpp>
-#include <equilibria/continuation/curves/member_derivatives.hpp>
+#include <equilibria/continuation/member_derivatives.hpp>
 #include <equilibria/core/error.hpp>
 
 namespace equilibria {

@@ -5,8 +5,8 @@
 ///         [ e_i^T  0   ],       [ tau ] = [ xi ]
 ///
 /// is regular where K has at most a simple null vector phi, with phi_i != 0, and a left one psi with psi_j != 0, thus
-/// at folds and simple bifurcations. For a symmetric K j = i. What is factored is B itself or, where K is sparse, K
-/// without its row j and column i ("displacement control of unknown i"), never the nearly singular K. Then
+/// at folds and simple bifurcations. For a symmetric K j = i. What is factored is K without its row j and column i
+/// ("displacement control of unknown i"), never the nearly singular K. Then
 ///     B [r; sigma] = [0; 1]         sigma = -det K / det K without them: 0 at every singular point, smooth, signed;
 ///                                   r is the null vector there, with r_i = 1
 ///     B [s; -mu] = [-dg/dp; 0]      mu = r^T dg/dp for a symmetric K: 0 at bifurcations alone
@@ -74,7 +74,7 @@ Eigen::MatrixXd symmetric_product(const Eigen::SparseMatrix<double>& k, const Ei
 
 /// What a BorderedSolver factors with; k is the same in all three, size its largest entry:
 ///     int factor(k, border, size)
-///         the sign of det K without the border's row and column, a positive entry where they cross; 0 where B is
+///         the sign of det K without the border's row and column, a positive entry where they cross; 0 where that is
 ///         singular to working precision
 ///     BorderedSolutions solve(k, f, xi, transposed, rounds)
 ///         with B or B^T, for each column of f and its xi; rounds: 1 for a rough solution, else 2
@@ -101,7 +101,8 @@ public:
     ~BorderedSolver();
     bool symmetric() const { return symmetric_; }
 
-    /// Factors K, which it takes, with the border. False where B is singular to working precision, or K not finite.
+    /// Factors K, which it takes, without the border's row and column. False where that is singular to working
+    /// precision, or K not finite.
     bool factor(Matrix&& k, Border border);
     /// Factors the last K with another border.
     bool factor(Border border);

@@ -6,7 +6,7 @@
 
 #include <Eigen/Core>
 
-#include <equilibria/continuation/curves/member_derivatives.hpp>
+#include <equilibria/continuation/member_derivatives.hpp>
 #include <equilibria/continuation/problem.hpp>
 #include <equilibria/core/eigen_copies.hpp>
 #include <equilibria/model/active_parameters.hpp>

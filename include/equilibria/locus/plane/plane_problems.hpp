@@ -8,7 +8,7 @@
 
 #include <Eigen/Core>
 
-#include <equilibria/continuation/curves/member_derivatives.hpp>
+#include <equilibria/continuation/member_derivatives.hpp>
 #include <equilibria/core/eigen_copies.hpp>
 #include <equilibria/model/model_functions.hpp>
 #include <equilibria/system/critical_system.hpp>

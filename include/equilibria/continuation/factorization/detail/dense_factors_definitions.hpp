@@ -23,7 +23,7 @@ EQUILIBRIA_INLINE double largest_force(const Eigen::MatrixXd& k, const Eigen::Ve
     return y;
 }
 
-/// L U of B for a dense K, its ones of the size of K's entries.
+/// L U of a dense K without its border.
 template <class Number>
 class BorderedFactors<Eigen::MatrixX<Number>> {
 public:
@@ -33,33 +33,42 @@ public:
     BorderedFactors(bool, int, MakeSymmetricFactors) {}
 
     int factor(const Matrix& k, Border border, double size) {
-        const Eigen::Index n = k.rows();
-        size_ = size;
-        Matrix b = Matrix::Zero(n + 1, n + 1);
-        b.topLeftCorner(n, n) = k;
-        b(border.row, n) = b(n, border.column) = size;
-        lu_.compute(b);
+        border_ = border;
+        Matrix without = k;
+        without.row(border.row).setZero();
+        without.col(border.column).setZero();
+        without(border.row, border.column) = size;
+        lu_.compute(without);
         bool negative = lu_.permutationP().determinant() < 0;
         double smallest = std::numeric_limits<double>::infinity(), largest = 0;
-        for (Eigen::Index i = 0; i <= n; ++i) {
+        for (Eigen::Index i = 0; i < lu_.rows(); ++i) {
             const double pivot = lu_.matrixLU()(i, i);
             if (pivot < 0) negative = !negative;
             smallest = std::min(smallest, std::abs(pivot));
             largest = std::max(largest, std::abs(pivot));
         }
         if (!(smallest > 4 * std::numeric_limits<double>::epsilon() * largest)) return 0;
-        return negative ? 1 : -1;  // det B is minus that of K without them
+        return negative ? -1 : 1;
     }
-    BorderedSolutions solve(const Matrix&, const Eigen::MatrixXd& f, const Eigen::VectorXd& xi, bool transposed,
-                            int) const {
-        const Eigen::Index n = f.rows();
-        BorderedSolutions y{Eigen::MatrixXd(n, f.cols()), Eigen::VectorXd(f.cols())};
-        Eigen::VectorXd column(n + 1);
+    BorderedSolutions solve(const Matrix& k, const Eigen::MatrixXd& f, const Eigen::VectorXd& xi, bool transposed,
+                            int rounds) const {
+        // of B^T, row and column change places
+        const Eigen::Index j = transposed ? border_.column : border_.row, i = transposed ? border_.row : border_.column;
+        BorderedSolutions y{Eigen::MatrixXd(f.rows(), f.cols()), Eigen::VectorXd(f.cols())};
+        Eigen::VectorXd x(f.rows()), rest(f.rows());
         for (Eigen::Index c = 0; c < f.cols(); ++c) {  // few: vectors are quicker than a matrix
-            column << f.col(c), size_ * xi(c);
-            column = transposed ? Eigen::VectorXd(lu_.transpose().solve(column)) : Eigen::VectorXd(lu_.solve(column));
-            y.x.col(c) = column.head(n);
-            y.tau(c) = size_ * column(n);
+            x.setZero();
+            x(i) = xi(c);
+            // the second round removes the rounding of the first
+            for (int round = 0; round < rounds; ++round) {
+                rest = f.col(c);
+                rest.noalias() -= transposed ? Eigen::VectorXd(k.transpose() * x) : Eigen::VectorXd(k * x);
+                rest(j) = 0;
+                x += transposed ? Eigen::VectorXd(lu_.transpose().solve(rest)) : Eigen::VectorXd(lu_.solve(rest));
+                x(i) = xi(c);
+            }
+            y.x.col(c) = x;
+            y.tau(c) = f(j, c) - (transposed ? k.col(j).dot(x) : k.row(j).dot(x));
         }
         return y;
     }
@@ -72,7 +81,7 @@ public:
 
 private:
     LU lu_;
-    double size_ = 1;
+    Border border_;
 };
 
 }  // namespace equilibria::detail

@@ -14,6 +14,7 @@
 #include <Eigen/Eigenvalues>
 
 #include <equilibria/continuation/events.hpp>
+#include <equilibria/core/interpolated.hpp>
 
 namespace equilibria {
 
@@ -350,29 +351,18 @@ private:
             if (point->next_eigenvalues.size() == 2) sum.push_back(point->next_eigenvalues.sum());
         }
         // where it vanishes, and the branch there
-        const double there = interpolated_at(0, value, way);
+        const double there = equilibria::interpolated(0, value, way);
         std::vector<double> p;
         for (const Direction& d : offset) p.push_back(d.p);
-        y.p = close.p + interpolated_at(there, way, p);
+        y.p = close.p + equilibria::interpolated(there, way, p);
         std::vector<Eigen::VectorXd> q;
         for (Direction& d : offset) q.push_back(std::move(d.q));
-        y.q = stepper_->problem().retract(close.q, interpolated_at(there, way, std::move(q)));
+        y.q = stepper_->problem().retract(close.q, equilibria::interpolated(there, way, std::move(q)));
         y.residual = stepper_->problem().residual(y.q, y.p).template lpNorm<Eigen::Infinity>();
         double largest = 0;
         for (const double x : sum) largest = std::max(largest, std::abs(x));
-        found.sure = sum.size() == way.size() && std::abs(interpolated_at(there, way, sum)) < 1e-2 * largest;
+        found.sure = sum.size() == way.size() && std::abs(equilibria::interpolated(there, way, sum)) < 1e-2 * largest;
         return found;
-    }
-
-    /// The polynomial through values at places, at x: Neville's scheme.
-    template <class T>
-    static T interpolated_at(double x, const std::vector<double>& places, std::vector<T> values) {
-        for (std::size_t level = 1; level < values.size(); ++level)
-            for (std::size_t k = 0; k + level < values.size(); ++k) {
-                const double share = (x - places[k]) / (places[k + level] - places[k]);
-                values[k] += share * (values[k + 1] - values[k]);
-            }
-        return values[0];
     }
 
     /// Whether the load does work along null vectors, which makes a fold of them; next to the point, as it is known.

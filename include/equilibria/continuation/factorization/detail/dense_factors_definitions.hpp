@@ -62,7 +62,13 @@ public:
             // the second round removes the rounding of the first
             for (int round = 0; round < rounds; ++round) {
                 rest = f.col(c);
-                rest.noalias() -= transposed ? Eigen::VectorXd(k.transpose() * x) : Eigen::VectorXd(k * x);
+                if (round == 0) {
+                    if (xi(c) != 0) rest -= xi(c) * (transposed ? k.row(i).transpose().eval() : k.col(i).eval());
+                } else if (transposed) {
+                    rest.noalias() -= k.transpose() * x;
+                } else {
+                    rest.noalias() -= k * x;
+                }
                 rest(j) = 0;
                 x += transposed ? Eigen::VectorXd(lu_.transpose().solve(rest)) : Eigen::VectorXd(lu_.solve(rest));
                 x(i) = xi(c);

@@ -1,3 +1,6 @@
+include(CheckLinkerFlag)
+check_linker_flag(CXX "-static-libstdc++;-static-libgcc" EQUILIBRIA_STATIC_RUNTIME)
+
 # Programs and examples are built and tested alike.
 # An executable `name` from the given sources; linked to the library as a whole, if not to the target that `library` names;
 # optimised as `level` says, if not as the library.
@@ -26,6 +29,10 @@ function(equilibria_program name source built)
     equilibria_warnings(${name})
     equilibria_read_first(${source} ${ARGN})
     equilibria_native(${name} ${level})
+    if(EQUILIBRIA_NATIVE AND EQUILIBRIA_STATIC_RUNTIME)
+        # a run of a millisecond need not wait for the C++ library's relocations, which take half of one
+        target_link_options(${name} PRIVATE -static-libstdc++ -static-libgcc)
+    endif()
     set(${built} ON PARENT_SCOPE)
 endfunction()
 

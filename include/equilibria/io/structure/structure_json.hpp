@@ -54,7 +54,7 @@
 #include <string_view>
 
 #include <equilibria/io/read_text.hpp>
-#include <equilibria/io/structure/detail/strict_json.hpp>
+#include <equilibria/io/strict_json.hpp>
 #include <equilibria/io/structure/detail/structure_json_reader.hpp>
 #include <equilibria/io/structure/structure_input.hpp>
 

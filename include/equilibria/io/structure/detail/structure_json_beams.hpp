@@ -19,7 +19,7 @@
 #include <equilibria/fem/arc.hpp>
 #include <equilibria/fem/mesh.hpp>
 #include <equilibria/fem/section.hpp>
-#include <equilibria/io/structure/detail/strict_json.hpp>
+#include <equilibria/io/strict_json.hpp>
 #include <equilibria/io/structure/detail/structure_json_draft.hpp>
 
 namespace equilibria::fem::detail {

@@ -12,7 +12,7 @@
 #include <equilibria/fem/rigid_link.hpp>
 #include <equilibria/fem/springs.hpp>
 #include <equilibria/fem/truss.hpp>
-#include <equilibria/io/structure/detail/strict_json.hpp>
+#include <equilibria/io/strict_json.hpp>
 #include <equilibria/io/structure/detail/structure_json_beams.hpp>
 #include <equilibria/io/structure/detail/structure_json_draft.hpp>
 

@@ -7,7 +7,7 @@
 #include <Eigen/Core>
 
 #include <equilibria/fem/joints.hpp>
-#include <equilibria/io/structure/detail/strict_json.hpp>
+#include <equilibria/io/strict_json.hpp>
 #include <equilibria/io/structure/detail/structure_json_draft.hpp>
 
 namespace equilibria::fem::detail {

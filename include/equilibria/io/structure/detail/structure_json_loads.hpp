@@ -11,7 +11,7 @@
 
 #include <equilibria/fem/loads.hpp>
 #include <equilibria/fem/structure_model.hpp>
-#include <equilibria/io/structure/detail/strict_json.hpp>
+#include <equilibria/io/strict_json.hpp>
 #include <equilibria/io/structure/detail/structure_json_draft.hpp>
 
 namespace equilibria::fem::detail {

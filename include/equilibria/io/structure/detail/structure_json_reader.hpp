@@ -9,7 +9,7 @@
 
 #include <equilibria/core/error.hpp>
 #include <equilibria/fem/structure_model.hpp>
-#include <equilibria/io/structure/detail/strict_json.hpp>
+#include <equilibria/io/strict_json.hpp>
 #include <equilibria/io/structure/detail/structure_json_beams.hpp>
 #include <equilibria/io/structure/detail/structure_json_draft.hpp>
 #include <equilibria/io/structure/detail/structure_json_elements.hpp>

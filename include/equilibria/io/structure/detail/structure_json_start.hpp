@@ -16,7 +16,7 @@
 #include <equilibria/core/error.hpp>
 #include <equilibria/fem/structure.hpp>
 #include <equilibria/fem/structure_model.hpp>
-#include <equilibria/io/structure/detail/strict_json.hpp>
+#include <equilibria/io/strict_json.hpp>
 #include <equilibria/io/structure/structure_input.hpp>
 
 namespace equilibria::fem::detail {

@@ -17,6 +17,7 @@
 #include <cstddef>
 #include <cstring>
 #include <initializer_list>
+#include <iterator>
 #include <map>
 #include <optional>
 #include <set>
@@ -71,6 +72,7 @@ public:
     }
 
     const Json& json() const { return *value_; }
+    const std::string& name() const { return place_; }
     const std::string& string() const {
         if (!value_->is_string()) refuse("must be a string");
         return value_->get_ref<const std::string&>();
@@ -164,47 +166,106 @@ struct JsonText {
     std::map<std::string, std::vector<std::string>> order;  ///< of the root's members that are objects: their keys
 };
 
-/// Throws JsonError unless the text is JSON of at most so many bytes, with objects and lists in each other no deeper
-/// than `most_depth`, of numbers that a double can hold, and no key twice in one object.
-inline JsonText parse_json(std::string_view text, std::size_t most_bytes, std::size_t most_depth) {
-    if (text.size() > most_bytes)
-        throw JsonError("JSON text", std::to_string(text.size()) + " bytes",
-                        "must have at most " + std::to_string(most_bytes) + " bytes");
+/// Where objects and lists are while JSON is read, told by the events of nlohmann's parser.
+class JsonWatch {
+public:
     struct Level {
         bool object;
         std::set<std::string> keys{};
         std::string key{};
         std::size_t item = 0;
     };
-    std::vector<Level> levels;
-    const auto place = [&] {
+    const std::vector<Level>& levels() const { return levels_; }
+    std::string place() const {
         std::string y;
-        for (const Level& level : levels) y = level.object ? member_place(y, level.key) : item_place(y, level.item);
+        for (const Level& level : levels_) y = level.object ? member_place(y, level.key) : item_place(y, level.item);
         return y.empty() ? "JSON text" : y;
+    }
+    /// False: a key twice in one object.
+    bool take(Json::parse_event_t event, const Json& value) {
+        using Event = Json::parse_event_t;
+        if (event == Event::object_start || event == Event::array_start) {
+            levels_.push_back({event == Event::object_start});
+        } else if (event == Event::key) {
+            levels_.back().key = value.get_ref<const std::string&>();
+            return levels_.back().keys.insert(levels_.back().key).second;
+        } else {
+            if (event != Event::value) levels_.pop_back();
+            if (!levels_.empty() && !levels_.back().object) ++levels_.back().item;
+        }
+        return true;
+    }
+
+private:
+    std::vector<Level> levels_;
+};
+
+/// Where in a text that is JSON the characters of the string begin that is at this place; its end where there is none.
+inline std::size_t string_at(std::string_view text, const std::string& place) {
+    struct Counting {  // an iterator that tells how much was read
+        using iterator_category = std::input_iterator_tag;
+        using value_type = char;
+        using difference_type = std::ptrdiff_t;
+        using pointer = const char*;
+        using reference = const char&;
+        const char* at;
+        const char** last;
+        reference operator*() const { return *at; }
+        Counting& operator++() {
+            *last = ++at;
+            return *this;
+        }
+        Counting operator++(int) {
+            Counting y = *this;
+            ++*this;
+            return y;
+        }
+        bool operator==(const Counting& other) const { return at == other.at; }
+        bool operator!=(const Counting& other) const { return at != other.at; }
     };
+    const char *const first = text.data(), *last = first, *end = nullptr;
+    JsonWatch watch;
+    const auto look = [&](int, Json::parse_event_t event, Json& value) {
+        if (event == Json::parse_event_t::value && value.is_string() && watch.place() == place) end = last;
+        watch.take(event, value);
+        return true;
+    };
+    const Json json = Json::parse(Counting{first, &last}, Counting{first + text.size(), &last}, look);
+    if (!end) return text.size();
+    // from the quotation mark behind it to the one before it
+    const char* at = end - 2;
+    const auto escaped = [&](const char* c) {
+        bool y = false;
+        for (--c; c >= first && *c == '\\'; --c) y = !y;
+        return y;
+    };
+    while (at > first && !(*at == '"' && !escaped(at))) --at;
+    return static_cast<std::size_t>(at + 1 - first);
+}
+
+/// Throws JsonError unless the text is JSON of at most so many bytes, with objects and lists in each other no deeper
+/// than `most_depth`, of numbers that a double can hold, and no key twice in one object.
+inline JsonText parse_json(std::string_view text, std::size_t most_bytes, std::size_t most_depth) {
+    if (text.size() > most_bytes)
+        throw JsonError("JSON text", std::to_string(text.size()) + " bytes",
+                        "must have at most " + std::to_string(most_bytes) + " bytes");
+    JsonWatch place;
     JsonText y;
     using Event = Json::parse_event_t;
     const auto watch = [&](int, Event event, Json& value) {
-        if (event == Event::object_start || event == Event::array_start) {
-            if (levels.size() == most_depth)
-                throw JsonError(place(), event == Event::object_start ? "{" : "[",
-                                "must not be deeper than " + std::to_string(most_depth) + " objects and lists");
-            levels.push_back({event == Event::object_start});
-        } else if (event == Event::key) {
-            levels.back().key = value.get_ref<const std::string&>();
-            if (!levels.back().keys.insert(levels.back().key).second)
-                throw JsonError(place(), in_short(value), "must not be a key twice in one object");
-            if (levels.size() == 2) y.order[levels[0].key].push_back(levels[1].key);
-        } else {
-            if (event != Event::value) levels.pop_back();
-            if (!levels.empty() && !levels.back().object) ++levels.back().item;
-        }
+        if ((event == Event::object_start || event == Event::array_start) && place.levels().size() == most_depth)
+            throw JsonError(place.place(), event == Event::object_start ? "{" : "[",
+                            "must not be deeper than " + std::to_string(most_depth) + " objects and lists");
+        if (!place.take(event, value))
+            throw JsonError(place.place(), in_short(value), "must not be a key twice in one object");
+        const auto& levels = place.levels();
+        if (event == Event::key && levels.size() == 2) y.order[levels[0].key].push_back(levels[1].key);
         return true;
     };
     try {
         y.root = Json::parse(text.begin(), text.end(), watch);
     } catch (const Json::out_of_range&) {
-        throw JsonError(place(), "out of range", "must be a number that a double can hold");
+        throw JsonError(place.place(), "out of range", "must be a number that a double can hold");
     } catch (const Json::parse_error& e) {
         // "[...] parse error at line 1, column 2: what is wrong; last read: 'as much as it likes'; what is expected"
         std::string wrong = e.what(), at = "JSON text";

@@ -1,0 +1,159 @@
+/// \file
+/// See studies/formula_model/formula_searches.hpp.
+#pragma once
+
+#include <limits>
+#include <span>
+#include <type_traits>
+#include <vector>
+
+#include <equilibria/enumerate/enumerate_at_run_time.hpp>
+#include <equilibria/enumerate/more_digits.hpp>
+#include <equilibria/model/runtime_model_functions.hpp>
+#include <equilibria/studies/formula_model/formula_searches.hpp>
+#include <equilibria/system/runtime_formulation.hpp>
+#include <equilibria/system/runtime_model_polynomials.hpp>
+
+namespace equilibria {
+
+namespace detail {
+
+/// search(searched, model, functions) of the model as loci and events search it.
+template <class Search>
+auto search_formula_model(const FormulaModel& formulas, const Search& search) {
+    return visit(formulas, [&](const auto& model) {
+        using T = std::remove_cvref_t<decltype(model)>;
+        const RuntimeModelFunctions<T> functions(model);
+        const RuntimeModelPolynomials<T> polynomials(model);
+        const SearchedModel searched{&functions, &polynomials, [&](const RuntimeArray<double>& at, const RunOptions& how) {
+                                         const auto set = equilibria::enumerate(model, at, how);
+                                         return EquilibriaCount{set.real(), set.by_index(), set.clean()};
+                                     }};
+        return search(searched, model);
+    });
+}
+
+inline void require_parameter(const FormulaModel& model, int active) {
+    require(active >= 0 && active < static_cast<int>(model.parameters.size()), "active", active,
+            "must be the number of a parameter");
+}
+inline void require_parameters(const FormulaModel& model, const RuntimeArray<double>& p) {
+    require(p.size() == static_cast<int>(model.parameters.size()), "parameters", p.size(),
+            "must be as many as the model's: " + std::to_string(model.parameters.size()));
+    require_finite(p, "parameters");
+}
+
+}  // namespace detail
+
+EQUILIBRIA_INLINE RootSet<RuntimeUnknowns> enumerate(const FormulaModel& formulas, const RuntimeArray<double>& p,
+                                                     const RunOptions& run, FormulaStart start, bool with_more_digits) {
+    const MoreDigits<> resort = with_more_digits ? more_digits : nullptr;
+    return visit(formulas, [&](const auto& model) {
+        switch (start) {
+            case FormulaStart::total_degree: return enumerate_from<TotalDegreeStart>(model, p, run, {}, resort);
+            case FormulaStart::polyhedral: return enumerate_from<Polyhedral>(model, p, run, {}, resort);
+            case FormulaStart::least_cost: break;
+        }
+        return enumerate_from<LeastCost>(model, p, run, {}, resort);
+    });
+}
+EQUILIBRIA_INLINE RootSet<RuntimeUnknowns> enumerate(const FormulaModel& formulas,
+                                                     const RootSet<RuntimeUnknowns>& solved,
+                                                     const RuntimeArray<double>& p, const RunOptions& run) {
+    return visit(formulas, [&](const auto& model) { return equilibria::enumerate(model, solved, p, run); });
+}
+EQUILIBRIA_INLINE ProofOfRoots prove(const FormulaModel& formulas, const RootSet<RuntimeUnknowns>& set,
+                                     const RunOptions& run, const ProveOptions& options) {
+    return visit(formulas, [&](const auto& model) { return equilibria::prove(model, set, run, options); });
+}
+EQUILIBRIA_INLINE LineEvents<RuntimeUnknowns> find_events(const FormulaModel& formulas, const RuntimeArray<double>& p,
+                                                          int active, const Interval& range, const RunOptions& run) {
+    detail::require_parameters(formulas, p);
+    detail::require_parameter(formulas, active);
+    return detail::search_formula_model(formulas, [&](const SearchedModel& searched, const auto&) {
+        return find_events(searched, p, active, range, run);
+    });
+}
+EQUILIBRIA_INLINE BifurcationDiagram<RuntimeUnknowns> trace_diagram(const FormulaModel& formulas,
+                                                                    const RuntimeArray<double>& p, int active,
+                                                                    const Interval& range, const RunOptions& run,
+                                                                    const BranchOptions& branch) {
+    detail::require_parameters(formulas, p);
+    detail::require_parameter(formulas, active);
+    return detail::search_formula_model(formulas, [&](const SearchedModel& searched, const auto& model) {
+        const EquilibriaAt equilibria = [&](const RuntimeArray<double>& at, const RunOptions& how) {
+            return equilibria::enumerate(model, at, how).equilibria;
+        };
+        return trace_diagram(searched, equilibria, p, active, range, run, branch);
+    });
+}
+EQUILIBRIA_INLINE Locus<RuntimeUnknowns> trace_locus(const FormulaModel& formulas, const RuntimeArray<double>& p,
+                                                     const std::array<int, 2>& active, const Window& window,
+                                                     const RunOptions& run, const LocusOptions& options) {
+    detail::require_parameters(formulas, p);
+    for (const int k : active) detail::require_parameter(formulas, k);
+    require(active[0] != active[1], "active", active[1], "must be two different parameters");
+    return detail::search_formula_model(formulas, [&](const SearchedModel& searched, const auto&) {
+        return trace_locus(searched, p, std::span<const int>(active), window, run, options);
+    });
+}
+EQUILIBRIA_INLINE SweepCounts sweep(const FormulaModel& formulas, const ParameterPoints& points,
+                                    const std::function<void(const SweptPoint&)>& take, const RunOptions& run,
+                                    const SweepOptions& options) {
+    return visit(formulas, [&](const auto& model) { return equilibria::sweep(model, points, take, run, options); });
+}
+
+namespace detail {
+
+/// f(functions) of the model's functions at unknowns and parameters that fit it.
+template <class F>
+auto at_unknowns(const FormulaModel& formulas, const RuntimeArray<double>& q, const RuntimeArray<double>& p,
+                 const F& f) {
+    require_parameters(formulas, p);
+    require(q.size() == formulas.unknowns(), "q", q.size(),
+            "must be a number for each unknown: " + std::to_string(formulas.unknowns()));
+    return visit(formulas, [&](const auto& model) {
+        return f(model, RuntimeModelPoint<double>(q.begin(), sizes_of(model)));
+    });
+}
+
+}  // namespace detail
+
+EQUILIBRIA_INLINE RuntimeArray<double> equations_of(const FormulaModel& formulas, const RuntimeArray<double>& q,
+                                                    const RuntimeArray<double>& p) {
+    return detail::at_unknowns(formulas, q, p, [&](const auto& model, const RuntimeModelPoint<double>& at) {
+        RuntimeArray<double> f(q.size());
+        equations_at(model, at.theta, at.x, p, f.begin());
+        return f;
+    });
+}
+EQUILIBRIA_INLINE RuntimeMatrix<double> jacobian_of(const FormulaModel& formulas, const RuntimeArray<double>& q,
+                                                    const RuntimeArray<double>& p) {
+    return detail::at_unknowns(formulas, q, p, [&](const auto& model, const RuntimeModelPoint<double>& at) {
+        RuntimeArray<double> f(q.size());
+        RuntimeMatrix<double> j(q.size());
+        equations_and_jacobian(model, at.theta, at.x, p, f.begin(), j[0]);
+        return j;
+    });
+}
+EQUILIBRIA_INLINE double potential_of(const FormulaModel& formulas, const RuntimeArray<double>& q,
+                                      const RuntimeArray<double>& p) {
+    return detail::at_unknowns(formulas, q, p, [&](const auto& model, const RuntimeModelPoint<double>& at) {
+        if constexpr (RuntimePotentialModel<std::remove_cvref_t<decltype(model)>>)
+            return static_cast<double>(model.potential(at.theta, at.x, p));
+        else
+            return std::numeric_limits<double>::quiet_NaN();
+    });
+}
+EQUILIBRIA_INLINE PolynomialSystem<double> polynomials_of(const FormulaModel& formulas, const RuntimeArray<double>& p) {
+    detail::require_parameters(formulas, p);
+    return visit(formulas, [&](const auto& model) {
+        const RuntimeFormulation formulation(model);
+        const auto terms = formulation.terms(model, p);
+        return detail::polynomial_system_of<double>(
+            formulation.sizes().angles, formulation.sizes().coordinates, terms,
+            [&](int k) { return terms[static_cast<std::size_t>(k)].coefficient; });
+    });
+}
+
+}  // namespace equilibria

@@ -33,7 +33,8 @@ int number_of(const FormulaModel& model, const std::string& option, const std::s
     try {
         return equilibria::number_of_name(model.parameters, name, option);
     } catch (const std::exception& error) {
-        support::refuse(error.what());
+        const std::string what = error.what(), before = option + " = ";  // as options are refused: without "="
+        support::refuse(what.starts_with(before) ? option + " " + what.substr(before.size()) : what);
     }
 }
 

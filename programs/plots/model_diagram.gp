@@ -10,7 +10,7 @@ set border 31 lw 0.8
 set xlabel x_label
 set key at screen 0.5,0.02 center bottom horizontal maxrows 1 samplen 2
 do for [u=1:unknowns] {
-    set ylabel labels[u] rotate by 0
+    set label 1 labels[u] at graph -0.03, graph 1.04 right
     if (u <= angles) {
         set ytics ('−π' -pi, '−π/2' -pi/2, '0' 0, 'π/2' pi/2, 'π' pi)
         set yrange [-3.4:3.4]

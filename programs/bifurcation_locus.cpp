@@ -117,10 +117,11 @@ equilibria::GnuplotData plotted(const Locus& locus, double ratio) {
     std::ostringstream heading;
     heading.precision(10);
     heading << "Bifurcation locus of the rotating two-link chain, {/:Italic l}_2 / {/:Italic l}_1 = " << ratio;
-    return support::locus_figure(locus, {.heading = heading.str(),
-                                         .x = "{/:Italic α}",
-                                         .y = "{/:Italic ω}",
-                                         .x_label = "{/:Italic α} = {/:Italic m}_2 / ({/:Italic m}_1 + {/:Italic m}_2)"});
+    return support::locus_figure(locus,
+                                 {.heading = heading.str(),
+                                  .x = "{/:Italic α}",
+                                  .y = "{/:Italic ω}",
+                                  .x_label = "{/:Italic α} = {/:Italic m}_2 / ({/:Italic m}_1 + {/:Italic m}_2)"});
 }
 
 /// The numbers of equilibria by index, by how many there are in all.

@@ -29,8 +29,9 @@ constexpr std::array<Subcommand, 7> subcommands{{
 }};
 
 void print_help() {
-    std::printf("Equilibria of a model that a file describes (docs/model-files.md).\nUsage: equilibria SUBCOMMAND FILE "
-                "[OPTIONS]; equilibria SUBCOMMAND --help lists them\n\n");
+    std::printf(
+        "Equilibria of a model that a file describes (docs/model-files.md).\nUsage: equilibria SUBCOMMAND FILE "
+        "[OPTIONS]; equilibria SUBCOMMAND --help lists them\n\n");
     for (const Subcommand& s : subcommands)
         std::printf("  %-9s %s\n", std::string(s.name).c_str(), std::string(s.text).c_str());
 }

@@ -17,7 +17,8 @@ int export_polynomials(int argc, char** argv) {
     std::string format = "phcpack";
     std::optional<support::OutputFile> output;
     support::CommandLine app{
-        "A model's equations as polynomials, for other solvers: c1, s1, c2, .. are the cosines and sines of the angles, "
+        "A model's equations as polynomials, for other solvers: c1, s1, c2, .. are the cosines and sines of the "
+        "angles, "
         "with c1^2 + s1^2 - 1 and so on as further equations, x1, .. the coordinates."};
     app.add_option("FILE", c.file, "the model, as JSON").transform(support::name_of("a file"));
     app.add_option("--set", c.fixed, "NAME=VALUE, commas between: parameters other than as the file has them");

@@ -122,8 +122,9 @@ int diagram(int argc, char** argv) {
     std::string vary;
     std::optional<support::OutputFile> csv;
     support::Pictures pictures;
-    support::CommandLine app{"All equilibria against one parameter: branches by their index, with every fold and "
-                             "bifurcation."};
+    support::CommandLine app{
+        "All equilibria against one parameter: branches by their index, with every fold and "
+        "bifurcation."};
     c.add_to(app);
     app.add_option("--vary", vary, "NAME=LOW:HIGH, the parameter and its range");
     support::add_output(app, "--csv", csv, "write a line for each point of a branch to this file, or to stdout for -");

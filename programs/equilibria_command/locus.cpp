@@ -21,12 +21,14 @@ int locus(int argc, char** argv) {
     options.lines = 12;
     support::Pictures pictures;
     support::CommandLine app{
-        "Folds, pitchforks and cusps of a model in the plane of two of its parameters, and the regions between them with "
+        "Folds, pitchforks and cusps of a model in the plane of two of its parameters, and the regions between them "
+        "with "
         "their equilibria by index."};
     c.add_to(app);
     app.add_option("--x", x, "NAME=LOW:HIGH, the first parameter and its range");
     app.add_option("--y", y, "NAME=LOW:HIGH, the second parameter and its range");
-    app.add_option("--lines", options.lines, "lines in each direction that are solved for seeds, 2 to 1000 (default 12)")
+    app.add_option("--lines", options.lines,
+                   "lines in each direction that are solved for seeds, 2 to 1000 (default 12)")
         .transform(support::integer(2, 1000));
     pictures.add_to(app, "the locus");
     app.parse("equilibria locus", argc, argv);
@@ -38,11 +40,11 @@ int locus(int argc, char** argv) {
                                                {{across.low, across.high}, {up.low, up.high}}, c.run(), options);
     if (pictures.asked())
         pictures.draw({1000, 760},
-                      support::locus_figure(found, {.heading = input.model.name.empty()
-                                                                   ? "Bifurcation locus"
-                                                                   : "Bifurcation locus: " + input.model.name,
-                                                    .x = support::axis_name(across.name),
-                                                    .y = support::axis_name(up.name)}),
+                      support::locus_figure(
+                          found, {.heading = input.model.name.empty() ? "Bifurcation locus"
+                                                                      : "Bifurcation locus: " + input.model.name,
+                                  .x = support::axis_name(across.name),
+                                  .y = support::axis_name(up.name)}),
                       plots::bifurcation_locus);
     if (c.json) {
         Json out = heading(c, input);
@@ -68,8 +70,8 @@ int locus(int argc, char** argv) {
                     curve.points.back().y());
     for (const auto& r : found.regions)
         std::printf("region  %2llu equilibria, by index %s  around (%.4f, %.4f)%s\n",
-                    static_cast<unsigned long long>(r.count), support::joined(r.by_index).c_str(), r.point.x,
-                    r.point.y, r.clean && r.confirmed ? "" : "  NOT CONFIRMED");
+                    static_cast<unsigned long long>(r.count), support::joined(r.by_index).c_str(), r.point.x, r.point.y,
+                    r.clean && r.confirmed ? "" : "  NOT CONFIRMED");
     std::printf("%s\nargument: %s\n%.2f s\n", found.evidence.complete() ? "all explained" : "NOT ALL EXPLAINED",
                 found.evidence.argument().c_str(), found.evidence.seconds);
     return 0;

@@ -20,10 +20,11 @@ int enumerated(const char* name, bool proved, int argc, char** argv) {
     Command c;
     std::string start = "auto";
     bool more_digits = false;
-    support::CommandLine app{proved ? "Every isolated equilibrium of a model, each proved to exist, to be distinct from "
-                                      "the others, and real or not, with its index; and, where a bound is reached, that "
-                                      "none is missing."
-                                    : "Every isolated equilibrium of a model, with its index and its energy."};
+    support::CommandLine app{proved
+                                 ? "Every isolated equilibrium of a model, each proved to exist, to be distinct from "
+                                   "the others, and real or not, with its index; and, where a bound is reached, that "
+                                   "none is missing."
+                                 : "Every isolated equilibrium of a model, with its index and its energy."};
     c.add_to(app);
     app.add_option("--start", start, "total-degree or polyhedral (default auto: that of the least predicted cost)")
         .transform(support::one_of({"auto", "total-degree", "polyhedral"}, "must be auto, total-degree or polyhedral"));
@@ -61,7 +62,8 @@ int enumerated(const char* name, bool proved, int argc, char** argv) {
             std::printf("  %4d%s  %13.8g  %.1e  %.1e\n", e.index, e.degenerate() ? "*" : " ", e.energy, e.residual,
                         e.condition);
         }
-        if (set.degenerate() > 0) std::printf("* degenerate: %llu\n", static_cast<unsigned long long>(set.degenerate()));
+        if (set.degenerate() > 0)
+            std::printf("* degenerate: %llu\n", static_cast<unsigned long long>(set.degenerate()));
         std::ostringstream text;
         text << set;
         std::printf("\n%s\nstart: %s, %s\n", text.str().c_str(), set.start.name.c_str(), set.start.why.c_str());

@@ -27,8 +27,9 @@ int sweep(int argc, char** argv) {
     std::uint64_t points = 10000;
     bool proved = false;
     std::optional<support::OutputFile> csv;
-    support::CommandLine app{"How many equilibria of each index a model has at the points of a grid, at random points or "
-                             "at those of a file, each followed from the roots of one generic member."};
+    support::CommandLine app{
+        "How many equilibria of each index a model has at the points of a grid, at random points or "
+        "at those of a file, each followed from the roots of one generic member."};
     c.add_to(app);
     app.add_option("--grid", grid, "NAME=LOW:HIGH:COUNT, commas between: COUNT values of each, the last fastest");
     app.add_option("--random", random, "NAME=LOW:HIGH, commas between: --points points, uniform in the box");
@@ -63,12 +64,11 @@ int sweep(int argc, char** argv) {
                 support::fail(grid.empty() ? "--random" : "--grid", axis.name, "must be named once");
         axes.push_back({axis.parameter, axis.low, axis.high, count});
     }
-    const auto at = !list.empty()
-                        ? equilibria::listed_parameters(
-                              equilibria::read_text(list, std::size_t{1} << 32), input.p,
-                              [&](const std::string& name) {
-                                  return equilibria::number_of_name(input.model.parameters, name, "--list");
-                              })
+    const auto at = !list.empty() ? equilibria::listed_parameters(
+                                        equilibria::read_text(list, std::size_t{1} << 32), input.p,
+                                        [&](const std::string& name) {
+                                            return equilibria::number_of_name(input.model.parameters, name, "--list");
+                                        })
                     : grid.empty() ? equilibria::random_parameters(input.p, axes, points, c.seed)
                                    : equilibria::parameter_grid(input.p, axes);
 
@@ -78,9 +78,8 @@ int sweep(int argc, char** argv) {
     run.progress = [&](std::uint64_t done, std::uint64_t all) { bar.update(done, all); };
     run.checkpoint = checkpoint;
     run.cancel = &support::cancelled_by_signal();
-    const auto counts =
-        equilibria::sweep(input.model, at, [&](const equilibria::SweptPoint& p) { rows.add(p); }, run,
-                          {.prove = proved, .resort = equilibria::more_digits});
+    const auto counts = equilibria::sweep(input.model, at, [&](const equilibria::SweptPoint& p) { rows.add(p); }, run,
+                                          {.prove = proved, .resort = equilibria::more_digits});
     rows.close();
     if (counts.cancelled()) {
         std::fprintf(stderr, "equilibria sweep: interrupted, %llu of %llu points are finished\n",

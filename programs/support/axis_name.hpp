@@ -13,12 +13,11 @@ namespace support {
 /// a subscript.
 inline std::string axis_name(const std::string& name) {
     using Letter = std::pair<std::string_view, std::string_view>;
-    constexpr std::array<Letter, 22> greek{{{"alpha", "α"}, {"beta", "β"}, {"gamma", "γ"},   {"delta", "δ"},
-                                            {"epsilon", "ε"}, {"zeta", "ζ"}, {"eta", "η"},   {"theta", "θ"},
-                                            {"kappa", "κ"},   {"lambda", "λ"}, {"mu", "μ"},  {"nu", "ν"},
-                                            {"xi", "ξ"},      {"rho", "ρ"},  {"sigma", "σ"}, {"tau", "τ"},
-                                            {"phi", "φ"},     {"chi", "χ"},  {"psi", "ψ"},   {"omega", "ω"},
-                                            {"Omega", "Ω"},   {"Delta", "Δ"}}};
+    constexpr std::array<Letter, 22> greek{
+        {{"alpha", "α"}, {"beta", "β"},  {"gamma", "γ"}, {"delta", "δ"},  {"epsilon", "ε"}, {"zeta", "ζ"},
+         {"eta", "η"},   {"theta", "θ"}, {"kappa", "κ"}, {"lambda", "λ"}, {"mu", "μ"},      {"nu", "ν"},
+         {"xi", "ξ"},    {"rho", "ρ"},   {"sigma", "σ"}, {"tau", "τ"},    {"phi", "φ"},     {"chi", "χ"},
+         {"psi", "ψ"},   {"omega", "ω"}, {"Omega", "Ω"}, {"Delta", "Δ"}}};
     const std::size_t line = std::min(name.find('_'), name.find_last_not_of("0123456789") + 1);
     std::string stem = name.substr(0, line), below = name.substr(std::min(line, name.size()));
     if (below.starts_with("_")) below.erase(0, 1);

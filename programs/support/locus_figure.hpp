@@ -113,7 +113,7 @@ inline std::string place(const equilibria::PlanePoint& c, const LocusNames& name
 
 /// Windows around cusps as arrays.
 inline void add_windows(equilibria::GnuplotData& data, const std::string& name,
-                 const std::vector<equilibria::Window>& windows) {
+                        const std::vector<equilibria::Window>& windows) {
     const auto add = [&](const std::string& axis, equilibria::Interval equilibria::Window::* member) {
         std::vector<double> low, high;
         for (const auto& w : windows) low.push_back((w.*member).low), high.push_back((w.*member).high);

@@ -78,8 +78,8 @@ CriticalPoint<P> typed(const CriticalPoint<Erased>& point) {
 }
 
 /// Of a problem of any type, see CriticalPointSolver. solver: of this problem's tangents, whose factors are no longer
-/// needed; null: one of its own, which analyses their pattern first. weak: nearly the null vector; empty where it is not
-/// known.
+/// needed; null: one of its own, which analyses their pattern first. weak: nearly the null vector; empty where it is
+/// not known.
 template <class Matrix>
 std::optional<CriticalPoint<Erased>> critical_point_near(const AnyProblem<Matrix>& problem, const AnyConfiguration& q,
                                                          double p, const CriticalPointOptions& options, Border border,

@@ -71,7 +71,7 @@ public:
     /// What the moved nodes are to all Gauss points.
     struct MovedNodes {
         std::array<Eigen::Vector3d, count> x;
-        std::array<Four, count> p;                             ///< quaternions of the cross-sections
+        std::array<Four, count> p;                            ///< quaternions of the cross-sections
         std::array<Eigen::Matrix<double, 4, 3>, count> turn;  ///< of p exp(dPsi): dp = turn dPsi - |dPsi|^2 p / 8
     };
     /// A Gauss point of the moved element.

@@ -232,7 +232,8 @@ inline std::size_t string_at(std::string_view text, const std::string& place) {
         watch.take(event, value);
         return true;
     };
-    const Json json = Json::parse(CountingCharacters{first, &last}, CountingCharacters{first + text.size(), &last}, look);
+    const Json json =
+        Json::parse(CountingCharacters{first, &last}, CountingCharacters{first + text.size(), &last}, look);
     if (!end) return text.size();
     // from the quotation mark behind it to the one before it
     const char* at = end - 2;

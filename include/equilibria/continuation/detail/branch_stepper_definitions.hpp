@@ -248,8 +248,8 @@ Eigen::MatrixXd AnyBranchStepper<Matrix>::weak_directions(const AnyConfiguration
     const int rounds = 8;
     for (int round = 1; round <= rounds; ++round) {
         const Eigen::MatrixXd right = weights_.asDiagonal() * v;
-        const BorderedSolutions f = round < rounds ? solver_.solve_roughly(right)
-                                                   : solver_.solve(right, Eigen::VectorXd::Zero(count));
+        const BorderedSolutions f =
+            round < rounds ? solver_.solve_roughly(right) : solver_.solve(right, Eigen::VectorXd::Zero(count));
         v = f.x - r.x * (f.tau / r.tau).transpose();
         detail::orthonormalize(v, weights_);
     }

@@ -290,8 +290,7 @@ private:
 template <class Matrix>
 std::optional<CriticalPoint<Erased>> critical_point_near(const AnyProblem<Matrix>& problem, const AnyConfiguration& q,
                                                          double p, const CriticalPointOptions& options, Border border,
-                                                         BorderedSolver<Matrix>* solver,
-                                                         const Eigen::VectorXd& weak) {
+                                                         BorderedSolver<Matrix>* solver, const Eigen::VectorXd& weak) {
     std::optional<BorderedSolver<Matrix>> own;
     if (!solver)
         solver = &own.emplace(problem.properties().symmetric, problem.multipliers(), problem.symmetric_factors());

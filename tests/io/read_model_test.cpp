@@ -230,6 +230,9 @@ TEST_CASE("models that are refused, with line and column") {
     CHECK_THAT(formula(std::string(200, '(') + "x" + std::string(200, ')')), Catch::Contains("nested deeper"));
     CHECK_THAT(formula(R"json(\u0063os(t) + c)json"), Catch::Contains("line 4, column 30"));
 
+    CHECK_THAT(formula(R"json(x + \u0000)json"),
+               Catch::Contains("line 4, column 20 = ?: ") && Catch::Contains("must stand here"));
+
     CHECK_THAT(refusal("{"), Catch::Contains("must be JSON"));
     CHECK_THAT(refusal(R"json({"angles": ["t"]})json"), Catch::Contains(R"(either "potential" or "equations")"));
     CHECK_THAT(refusal(R"json({"angles": ["t"], "potential": "cos(t)", "equations": ["t"]})json"),

@@ -14,6 +14,7 @@
 /// (of p); phi is the left null vector where K is not symmetric.
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -31,6 +32,8 @@ struct CriticalPointOptions {
     double tolerance = 1e-13;         ///< of the last step, over the size of the unknowns and of p
     double bifurcation_start = 1e-2;  ///< the second system is tried where |phi^T dg/dp| / (|phi| |dg/dp|) is below
     double bifurcation = 1e-7;        ///< and its point is a bifurcation where the quotient is below this
+    /// How far from where it starts the unknowns may go, by the problem's weights: what goes further is given up.
+    double reach = std::numeric_limits<double>::infinity();
 };
 
 /// One step of Newton's method on an extended system.

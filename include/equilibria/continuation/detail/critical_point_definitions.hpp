@@ -59,6 +59,10 @@ public:
             point.q = problem_.retract(point.q, d.q);
             point.p += d.p;
             point.unfolding = bifurcation ? gamma : 0;
+            if (std::isfinite(options_.reach)) {
+                const Eigen::VectorXd moved = problem_.difference(q, point.q);
+                if (!(moved.dot(weights_.cwiseProduct(moved)) <= options_.reach * options_.reach)) return std::nullopt;
+            }
             const bool done = size <= options_.tolerance || (size < 1e-9 && size > 0.2 * before);
             if (!done) continue;
             if (!evaluate(point.q, point.p)) return std::nullopt;

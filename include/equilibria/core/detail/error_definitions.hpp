@@ -9,9 +9,18 @@
 
 namespace equilibria {
 
+namespace detail {
+/// what() ends at a null character: none of the text is lost.
+inline std::string without_null_characters(std::string text) {
+    std::replace(text.begin(), text.end(), '\0', '?');
+    return text;
+}
+}  // namespace detail
+
 EQUILIBRIA_INLINE InvalidArgument::InvalidArgument(std::string_view argument, std::string_view value,
                                                    std::string_view allowed)
-    : std::invalid_argument(std::string(argument) + " = " + std::string(value) + ": " + std::string(allowed)) {}
+    : std::invalid_argument(detail::without_null_characters(std::string(argument) + " = " + std::string(value) + ": " +
+                                                            std::string(allowed))) {}
 
 EQUILIBRIA_INLINE void require_finite(std::span<const double> values, std::string_view argument) {
     for (std::size_t k = 0; k < values.size(); ++k)

@@ -17,8 +17,8 @@ root = Path(__file__).resolve().parent
 
 class Build(build_ext):
     def build_extension(self, extension):
-        build = root / "build" / f"wheel-{sys.implementation.cache_tag}"
         native = os.environ.get("EQUILIBRIA_NATIVE", "0") not in ("", "0", "OFF")
+        build = root / "build" / f"wheel-{sys.implementation.cache_tag}{'-native' if native else ''}"
         made = Path(self.get_ext_fullpath(extension.name)).resolve()
         subprocess.run(
             [

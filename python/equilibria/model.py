@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import keyword
 import os
 from typing import Any, Callable, Dict, List, Mapping, Optional, Sequence, Tuple, Union
 
@@ -285,7 +284,10 @@ class Model:
         return Proof._of(
             roots,
             self._data.prove(
-                roots._data, threads=run["threads"], most_digits=_integer(most_digits, "most_digits", 1, 1000), progress=None
+                roots._data,
+                threads=run["threads"],
+                most_digits=_integer(most_digits, "most_digits", 15, 68),
+                progress=None,
             ),
         )
 
@@ -462,6 +464,4 @@ def _unknowns(q: ArrayLike) -> NDArray[np.float64]:
 
 def _sympy_name(symbol: Any) -> str:
     name = symbol.name if getattr(symbol, "is_Symbol", False) else symbol.func.__name__
-    return name if name.isidentifier() and not keyword.iskeyword(name) else "".join(
-        c if c.isalnum() or c == "_" else "_" for c in name
-    )
+    return "".join(c if c.isascii() and c.isalnum() else "_" for c in name)

@@ -18,6 +18,12 @@ def _axes(ax: Any) -> Any:
     return plt.subplots(layout="constrained")[1] if ax is None else ax
 
 
+def _legend(ax: Any) -> None:
+    """Above the axes, where it covers nothing."""
+    if ax.get_legend_handles_labels()[1]:
+        ax.legend(loc="lower center", bbox_to_anchor=(0.5, 1.0), ncols=4, frameon=False, fontsize="small")
+
+
 def _label(model: Any, number: int) -> str:
     name = model.unknowns[number]
     return f"{name} (rad)" if number < len(model.angles) else name
@@ -83,8 +89,7 @@ def plot_locus(locus: Locus, ax: Any = None) -> Any:
     ax.set_ylim(low_y, high_y)
     ax.set_xlabel(locus.axes[0])
     ax.set_ylabel(locus.axes[1])
-    if locus.curves:
-        ax.legend(loc="best", framealpha=0.9)
+    _legend(ax)
     return ax
 
 
@@ -118,6 +123,7 @@ def plot_diagram(diagram: Diagram, ax: Any = None, unknown: Union[int, str, Call
             color="k" if piece.stable else "0.45",
             linestyle="-" if piece.stable else "--",
             linewidth=1.5 if piece.stable else 0.9,
+            solid_capstyle="round",
             label=None if name in named else name,
         )
         named.add(name)
@@ -140,8 +146,7 @@ def plot_diagram(diagram: Diagram, ax: Any = None, unknown: Union[int, str, Call
     if is_angle:
         ax.set_ylim(-1.05 * np.pi, 1.05 * np.pi)
         _angle_axis(ax.yaxis)
-    if named:
-        ax.legend(loc="best", framealpha=0.9)
+    _legend(ax)
     return ax
 
 
@@ -172,7 +177,7 @@ def plot_roots(roots: RootSet, ax: Any = None) -> Any:
                     markeredgecolor=colour,
                     markeredgewidth=1.5,
                     markerfacecolor=colour if index == 0 and not degenerate else "w",
-                    label=f"index {index}" + (", stable" if index == 0 else "") if not degenerate else f"index {index}, degenerate",
+                    label=f"index {index}" + (", degenerate" if degenerate else ", stable" if index == 0 else ""),
                 )
     ax.set_xlabel(_label(model, 0))
     ax.set_ylabel("energy" if one else _label(model, 1))
@@ -183,6 +188,5 @@ def plot_roots(roots: RootSet, ax: Any = None) -> Any:
     if angles > 1:
         ax.set_ylim(-1.05 * np.pi, 1.05 * np.pi)
         _angle_axis(ax.yaxis)
-    if len(roots):
-        ax.legend(loc="best", framealpha=0.9)
+    _legend(ax)
     return ax

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ._core import RootSetData
-from .tables import Printed, by_index, number
+from .tables import Printed, by_index, fixed, number
 
 if TYPE_CHECKING:
     from .model import Model
@@ -146,7 +146,7 @@ class RootSet(Printed):
 
     def _rows(self) -> List[List[str]]:
         return [
-            [f"{value:.8f}" for value in e.q]
+            [fixed(value) for value in e.q]
             + [number(e.energy), str(e.index), f"{e.residual:.1e}", f"{e.condition:.1e}"]
             + ["degenerate" if e.degenerate else "stable" if e.stable else ""]
             for e in self.equilibria
@@ -279,7 +279,7 @@ class Events(Printed):
         return [self.parameter, "kind", *self.model.unknowns, "error"]
 
     def _rows(self) -> List[List[str]]:
-        return [[number(e.value, 12), e.kind, *(f"{x:.8f}" for x in e.q), f"{e.correction:.1e}"] for e in self.events]
+        return [[number(e.value, 12), e.kind, *map(fixed, e.q), f"{e.correction:.1e}"] for e in self.events]
 
     def _foot(self) -> str:
         counts = "; ".join(interval._line() for interval in self.intervals)
@@ -392,7 +392,8 @@ class Region(Printed):
     polygons: List[Reals]  #: (corners, 2) each, counterclockwise; they overlap nowhere, and their union is the region
 
     def _line(self) -> str:
-        return f"{self.count} equilibria ({by_index(self.by_index)}) around {number(self.point[0], 4)}, {number(self.point[1], 4)}"
+        around = ", ".join(number(value, 4) for value in self.point)
+        return f"{self.count} equilibria ({by_index(self.by_index)}) around {around}"
 
 
 @dataclass(repr=False, eq=False)

@@ -12,6 +12,12 @@ def number(value: float, digits: int = 8) -> str:
     return f"{value:.{digits}g}"
 
 
+def fixed(value: float) -> str:
+    """8 decimals, and no sign of a zero."""
+    text = f"{value:.8f}"
+    return text[1:] if text == "-0.00000000" else text
+
+
 def by_index(counts: Any) -> str:
     return " + ".join(str(int(count)) for count in counts)
 

@@ -9,6 +9,12 @@ import equilibria as eq
 from models import from_sympy, rotating_chain, text
 
 
+def same(a, b, tolerance=1e-10):
+    """Whether two arrays of equilibria in two angles are the same, whatever their order."""
+    apart = np.abs(np.angle(np.exp(1j * (a[:, None] - b[None])))).max(axis=-1)
+    return a.shape == b.shape and apart.min(axis=0).max() < tolerance and apart.min(axis=1).max() < tolerance
+
+
 def test_double_pendulum_has_12_equilibria():
     roots = rotating_chain().enumerate()
     assert len(roots) == len(roots.equilibria) == 12
@@ -32,14 +38,14 @@ def test_parameters_by_keyword_and_by_name():
     assert model.enumerate(at={"omega": 0.5}).angles.tobytes() == model.enumerate(omega=0.5).angles.tobytes()
     assert model.parameters["omega"] == 2.0
     there = model.enumerate(start=model.enumerate(omega=1.7))
-    assert np.allclose(there.angles, model.enumerate().angles, atol=1e-12)
+    assert same(there.angles, model.enumerate().angles) and there.clean
 
 
 def test_every_start_finds_the_same():
     model = rotating_chain()
     first = model.enumerate()
     for start in ("total_degree", "polyhedral"):
-        assert np.allclose(model.enumerate(start=start).angles, first.angles, atol=1e-10)
+        assert same(model.enumerate(start=start).angles, first.angles)
     assert model.enumerate(threads=2).roots.tobytes() == first.roots.tobytes()
 
 
@@ -47,7 +53,7 @@ def test_proof_is_complete():
     roots = rotating_chain().enumerate()
     proof = roots.prove()
     assert proof.complete and proof.distinct == proof.bound == len(roots.roots)
-    assert proof.real == len(roots) and proof.real + proof.non_real + proof.undecided + proof.duplicates == 32
+    assert proof.real == len(roots) and proof.real + proof.non_real + proof.undecided + proof.duplicates == len(roots.roots)
     assert proof.by_index.tolist() == roots.by_index.tolist()
     assert proof.contradictions == 0
 
@@ -56,8 +62,7 @@ def test_trace_file_and_sympy_give_the_same_roots():
     traced = rotating_chain().enumerate().angles
     parsed = eq.Model.parse(text).enumerate().angles
     by_sympy = from_sympy()[1].enumerate().angles
-    assert traced.shape == parsed.shape == by_sympy.shape
-    assert np.abs(traced - parsed).max() < 1e-12 and np.abs(traced - by_sympy).max() < 1e-12
+    assert len(traced) == 12 and same(traced, parsed, 1e-12) and same(traced, by_sympy, 1e-12)
 
 
 def test_reads_a_file(tmp_path):

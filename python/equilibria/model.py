@@ -422,6 +422,12 @@ class Model:
             found = self._data.sweep(points, prove=bool(prove), progress=report, **_run(seed, threads))
         return Sweep._of(self, {str(name): array for name, array in zip(values, arrays)}, found)
 
+    def export(self, program: str, at: Optional[Mapping[str, float]] = None, **parameters: float) -> str:
+        """The equations as polynomials in the cosine c1 and the sine s1 of each angle, with c1^2 + s1^2 = 1, and in the
+        coordinates x1, .., as input of another solver: "phcpack", "bertini", "homotopy_continuation" or "macaulay2".
+        """
+        return self._data.export(str(program), self._at(at, parameters))
+
 
 def _formula(value: Any, builder: FormulaBuilder) -> Expression:
     if isinstance(value, Expression):

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -12,6 +13,7 @@
 #include <pybind11/stl.h>
 
 #include <equilibria/formula/formula_model.hpp>
+#include <equilibria/io/polynomial_formats.hpp>
 #include <equilibria/run/threads.hpp>
 #include <equilibria/studies/formula_model/formula_searches.hpp>
 
@@ -42,6 +44,21 @@ FormulaStart start_of(const std::string& name) {
     if (name == "total_degree") return FormulaStart::total_degree;
     if (name == "polyhedral") return FormulaStart::polyhedral;
     throw InvalidArgument("start", name, "must be least_cost, total_degree, polyhedral or a set of roots");
+}
+
+std::string polynomials_for(const std::string& program, const PolynomialSystem<double>& system) {
+    std::ostringstream out;
+    if (program == "phcpack")
+        write_phcpack(out, system);
+    else if (program == "bertini")
+        write_bertini(out, system);
+    else if (program == "homotopy_continuation")
+        write_homotopy_continuation(out, system);
+    else if (program == "macaulay2")
+        write_macaulay2(out, system);
+    else
+        throw InvalidArgument("program", program, "must be phcpack, bertini, homotopy_continuation or macaulay2");
+    return out.str();
 }
 
 /// take(q, to) for each row q of unknowns; `to` has `entries` numbers a row.
@@ -230,6 +247,12 @@ void add_models(py::module_& m) {
                 return sweep_rows(model, points, run_options(seed, thread_count), options, progress);
             },
             py::arg("points"), py::arg("seed"), py::arg("threads"), py::arg("prove"), py::arg("progress"))
+        .def(
+            "export",
+            [](const FormulaModel& model, const std::string& program, const Numbers& p) {
+                return polynomials_for(program, polynomials_of(model, runtime_array(p, "parameters")));
+            },
+            py::arg("program"), py::arg("p"))
         .def(
             "residual",
             [](const FormulaModel& model, const Numbers& q, const Numbers& p) {

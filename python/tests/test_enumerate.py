@@ -141,3 +141,11 @@ def test_prints():
     assert roots._repr_html_().count("<tr>") == 13
     assert repr(roots.equilibria[0]).startswith("<Equilibrium: t1=")
     assert "complete" in repr(roots.prove())
+
+
+def test_export():
+    model = rotating_chain()
+    for program in ("phcpack", "bertini", "homotopy_continuation", "macaulay2"):
+        assert "c1" in model.export(program, omega=1.5)
+    with pytest.raises(eq.InvalidArgument, match="program = maple"):
+        model.export("maple")

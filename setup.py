@@ -36,9 +36,7 @@ class Build(build_ext):
             check=True,
         )
         jobs = os.environ.get("CMAKE_BUILD_PARALLEL_LEVEL") or str(os.cpu_count() or 1)
-        subprocess.run(
-            ["cmake", "--build", build, "--target", "equilibria_python", "--parallel", jobs], check=True
-        )
+        subprocess.run(["cmake", "--build", build, "--target", "equilibria_python", "--parallel", jobs], check=True)
         made.parent.mkdir(parents=True, exist_ok=True)
         self.copy_file(next((build / "python" / "equilibria").glob("_core*.so")), made)
 

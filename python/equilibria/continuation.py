@@ -106,12 +106,13 @@ def follow(
         def given(at: Reals, p: float) -> Any:
             return np.atleast_2d(np.asarray(jacobian(at, p), dtype=float))
 
+    def vector(function: Callable[[Reals, float], ArrayLike]) -> Callable[[Reals, float], Reals]:
+        return lambda at, p: np.atleast_1d(np.asarray(function(at, p), dtype=np.float64))
+
     found = continue_branch(
-        lambda at, p: np.atleast_1d(np.asarray(residual(at, p), dtype=float)),
+        vector(residual),
         given,
-        None
-        if parameter_derivative is None
-        else lambda at, p: np.atleast_1d(np.asarray(parameter_derivative(at, p), dtype=float)),
+        None if parameter_derivative is None else vector(parameter_derivative),
         q,
         float(p0),
         float(low),

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import Any, Dict, Mapping
+from typing import Any, Dict, List, Mapping
 
 from ._core import Expression, FormulaBuilder, InvalidArgument
 
@@ -17,11 +17,11 @@ def converted(expression: Any, names: Mapping[Any, Expression], builder: Formula
 
     known: Dict[Any, Expression] = dict(names)
     functions = {
-        sympy.sin: "sin",
-        sympy.cos: "cos",
-        sympy.tan: "tan",
-        sympy.exp: "exp",
-        sympy.log: "log",
+        sympy.sin: Expression.sin,
+        sympy.cos: Expression.cos,
+        sympy.tan: Expression.tan,
+        sympy.exp: Expression.exp,
+        sympy.log: Expression.log,
     }
 
     def number(value: float) -> Expression:
@@ -40,7 +40,8 @@ def converted(expression: Any, names: Mapping[Any, Expression], builder: Formula
 
     def product(factors: Any) -> Expression:
         # quotients as such: a / b is one operation, a * (1 / b) are two and another rounding
-        above, below = [], []
+        above: List[Any] = []
+        below: List[Any] = []
         for factor in factors:
             negative = factor.is_Pow and factor.exp.is_Rational and factor.exp.is_negative
             (below if negative else above).append(1 / factor if negative else factor)
@@ -75,7 +76,7 @@ def converted(expression: Any, names: Mapping[Any, Expression], builder: Formula
         if e.is_Pow:
             return power(e.base, e.exp)
         if e.func in functions and len(e.args) == 1:
-            return getattr(of(e.args[0]), functions[e.func])()
+            return functions[e.func](of(e.args[0]))
         allowed = ", ".join(str(name) for name in names) or "none"
         if e.is_Symbol:
             raise InvalidArgument(f"symbol = {e}: must be an angle, a coordinate or a parameter, which are: {allowed}")
@@ -89,4 +90,5 @@ def converted(expression: Any, names: Mapping[Any, Expression], builder: Formula
             known[e] = made(e)
         return known[e]
 
-    return of(sympy.sympify(expression))
+    sympify: Any = sympy.sympify
+    return of(sympify(expression))

@@ -3,31 +3,52 @@
 from __future__ import annotations
 
 import math
-from typing import Union, overload
+from typing import TypeVar
 
 from ._core import Expression
+
+T = TypeVar("T", Expression, float)
 
 pi = math.pi
 
 
-def _of(name: str, doc: str):
-    of_number = getattr(math, name)
-
-    @overload
-    def function(x: Expression) -> Expression: ...
-    @overload
-    def function(x: float) -> float: ...
-    def function(x: Union[Expression, float]) -> Union[Expression, float]:
-        return getattr(x, name)() if isinstance(x, Expression) else of_number(x)
-
-    function.__name__ = function.__qualname__ = name
-    function.__doc__ = doc
-    return function
+def sin(x: T) -> T:
+    """The sine of an angle (radians), or of an expression of parameters."""
+    if isinstance(x, Expression):
+        return x.sin()
+    return math.sin(x)
 
 
-sin = _of("sin", "The sine of an angle (radians), or of an expression of parameters.")
-cos = _of("cos", "The cosine of an angle (radians), or of an expression of parameters.")
-tan = _of("tan", "The tangent of an expression of parameters.")
-sqrt = _of("sqrt", "The square root of an expression of parameters.")
-exp = _of("exp", "The exponential function of an expression of parameters.")
-log = _of("log", "The natural logarithm of an expression of parameters.")
+def cos(x: T) -> T:
+    """The cosine of an angle (radians), or of an expression of parameters."""
+    if isinstance(x, Expression):
+        return x.cos()
+    return math.cos(x)
+
+
+def tan(x: T) -> T:
+    """The tangent of an expression of parameters."""
+    if isinstance(x, Expression):
+        return x.tan()
+    return math.tan(x)
+
+
+def sqrt(x: T) -> T:
+    """The square root of an expression of parameters."""
+    if isinstance(x, Expression):
+        return x.sqrt()
+    return math.sqrt(x)
+
+
+def exp(x: T) -> T:
+    """The exponential function of an expression of parameters."""
+    if isinstance(x, Expression):
+        return x.exp()
+    return math.exp(x)
+
+
+def log(x: T) -> T:
+    """The natural logarithm of an expression of parameters."""
+    if isinstance(x, Expression):
+        return x.log()
+    return math.log(x)

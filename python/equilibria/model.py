@@ -15,10 +15,11 @@ from .results import Diagram, Events, Locus, Proof, RootSet, Sweep
 Names = Union[int, Sequence[str]]
 
 
-class Values(tuple):
+class Values(Tuple[Any, ...]):
     """What a model's function is given: expressions by number, `t[0]`, and by name, `t["t1"]` or `t.t1`."""
 
     _names: List[str]
+    _what: str
 
     @staticmethod
     def of(names: Sequence[str], expressions: Sequence[Expression], what: str) -> "Values":
@@ -49,7 +50,9 @@ def _either(names: Sequence[str]) -> str:
 
 
 def _names(given: Names, letter: str, argument: str) -> List[str]:
-    if isinstance(given, (int, np.integer)) and not isinstance(given, bool):
+    if isinstance(given, bool):
+        raise InvalidArgument(f"{argument} = {given}: must be names, or how many there are")
+    if isinstance(given, (int, np.integer)):
         if given < 0:
             raise InvalidArgument(f"{argument} = {given}: must be names, or how many there are")
         return [f"{letter}{k + 1}" for k in range(given)]
@@ -157,8 +160,9 @@ class Model:
 
         from .from_sympy import converted
 
-        angles, coordinates = ([sympy.sympify(s) for s in symbols] for symbols in (angles, coordinates))
-        values = {sympy.sympify(symbol): value for symbol, value in (parameters or {}).items()}
+        sympify: Any = sympy.sympify
+        angles, coordinates = ([sympify(s) for s in symbols] for symbols in (angles, coordinates))
+        values = {sympify(symbol): value for symbol, value in (parameters or {}).items()}
         builder = FormulaBuilder(len(angles), len(coordinates), len(values))
         known = {symbol: builder.angle(k) for k, symbol in enumerate(angles)}
         known.update({symbol: builder.coordinate(k) for k, symbol in enumerate(coordinates)})
@@ -437,7 +441,7 @@ def _formula(value: Any, builder: FormulaBuilder) -> Expression:
     if isinstance(value, (int, float, np.integer, np.floating)) and not isinstance(value, bool):
         return builder.number(float(value))
     raise InvalidArgument(
-        f"what the function returns = {value!r}: must be an expression of the unknowns and parameters, or a list of them"
+        f"what the function returns = {value!r}: must be an expression of unknowns and parameters, or a list of them"
     )
 
 

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+import math
 from typing import Any, Callable, Union
 
 import numpy as np
 
-from .results import Diagram, Locus, RootSet
+from .results import Diagram, Locus, Reals, RootSet
 
 colours = {"fold": "#c0392b", "pitchfork": "#2456a6"}
 markers = {"fold": "o", "pitchfork": "D", "transcritical": "X", "cusp": "^"}
@@ -41,11 +42,12 @@ def _multiples_of_half_pi() -> Any:
 
 
 def _fraction_of_pi(value: float) -> str:
-    halves = round(2 * value / np.pi)
-    return {-2: "-π", -1: "-π/2", 0: "0", 1: "π/2", 2: "π"}.get(halves, f"{halves / 2:g}π")
+    halves = round(2 * value / math.pi)
+    names = {-2: "-π", -1: "-π/2", 0: "0", 1: "π/2", 2: "π"}
+    return names.get(halves, f"{halves / 2:g}π")
 
 
-def _broken(values: np.ndarray, parameter: np.ndarray) -> Any:
+def _broken(values: Reals, parameter: Reals) -> Any:
     """An angle in (-pi, pi], its line broken where it goes once around."""
     values = np.pi - np.mod(np.pi - values, 2 * np.pi)
     jumps = np.flatnonzero(np.abs(np.diff(values)) > np.pi) + 1
@@ -108,7 +110,7 @@ def plot_diagram(diagram: Diagram, ax: Any = None, unknown: Union[int, str, Call
             raise InvalidArgument(f"unknown = {number}: must be 0 to {len(model.unknowns) - 1}")
         is_angle, label = number < len(model.angles), _label(model, number)
 
-        def of(q: np.ndarray) -> np.ndarray:
+        def of(q: Reals) -> Any:
             return q[:, number]
 
     named = set()

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import sys
 from contextlib import contextmanager
-from typing import Callable, Iterator, Optional, Union
+from typing import Callable, Iterator, Optional, Tuple, Union
 
-Progress = Union[bool, Callable[[int, int], object]]
+Report = Callable[[int, int], object]  #: of how much is done, and how much there is
+Progress = Union[bool, Report]
 
 
 @contextmanager
-def reporting(progress: Progress, what: str) -> Iterator[Optional[Callable[[int, int], object]]]:
+def reporting(progress: Progress, what: str) -> Iterator[Optional[Report]]:
     """What a call is handed for `progress`: nothing, the caller's function, or one that draws."""
     if not progress:
         yield None
@@ -24,7 +25,7 @@ def reporting(progress: Progress, what: str) -> Iterator[Optional[Callable[[int,
             close()
 
 
-def _tqdm_bar(what: str):
+def _tqdm_bar(what: str) -> Optional[Tuple[Report, Callable[[], object]]]:
     try:
         from tqdm.auto import tqdm
     except ImportError:
@@ -39,7 +40,7 @@ def _tqdm_bar(what: str):
     return report, bar.close
 
 
-def _line(what: str):
+def _line(what: str) -> Tuple[Report, Callable[[], object]]:
     def report(done: int, all: int) -> None:
         sys.stderr.write(f"\r{what}: {done} of {all}   ")
         sys.stderr.flush()

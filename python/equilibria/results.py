@@ -52,7 +52,7 @@ class Equilibrium(Printed):
 
 @dataclass(repr=False, eq=False)
 class RootSet(Printed):
-    """All roots of a model at given parameters, and the real ones, the equilibria, classified: by index, then nullity."""
+    """All roots of a model at given parameters, and the real ones, the equilibria, by index, then nullity."""
 
     model: "Model" = field(repr=False)
     parameters: Dict[str, float]
@@ -101,7 +101,7 @@ class RootSet(Printed):
     @property
     def stable(self) -> Flags:
         """Of each equilibrium, see Equilibrium.stable."""
-        return (self.index == 0) & (self.nullity == 0)
+        return np.array((self.index == 0) & (self.nullity == 0), dtype=bool)
 
     @property
     def equilibria(self) -> List[Equilibrium]:
@@ -254,11 +254,9 @@ class Events(Printed):
             model=model,
             parameter=parameter,
             range=range,
-            **{
-                **found,
-                "events": [Event(**e) for e in found["events"]],
-                "intervals": [Interval(**i) for i in found["intervals"]],
-            },
+            events=[Event(**e) for e in found["events"]],
+            intervals=[Interval(**i) for i in found["intervals"]],
+            **{k: v for k, v in found.items() if k not in ("events", "intervals")},
         )
 
     def __len__(self) -> int:

@@ -31,7 +31,7 @@ class Printed:
     def _columns(self) -> Sequence[str]:
         return ()
 
-    def _rows(self) -> List[Sequence[str]]:
+    def _rows(self) -> List[List[str]]:
         return []
 
     def _foot(self) -> str:

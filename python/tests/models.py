@@ -27,7 +27,7 @@ def from_sympy():
 
     t1, t2, alpha, omega, r = sympy.symbols("t1 t2 alpha omega r")
     v = (
-        -omega**2 / 2 * ((1 - alpha) * sin(t1) ** 2 + alpha * (sin(t1) + r * sin(t2)) ** 2)
+        -(omega**2) / 2 * ((1 - alpha) * sin(t1) ** 2 + alpha * (sin(t1) + r * sin(t2)) ** 2)
         - cos(t1)
         - alpha * r * cos(t2)
     )

@@ -53,7 +53,8 @@ def test_proof_is_complete():
     roots = rotating_chain().enumerate()
     proof = roots.prove()
     assert proof.complete and proof.distinct == proof.bound == len(roots.roots)
-    assert proof.real == len(roots) and proof.real + proof.non_real + proof.undecided + proof.duplicates == len(roots.roots)
+    assert proof.real == len(roots)
+    assert proof.real + proof.non_real + proof.undecided + proof.duplicates == len(roots.roots)
     assert proof.by_index.tolist() == roots.by_index.tolist()
     assert proof.contradictions == 0
 

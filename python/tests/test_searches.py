@@ -65,7 +65,8 @@ def test_locus():
 
 def test_progress_is_told_and_may_stop_a_call():
     model = eq.Model(
-        lambda t, p: -sum(eq.cos(a) for a in t) - p.c * eq.cos(t[0] + t[1] + t[2] + t[3] + t[4]) ** 2
+        lambda t, p: -sum(eq.cos(a) for a in t)
+        - p.c * eq.cos(t[0] + t[1] + t[2] + t[3] + t[4]) ** 2
         - 0.3 * eq.sin(t[0] - t[1]) * eq.cos(t[2]),
         angles=5,
         parameters={"c": 0.4},

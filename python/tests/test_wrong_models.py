@@ -151,7 +151,9 @@ def test_sympy_expressions():
 
 def test_interpreter_is_alive_and_numpy_works():
     model = eq.Model(
-        lambda t, p: -np.cos(t[0]) * np.float64(2) - np.sin(t[1] - t[0]) * np.int64(3) + np.sqrt(p.k) * np.cos(t[1])
+        lambda t, p: -np.cos(t[0]) * np.float64(2)
+        - np.sin(t[1] - t[0]) * np.int64(3)
+        + np.sqrt(p.k) * np.cos(t[1])
         + np.dot(np.array([0.5, 0.25]), np.array([np.cos(t[0]), np.cos(t[1])])),
         angles=2,
         parameters={"k": 4.0},

@@ -9,8 +9,17 @@ Angles are radians throughout. What breaks a rule raises InvalidArgument, a Valu
 its value and says what is allowed.
 """
 
-from ._core import InvalidArgument, __version__
-from ._core import Expression
+try:
+    from ._built_for import instructions as _instructions  # written by a native build
+except ImportError:
+    pass
+else:
+    from .processor import require as _require
+
+    _require(_instructions)
+
+from ._core import Expression, InvalidArgument, __version__
+from . import continuation
 from .functions import cos, exp, log, pi, sin, sqrt, tan
 from .model import Model
 from .results import (
@@ -28,7 +37,6 @@ from .results import (
     SpecialPoint,
     Sweep,
 )
-from . import continuation
 
 __all__ = [
     "Curve",

@@ -76,7 +76,7 @@ def plot_locus(locus: Locus, ax: Any = None) -> Any:
             *np.array([cusp.point for cusp in locus.cusps]).T,
             linestyle="none",
             marker="^",
-            markersize=6,
+            markersize=5,
             markerfacecolor="k",
             markeredgecolor="w",
             label="cusps",

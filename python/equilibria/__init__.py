@@ -10,7 +10,7 @@ its value and says what is allowed.
 """
 
 try:
-    from ._built_for import instructions as _instructions  # written by a native build
+    from ._built_for import instructions as _instructions  # type: ignore  # written by a native build
 except ImportError:
     pass
 else:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from typing import Any, Callable, Dict, List, Mapping, Optional, Sequence, Tuple, Union
+from typing import Any, Callable, Dict, Iterator, List, Mapping, Optional, Sequence, Tuple, Union
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -15,32 +15,36 @@ from .results import Diagram, Events, Locus, Proof, RootSet, Sweep
 Names = Union[int, Sequence[str]]
 
 
-class Values(Tuple[Any, ...]):
+class Values:
     """What a model's function is given: expressions by number, `t[0]`, and by name, `t["t1"]` or `t.t1`."""
 
-    _names: List[str]
-    _what: str
+    def __init__(self, names: Sequence[str], expressions: Sequence[Expression], what: str) -> None:
+        self.__names, self.__expressions, self.__what = list(names), tuple(expressions), what
 
-    @staticmethod
-    def of(names: Sequence[str], expressions: Sequence[Expression], what: str) -> "Values":
-        values = Values(expressions)
-        values._names, values._what = list(names), what
-        return values
+    def __len__(self) -> int:
+        return len(self.__expressions)
+
+    def __iter__(self) -> Iterator[Expression]:
+        return iter(self.__expressions)
 
     def __getitem__(self, key: Any) -> Any:
         if isinstance(key, str):
-            if key not in self._names:
-                raise InvalidArgument(f"{self._what} = {key}: must be {_either(self._names)}")
-            return tuple.__getitem__(self, self._names.index(key))
+            if key not in self.__names:
+                raise InvalidArgument(f"{self.__what} = {key}: must be {_either(self.__names)}")
+            return self.__expressions[self.__names.index(key)]
         try:
-            return tuple.__getitem__(self, key)
+            return self.__expressions[key]
         except IndexError:
-            raise InvalidArgument(f"number of {self._what} = {key}: must be 0 to {len(self) - 1}") from None
+            raise InvalidArgument(f"number of {self.__what} = {key}: must be {_numbers(len(self))}") from None
 
     def __getattr__(self, name: str) -> Any:
-        if name.startswith("__"):
+        if name.startswith("_"):
             raise AttributeError(name)
         return self[name]
+
+
+def _numbers(size: int) -> str:
+    return f"0 to {size - 1}" if size > 0 else "a number, of which there are none"
 
 
 def _either(names: Sequence[str]) -> str:
@@ -109,9 +113,9 @@ class Model:
         coordinate_names = _names(coordinates, "x", "coordinates")
         values = {str(key): value for key, value in (parameters or {}).items()}
         builder = FormulaBuilder(len(angle_names), len(coordinate_names), len(values))
-        t = Values.of(angle_names, [builder.angle(k) for k in range(len(angle_names))], "angle")
-        x = Values.of(coordinate_names, [builder.coordinate(k) for k in range(len(coordinate_names))], "coordinate")
-        p = Values.of(list(values), [builder.parameter(k) for k in range(len(values))], "parameter")
+        t = Values(angle_names, [builder.angle(k) for k in range(len(angle_names))], "angle")
+        x = Values(coordinate_names, [builder.coordinate(k) for k in range(len(coordinate_names))], "coordinate")
+        p = Values(list(values), [builder.parameter(k) for k in range(len(values))], "parameter")
         formulas = function(t, x, p) if coordinate_names else function(t, p)
         if isinstance(formulas, np.ndarray):
             formulas = formulas.ravel().tolist() if formulas.ndim else formulas.item()

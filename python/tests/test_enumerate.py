@@ -150,3 +150,13 @@ def test_export():
         assert "c1" in model.export(program, omega=1.5)
     with pytest.raises(eq.InvalidArgument, match="program = maple"):
         model.export("maple")
+
+
+def test_any_name_is_an_attribute():
+    model = eq.Model(
+        lambda t, p: -sum(np.cos(t)) * p.index - p.count * eq.sin(t.values),
+        angles=["values"],
+        parameters={"index": 2, "count": 3},
+    )
+    assert model.potential([0.5]) == pytest.approx(-2 * np.cos(0.5) - 3 * np.sin(0.5))
+    assert len(model.enumerate()) == 2

@@ -26,7 +26,7 @@ def _legend(ax: Any) -> None:
 
 
 def _label(model: Any, number: int) -> str:
-    name = model.unknowns[number]
+    name = str(model.unknowns[number])
     return f"{name} (rad)" if number < len(model.angles) else name
 
 
@@ -44,7 +44,7 @@ def _multiples_of_half_pi() -> Any:
 def _fraction_of_pi(value: float) -> str:
     halves = round(2 * value / math.pi)
     names = {-2: "-π", -1: "-π/2", 0: "0", 1: "π/2", 2: "π"}
-    return names.get(halves, f"{halves / 2:g}π")
+    return str(names.get(halves, f"{halves / 2:g}π"))
 
 
 def _broken(values: Reals, parameter: Reals) -> Any:

@@ -12,11 +12,9 @@
 #include <cstdint>
 #include <cstdio>
 #include <exception>
-#include <fstream>
 #include <iostream>
 #include <optional>
 #include <sstream>
-#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -24,12 +22,12 @@
 #include <equilibria/enumerate/more_digits.hpp>
 #include <equilibria/enumerate/sweep.hpp>
 #include <equilibria/io/read_text.hpp>
-#include <equilibria/io/results/csv.hpp>
 #include <equilibria/io/results/json.hpp>
 #include <equilibria/locus/plane/trace_locus.hpp>
 #include <equilibria/mechanisms/rotating_chain.hpp>
 
 #include "plots/sweep.hpp"
+#include "support/axis_name.hpp"
 #include "support/interrupt.hpp"
 #include "support/locus_figure.hpp"
 #include "support/options.hpp"
@@ -37,6 +35,7 @@
 #include "support/pictures.hpp"
 #include "support/progress_bar.hpp"
 #include "support/ranks.hpp"
+#include "support/sweep_rows.hpp"
 #include "sweep/comparison.hpp"
 
 namespace {
@@ -180,52 +179,6 @@ equilibria::ParameterPoints points_of(const Command& c) {
                                          [&](const std::string& name) { return number_of(c, "--list", name); });
 }
 
-/// A line for each point.
-class Rows {
-public:
-    Rows(const Command& c, int unknowns) {
-        if (!c.csv) return;
-        name_ = c.csv->name();
-        if (!c.csv->to_stdout()) file_.open(name_);
-        std::vector<std::string> columns = c.names;
-        for (const char* column : {"paths", "finite", "at_infinity", "singular", "failed", "distinct", "real"})
-            columns.emplace_back(column);
-        equilibria::add_index_columns(columns, unknowns);
-        for (const char* column : {"degenerate", "clean", "alarm", "instances", "proved", "proved_real"})
-            columns.emplace_back(column);
-        out() << equilibria::CsvTable(columns).text();
-        check();
-    }
-    void add(const SweptPoint& p) {
-        if (name_.empty()) return;
-        equilibria::CsvRow row;
-        row.add_all(p.parameters).add(p.paths).add(p.finite).add(p.at_infinity).add(p.singular).add(p.failed);
-        row.add(p.distinct).add(p.real).add_all(p.by_index).add(p.degenerate).add(p.clean).add(p.alarm);
-        row.add(static_cast<int>(p.instances)).add(p.proved).add(p.proved_real);
-        out() << row.line();
-        check();
-    }
-    void close() {
-        if (name_.empty()) return;
-        out().flush();
-        check();
-    }
-
-private:
-    std::ostream& out() { return file_.is_open() ? file_ : std::cout; }
-    void check() {
-        if (!out()) throw std::runtime_error("--csv " + name_ + ": cannot be written");
-    }
-    std::string name_;
-    std::ofstream file_;
-};
-
-std::string axis_name(const std::string& name) {
-    if (name == "alpha") return "{/:Italic α}";
-    if (name == "omega") return "{/:Italic ω}";
-    return "{/:Italic " + name + "}";
-}
-
 struct Result {
     equilibria::SweepCounts counts;
     std::optional<Json> locus;
@@ -243,8 +196,8 @@ Result run(const Command& c, const T& model, const equilibria::Ranks& ranks) {
             {.lines = 12, .branch = {.first_step = 1e-4, .largest_step = 1e-3, .largest_angle = 0.02}});
     std::optional<sweeps::Comparison> comparison;
     if (locus) comparison.emplace(*locus);
-    std::optional<Rows> rows;
-    if (ranks.first()) rows.emplace(c, model.angles());
+    std::optional<support::SweepRows> rows;
+    if (ranks.first()) rows.emplace(c.csv, c.names, model.angles());
     std::ostringstream drawn;
     support::ProgressBar bar("sweeping");
     Result y;
@@ -276,8 +229,8 @@ Result run(const Command& c, const T& model, const equilibria::Ranks& ranks) {
         data.block("points", drawn.str(), 3);
         data.value("x_low", c.axes[0].low - half(0)).value("x_high", c.axes[0].high + half(0));
         data.value("y_low", c.axes[1].low - half(1)).value("y_high", c.axes[1].high + half(1));
-        data.string("x_name", axis_name(c.names[static_cast<std::size_t>(c.axes[0].parameter)]));
-        data.string("y_name", axis_name(c.names[static_cast<std::size_t>(c.axes[1].parameter)]));
+        data.string("x_name", support::axis_name(c.names[static_cast<std::size_t>(c.axes[0].parameter)]));
+        data.string("y_name", support::axis_name(c.names[static_cast<std::size_t>(c.axes[1].parameter)]));
         const auto& by_real = y.counts.by_real;
         std::string counts = " ";
         for (const auto& [real, points_there] : by_real) counts += std::to_string(real) + " ";
@@ -294,25 +247,8 @@ Result run(const Command& c, const T& model, const equilibria::Ranks& ranks) {
 }
 
 Json document(const Command& c, const Result& r) {
-    const auto& n = r.counts;
-    Json by_real = Json::object();
-    for (const auto& [real, points] : n.by_real) by_real[std::to_string(real)] = points;
-    Json out{{"model", c.model},
-             {"seed", c.seed},
-             {"threads", c.threads},
-             {"points", n.points},
-             {"done", n.done},
-             {"mixed_volume", n.mixed_volume},
-             {"paths", n.paths},
-             {"failed", n.failed},
-             {"points_with_a_vanishing_equation", n.vanishing},
-             {"points_with_multiple_roots", n.singular_points},
-             {"points_with_an_alarm", n.alarms},
-             {"points_not_clean", n.unclean},
-             {"points_done_again", n.again},
-             {"points_proved", n.proved},
-             {"points_by_equilibria", std::move(by_real)},
-             {"seconds", n.seconds}};
+    Json out{{"model", c.model}, {"seed", c.seed}, {"threads", c.threads}};
+    equilibria::add_keys(out, support::sweep_json(r.counts));
     if (r.locus) out["locus"] = *r.locus;
     return out;
 }

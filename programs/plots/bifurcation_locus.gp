@@ -1,14 +1,14 @@
-# The bifurcation locus of the two-link chain, with the number of equilibria in each region, and insets around cusps.
-# Given: ratio, x_low, x_high, y_low, y_high; $folds, $pitchforks, $cusps;
+# A bifurcation locus in a plane of two parameters, with the number of equilibria in each region, and insets around cusps.
+# Given: heading, x_label, y_label, x_low, x_high, y_low, y_high; $folds, $pitchforks, $cusps;
 #   labels, arrays label_text, label_x, label_y, label_size: what is written into the regions;
 #   insets (0 to 2) and arrays for them: frame_x_low .. frame_y_high, where the frame is drawn; box_x_low .. box_y_high,
 #   what the inset shows; inset_title; the tics of its axes: x_format, x_step, x_zero (1: a bare 0 at 0), and of y.
-set multiplot title sprintf('Bifurcation locus of the rotating two-link chain, {/:Italic l}_2 / {/:Italic l}_1 = %.10g', ratio)
+set multiplot title heading
 set tics out nomirror
 set border 31 lw 0.8
 set key at screen 0.5,0.02 center bottom horizontal samplen 2.5
-set xlabel '{/:Italic α} = {/:Italic m}_2 / ({/:Italic m}_1 + {/:Italic m}_2)'
-set ylabel '{/:Italic ω}' rotate by 0
+set xlabel x_label
+set ylabel y_label rotate by 0
 set lmargin at screen 0.09
 set rmargin at screen (insets > 0 ? 0.64 : 0.96)
 set bmargin at screen 0.16

@@ -195,7 +195,8 @@ TEST_CASE("arcs keep their circle and their frame") {
             for (std::size_t e = 0; e < 8; ++e) {
                 typename std::remove_cvref_t<decltype((*beams)[e])>::Frames at;
                 for (std::size_t k = 0; k < 3; ++k) at[k].x = input.model.at(beams->nodes(e)[k]);
-                CHECK(((*beams)[e].geometry().point(at, 0).total - expected).norm() < 2e-3);
+                const auto& geometry = (*beams)[e].geometry();
+                CHECK((geometry.point(geometry.nodes(at), 0).total - expected).norm() < 2e-3);
             }
         };
         if (in_plane)

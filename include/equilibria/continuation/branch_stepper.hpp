@@ -65,6 +65,12 @@ public:
         d.p *= by;
     }
 
+    /// Where a direction is largest: a border for a K that is weak in it.
+    Border border_of(const Eigen::VectorXd& direction) const {
+        const Eigen::Index k = largest(direction);
+        return {k, k};
+    }
+
     /// What a step factors with; its factors are not kept from one step to the next.
     BorderedSolver<Matrix>& solver() { return solver_; }
 

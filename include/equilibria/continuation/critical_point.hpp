@@ -78,11 +78,13 @@ CriticalPoint<P> typed(const CriticalPoint<Erased>& point) {
 }
 
 /// Of a problem of any type, see CriticalPointSolver. solver: of this problem's tangents, whose factors are no longer
-/// needed; null: one of its own, which analyses their pattern first.
+/// needed; null: one of its own, which analyses their pattern first. weak: nearly the null vector; empty where it is
+/// not known.
 template <class Matrix>
 std::optional<CriticalPoint<Erased>> critical_point_near(const AnyProblem<Matrix>& problem, const AnyConfiguration& q,
                                                          double p, const CriticalPointOptions& options, Border border,
-                                                         BorderedSolver<Matrix>* solver = nullptr);
+                                                         BorderedSolver<Matrix>* solver = nullptr,
+                                                         const Eigen::VectorXd& weak = {});
 
 /// Newton's method on both systems, and what the converged point is.
 template <ContinuationProblem P>

@@ -79,8 +79,9 @@ public:
     void evaluate(const Frames& at, double, Need need, ElementValues& out) const {
         if (need == Need::residual) out.residual.setZero();
         NodeMatrix<Geometry> tangent = NodeMatrix<Geometry>::Zero();
+        const auto nodes = geometry_.nodes(at);
         for (int g = 0; g < gauss_points; ++g) {
-            const auto y = geometry_.point(at, g);
+            const auto y = geometry_.point(nodes, g);
             const Strains stress = stiffness_.cwiseProduct(y.strain);
             if (need == Need::residual) {
                 for (int k = 0; k < n_nodes; ++k)
@@ -88,7 +89,7 @@ public:
                 continue;
             }
             add_material<Geometry>(y, stiffness_, tangent);
-            geometry_.add_geometric(y, stress, tangent);
+            geometry_.add_geometric(nodes, y, stress, tangent);
         }
         if (need == Need::tangent) out.tangent = tangent;
     }
@@ -133,8 +134,9 @@ public:
         if (need == Need::tangent) out.tangent.template bottomRightCorner<n_multipliers, n_multipliers>().setZero();
         NodeMatrix<Geometry> tangent = NodeMatrix<Geometry>::Zero();
         const Strains share = Strains::Ones() - penalty_.cwiseProduct(flexibility_);
+        const auto nodes = geometry_.nodes(at);
         for (int g = 0; g < gauss_points; ++g) {
-            const auto y = geometry_.point(at, g);
+            const auto y = geometry_.point(nodes, g);
             const Strains force = scale.multiplier * Eigen::Map<const Strains>(multipliers + n * g),
                           stress = penalty_.cwiseProduct(y.strain) + share.cwiseProduct(force);
             const int row = n * (n_nodes + g);
@@ -154,7 +156,7 @@ public:
             out.tangent.template block<n, n>(row, row).diagonal() =
                 -scale.multiplier * k * flexibility_.cwiseProduct(share);
             add_material<Geometry>(y, penalty_, tangent);
-            geometry_.add_geometric(y, stress, tangent);
+            geometry_.add_geometric(nodes, y, stress, tangent);
         }
         if (need == Need::tangent) out.tangent.template topLeftCorner<n * n_nodes, n * n_nodes>() = tangent;
     }

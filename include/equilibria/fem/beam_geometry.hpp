@@ -68,6 +68,12 @@ public:
     using Strains = Eigen::Matrix<double, 6, 1>;
     using StrainDerivative = Eigen::Matrix<double, 6, 6>;  ///< by a node's dx and dPsi
 
+    /// What the moved nodes are to all Gauss points.
+    struct MovedNodes {
+        std::array<Eigen::Vector3d, count> x;
+        std::array<Four, count> p;                            ///< quaternions of the cross-sections
+        std::array<Eigen::Matrix<double, 4, 3>, count> turn;  ///< of p exp(dPsi): dp = turn dPsi - |dPsi|^2 p / 8
+    };
     /// A Gauss point of the moved element.
     struct Point {
         Strains strain;
@@ -75,8 +81,6 @@ public:
         double weight = 0;                      ///< of the point: its share of the element's length
 
         std::array<double, count> n, d;  // shape functions, and slopes by arc length
-        std::array<Four, count> p;
-        std::array<Eigen::Matrix<double, 4, 3>, count> turn;
         Four q = Four::Zero(), dq = Four::Zero();
         Eigen::Vector3d dx = Eigen::Vector3d::Zero();
         Strains total;
@@ -95,7 +99,7 @@ public:
         }
         for (int g = 0; g < gauss_points; ++g) {
             Point y;
-            interpolate(initial, g, y);
+            interpolate(nodes(initial), g, y);
             initial_strain_[place(g)] = y.total;
         }
     }
@@ -103,20 +107,27 @@ public:
     /// Gamma and kappa at Gauss point g.
     Strains strain(const Frames& at, int g) const {
         Point y;
-        interpolate(at, g, y);
+        interpolate(nodes(at), g, y);
         return y.total - initial_strain_[place(g)];
     }
     const GaussLine<Nodes>& line() const { return line_; }
 
-    Point point(const Frames& at, int g) const {
+    MovedNodes nodes(const Frames& at) const {
+        MovedNodes y;
+        for (std::size_t k = 0; k < count; ++k) {
+            y.x[k] = at[k].x;
+            y.p[k] = (at[k].q * section_[k]).coeffs();
+            for (int c = 0; c < 3; ++c)
+                y.turn[k].col(c) = 0.5 * (at[k].q * pure(Eigen::Vector3d::Unit(c)) * section_[k]).coeffs();
+        }
+        return y;
+    }
+
+    Point point(const MovedNodes& at, int g) const {
         Point y;
         interpolate(at, g, y);
         y.strain = y.total - initial_strain_[place(g)];
         y.weight = line_.weight(g);
-        // a node's quaternion p exp(dPsi) in its frame's axes: dp = turn dPsi - |dPsi|^2 p / 8
-        for (std::size_t k = 0; k < count; ++k)
-            for (int c = 0; c < 3; ++c)
-                y.turn[k].col(c) = 0.5 * (at[k].q * pure(Eigen::Vector3d::Unit(c)) * section_[k]).coeffs();
         const Eigen::Quaterniond q = of(y.q), dq = of(y.dq), dx = pure(y.dx);
         const double s = y.q.squaredNorm();
         for (int c = 0; c < 3; ++c) {
@@ -129,13 +140,13 @@ public:
         for (std::size_t k = 0; k < count; ++k) {
             y.b[k].template topLeftCorner<3, 3>() = y.d[k] * y.by_dx;
             y.b[k].template bottomLeftCorner<3, 3>().setZero();
-            y.b[k].template rightCols<3>() = (y.n[k] * y.by_q + y.d[k] * y.by_dq) * y.turn[k];
+            y.b[k].template rightCols<3>() = (y.n[k] * y.by_q + y.d[k] * y.by_dq) * at.turn[k];
         }
         return y;
     }
 
     /// Adds the second derivatives of weight stress . strain to a tangent by the nodes' unknowns.
-    void add_geometric(const Point& y, const Strains& stress,
+    void add_geometric(const MovedNodes& nodes, const Point& y, const Strains& stress,
                        Eigen::Matrix<double, 6 * Nodes, 6 * Nodes>& tangent) const {
         // f = n . Gamma + m . kappa with f |Q|^2 = <x' Q, Q n> + 2 <Q m, Q'>, quadratic in (Q, Q')
         const Eigen::Vector3d n = stress.template head<3>(), m = stress.template tail<3>();
@@ -158,8 +169,8 @@ public:
         Eigen::Matrix<double, 4, 3 * Nodes> q, dq;
         for (std::size_t k = 0; k < count; ++k) {
             const Eigen::Index at = static_cast<Eigen::Index>(3 * k);
-            q.template middleCols<3>(at) = y.n[k] * y.turn[k];
-            dq.template middleCols<3>(at) = y.d[k] * y.turn[k];
+            q.template middleCols<3>(at) = y.n[k] * nodes.turn[k];
+            dq.template middleCols<3>(at) = y.d[k] * nodes.turn[k];
         }
         const Eigen::Matrix<double, 3 * Nodes, 4> qt = w * q.transpose(), dqt = w * dq.transpose();
         const Eigen::Matrix<double, 4, 3 * Nodes> by_q = f_qq.lazyProduct(q) + f_qdq.lazyProduct(dq),
@@ -176,7 +187,7 @@ public:
                 tangent.template block<3, 3>(2 * from + 3, 2 * to + 3) += rotations.template block<3, 3>(from, to);
             }
             tangent.template block<3, 3>(2 * from + 3, 2 * from + 3).diagonal().array() -=
-                0.25 * y.weight * (y.n[i] * f_q + y.d[i] * f_dq).dot(y.p[i]);
+                0.25 * y.weight * (y.n[i] * f_q + y.d[i] * f_dq).dot(nodes.p[i]);
         }
     }
 
@@ -185,15 +196,14 @@ private:
     static Eigen::Quaterniond of(const Four& v) { return Eigen::Quaterniond(v); }
 
     /// Q, Q', x' and the strains with their initial values.
-    void interpolate(const Frames& at, int g, Point& y) const {
+    void interpolate(const MovedNodes& at, int g, Point& y) const {
         const ShapeFunctions<Nodes> shape = line_.shape(g);
         for (std::size_t k = 0; k < count; ++k) {
             y.n[k] = shape.value[k];
             y.d[k] = shape.slope[k] / line_.jacobian(g);
-            y.p[k] = (at[k].q * section_[k]).coeffs();
-            y.q += y.n[k] * y.p[k];
-            y.dq += y.d[k] * y.p[k];
-            y.dx += y.d[k] * at[k].x;
+            y.q += y.n[k] * at.p[k];
+            y.dq += y.d[k] * at.p[k];
+            y.dx += y.d[k] * at.x[k];
         }
         const Eigen::Quaterniond q = of(y.q);
         y.total << (q.conjugate() * pure(y.dx) * q).vec(), 2 * (q.conjugate() * of(y.dq)).vec();

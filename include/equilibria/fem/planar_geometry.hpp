@@ -40,6 +40,12 @@ public:
     using Strains = Eigen::Vector3d;
     using StrainDerivative = Eigen::Matrix3d;  ///< by a node's dx, dy and dtheta
 
+    /// What the moved nodes are to all Gauss points.
+    struct MovedNodes {
+        std::array<Eigen::Vector2d, count> x;
+        double turned = 0;                ///< of the first node, radians
+        std::array<double, count> angle;  ///< of the cross-sections, against the first node's turn
+    };
     /// A Gauss point of the moved element.
     struct Point {
         Strains strain;
@@ -62,7 +68,7 @@ public:
         }
         for (int g = 0; g < gauss_points; ++g) {
             Point y;
-            interpolate(initial, g, y);
+            interpolate(nodes(initial), g, y);
             initial_strain_[place(g)] = y.total;
         }
     }
@@ -70,12 +76,25 @@ public:
     /// Gamma and kappa at Gauss point g.
     Strains strain(const Frames& at, int g) const {
         Point y;
-        interpolate(at, g, y);
+        interpolate(nodes(at), g, y);
         return y.total - initial_strain_[place(g)];
     }
     const GaussLine<Nodes>& line() const { return line_; }
 
-    Point point(const Frames& at, int g) const {
+    MovedNodes nodes(const Frames& at) const {
+        MovedNodes y;
+        y.turned = 2 * std::atan2(at[0].q.z(), at[0].q.w());
+        for (std::size_t k = 0; k < count; ++k) {
+            y.x[k] = at[k].x.template head<2>();
+            y.angle[k] = angle_[k];
+            if (k == 0) continue;
+            const Eigen::Quaterniond turned = at[0].q.conjugate() * at[k].q;
+            y.angle[k] += 2 * std::atan2(turned.z(), turned.w());
+        }
+        return y;
+    }
+
+    Point point(const MovedNodes& at, int g) const {
         Point y;
         interpolate(at, g, y);
         y.strain = y.total - initial_strain_[place(g)];
@@ -91,7 +110,7 @@ public:
     }
 
     /// Adds the second derivatives of weight stress . strain to a tangent whose first unknowns are the nodes'.
-    void add_geometric(const Point& y, const Strains& stress,
+    void add_geometric(const MovedNodes&, const Point& y, const Strains& stress,
                        Eigen::Matrix<double, 3 * Nodes, 3 * Nodes>& tangent) const {
         // n . Gamma: by x' and theta A J n, by theta twice -n . Gamma
         const Eigen::Vector2d n = stress.template head<2>(), mixed = y.axes * Eigen::Vector2d(-n(1), n(0));
@@ -106,18 +125,16 @@ public:
     }
 
 private:
-    void interpolate(const Frames& at, int g, Point& y) const {
+    void interpolate(const MovedNodes& at, int g, Point& y) const {
         const ShapeFunctions<Nodes> shape = line_.shape(g);
         Eigen::Vector2d dx = Eigen::Vector2d::Zero();
-        double theta = 2 * std::atan2(at[0].q.z(), at[0].q.w()), kappa = 0;
+        double theta = at.turned, kappa = 0;
         for (std::size_t k = 0; k < count; ++k) {
             y.n[k] = shape.value[k];
             y.d[k] = shape.slope[k] / line_.jacobian(g);
-            const Eigen::Quaterniond turned = at[0].q.conjugate() * at[k].q;
-            const double angle = angle_[k] + 2 * std::atan2(turned.z(), turned.w());
-            theta += y.n[k] * angle;
-            kappa += y.d[k] * angle;
-            dx += y.d[k] * at[k].x.template head<2>();
+            theta += y.n[k] * at.angle[k];
+            kappa += y.d[k] * at.angle[k];
+            dx += y.d[k] * at.x[k];
         }
         y.axes << std::cos(theta), -std::sin(theta), std::sin(theta), std::cos(theta);
         y.total << y.axes.transpose() * dx, kappa;

@@ -44,7 +44,7 @@ struct FormulaStep {
     /// Earlier steps; of a parameter, a coordinate or a combination of angles a is its number, of an integer power b
     /// the exponent.
     int a = -1, b = -1;
-    double value = 0;         ///< of a number
+    double value = 0;           ///< of a number
     bool of_parameters = true;  ///< no unknown is in it
 
     friend bool operator==(const FormulaStep&, const FormulaStep&) = default;
@@ -137,7 +137,7 @@ public:
         }
         for (std::size_t r = 0; r < results.size(); ++r)
             values[r] = steps_[static_cast<std::size_t>(results[r])].of_parameters ? S(constant[results[r]])
-                                                                                 : value[results[r]];
+                                                                                   : value[results[r]];
     }
 
 private:

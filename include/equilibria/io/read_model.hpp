@@ -72,7 +72,8 @@ private:
 
     FormulaModel names() {
         FormulaModel y;
-        root_.keys("a model", {}, {"name", "angles", "coordinates", "parameters", "definitions", "potential", "equations"});
+        root_.keys("a model", {},
+                   {"name", "angles", "coordinates", "parameters", "definitions", "potential", "equations"});
         const auto list = [&](const char* key, std::vector<std::string>& to) {
             if (const auto place = root_.find(key))
                 for (std::size_t k = 0; k < place->size(); ++k) to.push_back((*place)[k].string());
@@ -142,8 +143,8 @@ private:
 
 }  // namespace detail
 
-/// The model that a text says. Throws InvalidArgument for a text that is not one, with the place in it, and for formulas
-/// that are none of a model, with line and column.
+/// The model that a text says. Throws InvalidArgument for a text that is not one, with the place in it, and for
+/// formulas that are none of a model, with line and column.
 inline FormulaModel parse_model(std::string_view text, std::size_t most_bytes = std::size_t{16} << 20) {
     return detail::ModelReader(text, most_bytes).read();
 }

@@ -200,29 +200,31 @@ private:
     std::vector<Level> levels_;
 };
 
+/// Characters that tell how many of them were read.
+struct CountingCharacters {
+    using iterator_category = std::input_iterator_tag;
+    using value_type = char;
+    using difference_type = std::ptrdiff_t;
+    using pointer = const char*;
+    using reference = const char&;
+    const char* at;
+    const char** last;
+    reference operator*() const { return *at; }
+    CountingCharacters& operator++() {
+        *last = ++at;
+        return *this;
+    }
+    CountingCharacters operator++(int) {
+        CountingCharacters y = *this;
+        ++*this;
+        return y;
+    }
+    bool operator==(const CountingCharacters& other) const { return at == other.at; }
+    bool operator!=(const CountingCharacters& other) const { return at != other.at; }
+};
+
 /// Where in a text that is JSON the characters of the string begin that is at this place; its end where there is none.
 inline std::size_t string_at(std::string_view text, const std::string& place) {
-    struct Counting {  // an iterator that tells how much was read
-        using iterator_category = std::input_iterator_tag;
-        using value_type = char;
-        using difference_type = std::ptrdiff_t;
-        using pointer = const char*;
-        using reference = const char&;
-        const char* at;
-        const char** last;
-        reference operator*() const { return *at; }
-        Counting& operator++() {
-            *last = ++at;
-            return *this;
-        }
-        Counting operator++(int) {
-            Counting y = *this;
-            ++*this;
-            return y;
-        }
-        bool operator==(const Counting& other) const { return at == other.at; }
-        bool operator!=(const Counting& other) const { return at != other.at; }
-    };
     const char *const first = text.data(), *last = first, *end = nullptr;
     JsonWatch watch;
     const auto look = [&](int, Json::parse_event_t event, Json& value) {
@@ -230,7 +232,8 @@ inline std::size_t string_at(std::string_view text, const std::string& place) {
         watch.take(event, value);
         return true;
     };
-    const Json json = Json::parse(Counting{first, &last}, Counting{first + text.size(), &last}, look);
+    const Json json =
+        Json::parse(CountingCharacters{first, &last}, CountingCharacters{first + text.size(), &last}, look);
     if (!end) return text.size();
     // from the quotation mark behind it to the one before it
     const char* at = end - 2;

@@ -11,6 +11,7 @@
 #include <equilibria/continuation/branch_stepper.hpp>
 #include <equilibria/continuation/corrector.hpp>
 #include <equilibria/continuation/factorization/generic_vector.hpp>
+#include <equilibria/continuation/factorization/orthonormalize.hpp>
 
 namespace equilibria {
 
@@ -244,15 +245,14 @@ Eigen::MatrixXd AnyBranchStepper<Matrix>::weak_directions(const AnyConfiguration
     const BorderedSolution r = solver_.solve(Eigen::VectorXd::Zero(n), 1);
     Eigen::MatrixXd v(n, count);
     for (Eigen::Index c = 0; c < count; ++c) v.col(c) = detail::generic_vector(n, c);
-    for (int round = 0; round < 8; ++round)
-        for (Eigen::Index c = 0; c < count; ++c) {
-            const BorderedSolution f = solver_.solve(weights_.cwiseProduct(v.col(c)), 0);
-            v.col(c) = f.x - f.tau / r.tau * r.x;
-            for (int twice = 0; twice < 2; ++twice)
-                for (Eigen::Index b = 0; b < c; ++b)
-                    v.col(c) -= v.col(b).dot(weights_.cwiseProduct(v.col(c))) * v.col(b);
-            v.col(c) /= std::sqrt(v.col(c).dot(weights_.cwiseProduct(v.col(c))));
-        }
+    const int rounds = 8;
+    for (int round = 1; round <= rounds; ++round) {
+        const Eigen::MatrixXd right = weights_.asDiagonal() * v;
+        const BorderedSolutions f =
+            round < rounds ? solver_.solve_roughly(right) : solver_.solve(right, Eigen::VectorXd::Zero(count));
+        v = f.x - r.x * (f.tau / r.tau).transpose();
+        detail::orthonormalize(v, weights_);
+    }
     if (!v.allFinite()) return {};
     return v;
 }

@@ -28,11 +28,13 @@ public:
         : problem_(problem), options_(options), symmetric_(problem.properties().symmetric), solver_(solver) {}
 
     /// limit_first: the limit point's system unless the bifurcation's leads to a point that is about as near.
-    std::optional<Point> solve(const AnyConfiguration& q, double p, Border border, bool limit_first) {
+    /// weak: nearly the null vector; empty where it is not known.
+    std::optional<Point> solve(const AnyConfiguration& q, double p, Border border, const Eigen::VectorXd& weak,
+                               bool limit_first) {
         weights_ = problem_.weights(q, problem_.residual(q, p).size());
         border_ = border;
         scale_p_ = 0;
-        weak_.resize(0);
+        weak_ = weak;
         Point point;
         point.q = q;
         point.p = p;
@@ -288,14 +290,14 @@ private:
 template <class Matrix>
 std::optional<CriticalPoint<Erased>> critical_point_near(const AnyProblem<Matrix>& problem, const AnyConfiguration& q,
                                                          double p, const CriticalPointOptions& options, Border border,
-                                                         BorderedSolver<Matrix>* solver) {
+                                                         BorderedSolver<Matrix>* solver, const Eigen::VectorXd& weak) {
     std::optional<BorderedSolver<Matrix>> own;
     if (!solver)
         solver = &own.emplace(problem.properties().symmetric, problem.multipliers(), problem.symmetric_factors());
     detail::CriticalPointNewton<Matrix> newton(problem, options, *solver);
-    auto point = newton.solve(q, p, border, false);
+    auto point = newton.solve(q, p, border, weak, false);
     // a fold whose load does little work looks like a bifurcation
-    return point ? point : newton.solve(q, p, border, true);
+    return point ? point : newton.solve(q, p, border, weak, true);
 }
 
 }  // namespace equilibria

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <cstddef>
 #include <limits>
 #include <optional>
@@ -97,27 +98,29 @@ private:
         return from.weak_slopes(k);
     }
     Eigen::VectorXd slopes(const Point& from) const {
-        const AnyProblem<Matrix>& problem = stepper_->problem();
-        const Eigen::VectorXd& t = from.tangent.q;
         const Eigen::MatrixXd v = from.weak_directions();
         Eigen::MatrixXd left = v;
         if (!symmetric()) left.col(0) = from.weak_left;
-        Eigen::MatrixXd turned;  // what dK along the branch makes of them
+        return left.cwiseProduct(turned(from, v)).colwise().sum().transpose();
+    }
+    /// What dK along the branch makes of these vectors.
+    Eigen::MatrixXd turned(const Point& from, const Eigen::MatrixXd& v) const {
+        const AnyProblem<Matrix>& problem = stepper_->problem();
+        const Eigen::VectorXd& t = from.tangent.q;
         if (problem.properties().tangent_derivative) {
-            turned = problem.tangent_derivative(from.q, from.p, t) * v;
+            Eigen::MatrixXd y = problem.tangent_derivative(from.q, from.p, t) * v;
             for (Eigen::Index k = 0; k < v.cols(); ++k)
-                turned.col(k) += from.tangent.p * problem.parameter_derivative_along(from.q, from.p, v.col(k));
-        } else {
-            // differences along the tangent, which is of length 1
-            const double h = third_root_of_rounding;
-            const auto at = [&](double by) {
-                return Eigen::MatrixXd(
-                    problem.tangent(problem.retract(from.q, Eigen::VectorXd(by * t)), from.p + by * from.tangent.p) *
-                    v);
-            };
-            turned = (at(h) - at(-h)) / (2 * h);
+                y.col(k) += from.tangent.p * problem.parameter_derivative_along(from.q, from.p, v.col(k));
+            return y;
         }
-        return (left.cwiseProduct(turned)).colwise().sum().transpose();
+        // differences along the tangent, which is of length 1
+        const double h = third_root_of_rounding;
+        const auto at = [&](double by) {
+            const Matrix k =
+                problem.tangent(problem.retract(from.q, Eigen::VectorXd(by * t)), from.p + by * from.tangent.p);
+            return symmetric() ? symmetric_product(k, v) : Eigen::MatrixXd(k * v);
+        };
+        return (at(h) - at(-h)) / (2 * h);
     }
 
     /// Where eigenvalue k only touches 0 between a and b.
@@ -193,15 +196,13 @@ private:
     Point interpolated(const Point& a, const Point& b, bool fold) const {
         const double at_a = fold ? a.tangent.p : a.weak_eigenvalue, at_b = fold ? b.tangent.p : b.weak_eigenvalue;
         const double share = (at_a < 0) != (at_b < 0) ? at_a / (at_a - at_b) : 0.5;
-        const Direction to = stepper_->through(a, b, share * (b.arc_length - a.arc_length));
-        Point y;
-        y.q = stepper_->problem().retract(a.q, to.q);
-        y.p = a.p + to.p;
+        Point y = along(a, b, share * (b.arc_length - a.arc_length));
         y.border = share < 0.5 ? a.border : b.border;
         return y;
     }
 
-    void locate(const Point& a, const Point& b, int depth, Events& out) {
+    /// near: where an eigenvalue is predicted to vanish, with its direction.
+    void locate(const Point& a, const Point& b, int depth, Events& out, const Point* near = nullptr) {
         const int count = changes(a, b);
         const bool turned = folds(a, b);
         const double h = b.arc_length - a.arc_length;
@@ -223,10 +224,11 @@ private:
         if (count <= 1) {
             // from where an interpolation has it, or from the end at which K is closer to singular
             const bool first = std::abs(a.weak_eigenvalue) < std::abs(b.weak_eigenvalue);
-            const Point guess = interpolated(a, b, turned);
+            const Point guess = near ? *near : interpolated(a, b, turned);
             for (const Point* from : {&guess, first ? &a : &b, first ? &b : &a}) {
                 auto point = critical_point_near(stepper_->problem(), from->q, from->p, options_, from->border,
-                                                 &stepper_->solver());
+                                                 &stepper_->solver(),
+                                                 near && from == &guess ? near->weak_direction : Eigen::VectorXd());
                 if (!point) continue;
                 const std::optional<double> share = share_of(a, b, *point);
                 if (!share) continue;
@@ -250,7 +252,7 @@ private:
                 return;
             }
         if (h > resolution_ && depth < 40) {
-            halve(a, b, depth, out);
+            if (count < 2 || !separate(a, b, depth, out)) halve(a, b, depth, out);
             return;
         }
         if (count >= 2) {
@@ -261,6 +263,69 @@ private:
         out.reason = std::to_string(count) + " eigenvalues changed sign" + (turned ? ", dp/ds too" : "") +
                      " between p = " + to_text(a.p) + " and " + to_text(b.p) +
                      ", and no critical point was found there";
+    }
+
+    /// Where an eigenvalue is predicted to vanish: how far along the branch, and its direction there.
+    struct Zero {
+        double s;
+        Eigen::VectorXd direction;
+    };
+    /// Searches between points that stand one in each gap between neighbouring zeros of the eigenvalues that change
+    /// sign, as far as their first derivatives in the middle tell. Large structures have many close to each other, of
+    /// which halving would part one at a time, and of which the weakest at one end is not that at the other. False
+    /// where other numbers are predicted than are seen, and where zeros are not apart.
+    bool separate(const Point& a, const Point& b, int depth, Events& out) {
+        if (!BorderedSolver<Matrix>::sparse || !symmetric() || depth > 2) return false;
+        const auto middle = stepper_->between(a, b, 0.5);
+        if (!middle) return false;
+        const double h = b.arc_length - a.arc_length;
+        const std::vector<Zero> zeros = predicted_zeros(*middle, changes(a, b), h / 2);
+        const auto before = std::count_if(zeros.begin(), zeros.end(), [](const Zero& z) { return z.s < 0; });
+        if (before != changes(a, *middle) || static_cast<int>(zeros.size()) - before != changes(*middle, b))
+            return false;
+        std::vector<Point> between{a};
+        for (std::size_t k = 1; k < zeros.size(); ++k) {
+            if (zeros[k].s - zeros[k - 1].s < 1e-3 * h) return false;
+            auto point = stepper_->between(a, b, 0.5 + (zeros[k - 1].s + zeros[k].s) / (2 * h));
+            if (!point || changes(a, *point) != static_cast<int>(k)) return false;
+            between.push_back(std::move(*point));
+        }
+        between.push_back(b);
+        for (std::size_t k = 0; k < zeros.size(); ++k) {
+            const Point &left = between[k], &right = between[k + 1];
+            Point at = along(left, right, middle->arc_length + zeros[k].s - left.arc_length);
+            at.border = stepper_->border_of(zeros[k].direction);
+            at.weak_direction = zeros[k].direction;
+            locate(left, right, depth + 1, out, &at);
+        }
+        return true;
+    }
+    /// Where along the branch from a point, up to `reach` both ways, so many of its weakest eigenvalues vanish, were K
+    /// linear along it on the space that their directions and two more span.
+    std::vector<Zero> predicted_zeros(const Point& from, int count, double reach) const {
+        const Eigen::MatrixXd v = stepper_->weak_directions(from.q, from.p, count + 2);
+        if (v.size() == 0) return {};
+        const Eigen::MatrixXd k = v.transpose() * symmetric_product(stepper_->solver().matrix(), v),
+                              slope = v.transpose() * turned(from, v);
+        // (k + s slope) y = 0
+        const Eigen::EigenSolver<Eigen::MatrixXd> eigen(-k.partialPivLu().solve(slope));
+        std::vector<Zero> y;
+        for (Eigen::Index i = 0; i < v.cols(); ++i) {
+            const std::complex<double> inverse = eigen.eigenvalues()(i);
+            const double s = 1 / inverse.real();
+            if (std::abs(inverse.imag()) < 1e-9 * std::abs(inverse) && std::abs(s) < reach)
+                y.push_back({s, v * eigen.eigenvectors().col(i).real()});
+        }
+        std::sort(y.begin(), y.end(), [](const Zero& one, const Zero& other) { return one.s < other.s; });
+        return y;
+    }
+    /// The point between a and b that is so far along, as far as their tangents tell.
+    Point along(const Point& a, const Point& b, double h) const {
+        const Direction to = stepper_->through(a, b, h);
+        Point y;
+        y.q = stepper_->problem().retract(a.q, to.q);
+        y.p = a.p + to.p;
+        return y;
     }
 
     void halve(const Point& a, const Point& b, int depth, Events& out) {

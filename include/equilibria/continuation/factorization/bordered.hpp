@@ -71,6 +71,7 @@ Eigen::SparseMatrix<double> without(const Eigen::SparseMatrix<double>& k, Border
 
 /// k x of a symmetric k.
 Eigen::MatrixXd symmetric_product(const Eigen::SparseMatrix<double>& k, const Eigen::MatrixXd& x);
+inline Eigen::MatrixXd symmetric_product(const Eigen::MatrixXd& k, const Eigen::MatrixXd& x) { return k * x; }
 
 /// What a BorderedSolver factors with; k is the same in all three, size its largest entry:
 ///     int factor(k, border, size)

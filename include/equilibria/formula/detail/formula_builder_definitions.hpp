@@ -166,9 +166,10 @@ EQUILIBRIA_INLINE Formula FormulaBuilder::quotient(const Formula& a, const Formu
     detail::require_number_like(b, "division by an angle");
     detail::require_number_like(a, "an angle / something");
     if (b.kind == FormulaKind::polynomial)
-        detail::refuse_formula("division by an expression of unknowns",
-                               "a divisor may hold parameters and numbers alone: multiply the equations out, or make the "
-                               "quotient a coordinate with an equation of its own");
+        detail::refuse_formula(
+            "division by an expression of unknowns",
+            "a divisor may hold parameters and numbers alone: multiply the equations out, or make the "
+            "quotient a coordinate with an equation of its own");
     if (is_number(b)) {
         require(number_of(b) != 0, "divisor", number_of(b), "must not be 0");
         if (is_number(a)) return number(number_of(a) / number_of(b));

@@ -36,7 +36,7 @@ struct name : identifier {};
 struct sum;
 struct open : one<'('> {};
 struct close : one<')'> {};
-struct called : seq<identifier, blanks, at<one<'('>>> {};
+struct called : seq<identifier, blanks, tao::pegtl::at<one<'('>>> {};
 struct group : if_must<open, blanks, sum, blanks, close> {};
 struct call : if_must<called, group> {};
 struct base : sor<number, call, name, group> {};
@@ -202,8 +202,6 @@ template <>
 inline constexpr auto expected<grammar::term> = expected_operand;
 template <>
 inline constexpr auto expected<grammar::sum> = expected_operand;
-template <>
-inline constexpr auto expected<grammar::group> = "( must stand here";
 template <>
 inline constexpr auto expected<grammar::close> = "an operator or ) must stand here";
 template <>

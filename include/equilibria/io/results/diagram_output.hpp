@@ -15,10 +15,10 @@
 namespace equilibria {
 
 /// "failed_paths", "events" (as of a line), "branches": each with its "index" and its "points", [parameter, q1, ..].
-template <Model M>
-Json json_of(const BifurcationDiagram<M>& diagram, const std::string& parameter) {
+template <class M>
+Json json_of(const BifurcationDiagram<M>& diagram, const std::string& parameter, const Sizes<M>& sizes = {}) {
     Json events = Json::array(), branches = Json::array();
-    for (const auto& e : diagram.events) events.push_back(json_of(e, parameter));
+    for (const auto& e : diagram.events) events.push_back(json_of(e, parameter, sizes));
     for (const auto& piece : diagram.pieces) {
         Json points = Json::array();
         for (const auto& p : piece.points) {
@@ -31,10 +31,10 @@ Json json_of(const BifurcationDiagram<M>& diagram, const std::string& parameter)
 }
 
 /// A line a point: branch (from 0), index, the parameter by its name, q1, .. (angles in radians, then coordinates).
-template <Model M>
-CsvTable diagram_csv(const BifurcationDiagram<M>& diagram, const std::string& parameter) {
+template <class M>
+CsvTable diagram_csv(const BifurcationDiagram<M>& diagram, const std::string& parameter, const Sizes<M>& sizes = {}) {
     std::vector<std::string> columns{"branch", "index", parameter};
-    add_columns(columns, "q", n_unknowns<M>);
+    add_columns(columns, "q", sizes.unknowns);
     CsvTable table(columns);
     for (std::size_t k = 0; k < diagram.pieces.size(); ++k)
         for (const auto& p : diagram.pieces[k].points)

@@ -27,7 +27,7 @@ constexpr std::string_view end_name(CurveEnd end) {
 }
 
 /// "kind", "points" ([x, y] each) and "ends": why the curve has its first and its last point.
-template <Model M>
+template <class M>
 Json json_of(const LocusCurve<M>& curve) {
     Json points = Json::array();
     for (const auto& p : curve.points) points.push_back({json_of(p.x()), json_of(p.y())});
@@ -52,7 +52,7 @@ inline Json json_of(const LocusRegion& r) {
 }
 
 /// What speaks for the locus being complete, each by its count.
-template <Model M>
+template <class M>
 Json evidence_json(const Locus<M>& locus) {
     const auto& e = locus.evidence;
     return {{"lines", e.lines},
@@ -71,22 +71,22 @@ Json evidence_json(const Locus<M>& locus) {
 
 /// The ranges of both parameters by their names, "cusps", "degenerate_pitchforks", "curves", "regions", "borders",
 /// "extremal", "argument", "evidence": see docs/output.md.
-template <Model M>
-Json json_of(const Locus<M>& locus, const AxisNames& names) {
+template <class M>
+Json json_of(const Locus<M>& locus, const AxisNames& names, const Sizes<M>& sizes = {}) {
     const auto& w = locus.window;
     Json out{{names.x, json_range(w.x.low, w.x.high)}, {names.y, json_range(w.y.low, w.y.high)}};
     for (const char* key : {"cusps", "degenerate_pitchforks", "curves", "regions", "borders", "extremal"})
         out[key] = Json::array();
-    for (const auto& cusp : locus.of(SingularityKind::cusp)) out["cusps"].push_back(cusp_json(cusp, names));
+    for (const auto& cusp : locus.of(SingularityKind::cusp)) out["cusps"].push_back(cusp_json(cusp, names, sizes));
     for (const auto& p : locus.of(SingularityKind::tricritical_pitchfork))
-        out["degenerate_pitchforks"].push_back(point_json(p, names));
+        out["degenerate_pitchforks"].push_back(point_json(p, names, sizes));
     for (const auto& curve : locus.curves) out["curves"].push_back(json_of(curve));
     for (const auto& region : locus.regions) out["regions"].push_back(json_of(region));
     for (const auto& b : locus.borders)
         out["borders"].push_back(
             {{"regions", {b.below, b.above}}, {"curve", b.curve}, {"kind", kind_name(locus.curves[b.curve].kind)}});
     for (const auto& p : locus.of(SingularityKind::extremal_fold, SingularityKind::extremal_pitchfork))
-        out["extremal"].push_back(extremal_json(p, names));
+        out["extremal"].push_back(extremal_json(p, names, sizes));
     out["argument"] = locus.argument();
     out["evidence"] = evidence_json(locus);
     return out;
@@ -94,10 +94,10 @@ Json json_of(const Locus<M>& locus, const AxisNames& names) {
 
 /// A line a point of a curve: curve (from 0), kind, the parameters by their names, q1, .. (angles in radians, then
 /// coordinates).
-template <Model M>
-CsvTable curves_csv(const Locus<M>& locus, const AxisNames& names) {
+template <class M>
+CsvTable curves_csv(const Locus<M>& locus, const AxisNames& names, const Sizes<M>& sizes = {}) {
     std::vector<std::string> columns{"curve", "kind", names.x, names.y};
-    add_columns(columns, "q", n_unknowns<M>);
+    add_columns(columns, "q", sizes.unknowns);
     CsvTable table(columns);
     for (std::size_t k = 0; k < locus.curves.size(); ++k)
         for (const auto& p : locus.curves[k].points)
@@ -107,10 +107,10 @@ CsvTable curves_csv(const Locus<M>& locus, const AxisNames& names) {
 
 /// A line a region: region (from 0), the parameters of a point well inside by their names, area, count, confirmed,
 /// index_0, index_1, ..
-template <Model M>
-CsvTable regions_csv(const Locus<M>& locus, const AxisNames& names) {
+template <class M>
+CsvTable regions_csv(const Locus<M>& locus, const AxisNames& names, const Sizes<M>& sizes = {}) {
     std::vector<std::string> columns{"region", names.x, names.y, "area", "count", "confirmed"};
-    add_index_columns(columns, n_unknowns<M>);
+    add_index_columns(columns, sizes.unknowns);
     CsvTable table(columns);
     for (std::size_t k = 0; k < locus.regions.size(); ++k) {
         const auto& r = locus.regions[k];

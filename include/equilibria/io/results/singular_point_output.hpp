@@ -28,27 +28,27 @@ inline std::string kind_name(SingularityKind kind) {
 }
 
 /// A point of a plane: its two active parameters by their names, and "angles".
-template <Model M>
-Json point_json(const Singularity<M>& at, const AxisNames& names) {
+template <class M>
+Json point_json(const Singularity<M>& at, const AxisNames& names, const Sizes<M>& sizes = {}) {
     Json out{{names.x, json_of(at.x())}, {names.y, json_of(at.y())}};
-    add_unknowns<M>(out, at.q);
+    add_unknowns<M>(out, at.q, sizes);
     return out;
 }
 
 /// As a point, with "residual" and "fourth_derivative", of the potential along the null vector.
-template <Model M>
-Json cusp_json(const Singularity<M>& cusp, const AxisNames& names) {
-    Json out = point_json(cusp, names);
+template <class M>
+Json cusp_json(const Singularity<M>& cusp, const AxisNames& names, const Sizes<M>& sizes = {}) {
+    Json out = point_json(cusp, names, sizes);
     out["residual"] = cusp.residual;
     out["fourth_derivative"] = json_of(cusp.derivative(4));
     return out;
 }
 
 /// As a point, with its curve's "kind" and "of": the name of the parameter that is extremal.
-template <Model M>
-Json extremal_json(const Singularity<M>& at, const AxisNames& names) {
+template <class M>
+Json extremal_json(const Singularity<M>& at, const AxisNames& names, const Sizes<M>& sizes = {}) {
     Json out{{"kind", kind_name(curve_of(at.kind))}, {"of", at.extremal == at.active[0] ? names.x : names.y}};
-    add_keys(out, point_json(at, names));
+    add_keys(out, point_json(at, names, sizes));
     return out;
 }
 

@@ -24,9 +24,8 @@ namespace equilibria {
 enum class FormulaStart { least_cost, total_degree, polyhedral };
 
 /// with_more_digits: paths that fail in double are tracked with 50 digits.
-RootSet<RuntimeUnknowns> enumerate(const FormulaModel& model, const RuntimeArray<double>& p,
-                                   const RunOptions& run = {}, FormulaStart start = FormulaStart::least_cost,
-                                   bool with_more_digits = false);
+RootSet<RuntimeUnknowns> enumerate(const FormulaModel& model, const RuntimeArray<double>& p, const RunOptions& run = {},
+                                   FormulaStart start = FormulaStart::least_cost, bool with_more_digits = false);
 /// From the roots at other parameters.
 RootSet<RuntimeUnknowns> enumerate(const FormulaModel& model, const RootSet<RuntimeUnknowns>& solved,
                                    const RuntimeArray<double>& p, const RunOptions& run = {});

@@ -12,6 +12,7 @@
 
 #include <equilibria/continuation/factorization/bordered.hpp>
 #include <equilibria/continuation/factorization/generic_vector.hpp>
+#include <equilibria/continuation/factorization/orthonormalize.hpp>
 
 namespace equilibria {
 
@@ -124,18 +125,13 @@ public:
     /// What they led to: K^-1 of them, but for multiples of r.
     void take(const Eigen::MatrixXd& inverse) {
         v_ = inverse;
-        for (Eigen::Index c = 0; c < v_.cols(); ++c) {
-            for (int twice = 0; twice < 2; ++twice)
-                for (Eigen::Index b = 0; b < c; ++b)
-                    v_.col(c) -= v_.col(b).dot(equal_.cwiseProduct(v_.col(c))) * v_.col(b);
-            v_.col(c) /= std::sqrt(v_.col(c).dot(equal_.cwiseProduct(v_.col(c))));
-        }
+        orthonormalize(v_, equal_);
     }
     /// By Rayleigh and Ritz.
     template <class Matrix>
     void finish(const Matrix& k, WeakDirection& y) const {
         if (!v_.allFinite()) return;
-        const Eigen::MatrixXd kv = k * v_;
+        const Eigen::MatrixXd kv = symmetric_product(k, v_);
         const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(v_.transpose() * kv);
         y.next = v_ * eigen.eigenvectors();
         y.next_eigenvalues = eigen.eigenvalues();

@@ -25,7 +25,8 @@ auto search_formula_model(const FormulaModel& formulas, const Search& search) {
         using T = std::remove_cvref_t<decltype(model)>;
         const RuntimeModelFunctions<T> functions(model);
         const RuntimeModelPolynomials<T> polynomials(model);
-        const SearchedModel searched{&functions, &polynomials, [&](const RuntimeArray<double>& at, const RunOptions& how) {
+        const SearchedModel searched{&functions, &polynomials,
+                                     [&](const RuntimeArray<double>& at, const RunOptions& how) {
                                          const auto set = equilibria::enumerate(model, at, how);
                                          return EquilibriaCount{set.real(), set.by_index(), set.clean()};
                                      }};
@@ -112,9 +113,8 @@ auto at_unknowns(const FormulaModel& formulas, const RuntimeArray<double>& q, co
     require_parameters(formulas, p);
     require(q.size() == formulas.unknowns(), "q", q.size(),
             "must be a number for each unknown: " + std::to_string(formulas.unknowns()));
-    return visit(formulas, [&](const auto& model) {
-        return f(model, RuntimeModelPoint<double>(q.begin(), sizes_of(model)));
-    });
+    return visit(formulas,
+                 [&](const auto& model) { return f(model, RuntimeModelPoint<double>(q.begin(), sizes_of(model))); });
 }
 
 }  // namespace detail

@@ -1,7 +1,7 @@
 """Builds the Python package's compiled part with CMake; everything else is said in pyproject.toml.
 
-It is built for this machine's processor, whose lanes the tracker uses: a locus takes half the time. EQUILIBRIA_NATIVE=0
-in the environment builds it for any processor of the architecture.
+It is built for this machine's processor, whose lanes the tracker uses. EQUILIBRIA_NATIVE=0 in the environment
+builds it for any processor of the architecture; loci take 1.6 times as long then.
 """
 
 import os

@@ -1,0 +1,21 @@
+#include <string>
+
+#include <pybind11/pybind11.h>
+
+#include <equilibria/core/error.hpp>
+#include <equilibria/version.hpp>
+
+#include "bindings.hpp"
+
+namespace py = pybind11;
+
+PYBIND11_MODULE(_core, m) {
+    m.doc() = "The compiled part of the package equilibria; its functions are named in equilibria.Model";
+    m.attr("__version__") = std::to_string(EQUILIBRIA_VERSION_MAJOR) + "." + std::to_string(EQUILIBRIA_VERSION_MINOR) +
+                            "." + std::to_string(EQUILIBRIA_VERSION_PATCH);
+    py::register_exception<equilibria::InvalidArgument>(m, "InvalidArgument", PyExc_ValueError).doc() =
+        "An argument, a formula or a model that breaks a rule: names it, quotes its value and says what is allowed";
+    equilibria::python::add_expressions(m);
+    equilibria::python::add_models(m);
+    equilibria::python::add_continuation(m);
+}

@@ -1,0 +1,12 @@
+#include "reading.hpp"
+
+#include <string>
+
+#include <equilibria/io/read_model.hpp>
+
+namespace equilibria::python {
+
+FormulaModel model_of_text(const std::string& text) { return parse_model(text); }
+FormulaModel model_in_file(const std::string& path) { return read_model(path); }
+
+}  // namespace equilibria::python

@@ -27,7 +27,8 @@ template DerivativeErrors check_derivatives(const Problem&, const AnyConfigurati
 template Correction correct_at(const Problem&, AnyConfiguration&, double, const CorrectionOptions&);
 template std::optional<CriticalPoint<Erased>> critical_point_near(const Problem&, const AnyConfiguration&, double,
                                                                   const CriticalPointOptions&, Border,
-                                                                  BorderedSolver<Tangent>*, const Eigen::VectorXd&);
+                                                                  BorderedSolver<Tangent>*, const Eigen::VectorXd&,
+                                                                  bool);
 template std::optional<Point> zero_between(Stepper&, const EventFunction<Erased>&, const Point&, const Point&);
 template StepEvents<Erased> events_between(Stepper&, const CriticalPointOptions&, const Point&, const Point&);
 template Branch<Erased> follow(Stepper&, const Point&, const ContinuationOptions&, const Functions&);

@@ -32,7 +32,7 @@ struct CriticalPointOptions {
     double tolerance = 1e-13;         ///< of the last step, over the size of the unknowns and of p
     double bifurcation_start = 1e-2;  ///< the second system is tried where |phi^T dg/dp| / (|phi| |dg/dp|) is below
     double bifurcation = 1e-7;        ///< and its point is a bifurcation where the quotient is below this
-    /// How far from where it starts the unknowns may go, by the problem's weights: what goes further is given up.
+    /// Of one step, as it is measured in CriticalIteration: Newton's method that makes a longer one is given up.
     double reach = std::numeric_limits<double>::infinity();
 };
 
@@ -87,7 +87,7 @@ template <class Matrix>
 std::optional<CriticalPoint<Erased>> critical_point_near(const AnyProblem<Matrix>& problem, const AnyConfiguration& q,
                                                          double p, const CriticalPointOptions& options, Border border,
                                                          BorderedSolver<Matrix>* solver = nullptr,
-                                                         const Eigen::VectorXd& weak = {});
+                                                         const Eigen::VectorXd& weak = {}, bool fold = false);
 
 /// Newton's method on both systems, and what the converged point is.
 template <ContinuationProblem P>

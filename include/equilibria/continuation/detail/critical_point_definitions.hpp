@@ -52,17 +52,13 @@ public:
             }
             const auto& [d, gamma] = step;
             const double size = length(d);
-            if (!std::isfinite(size)) return std::nullopt;
+            if (!(size <= options_.reach) || !std::isfinite(size)) return std::nullopt;
             const double before =
                 point.history.empty() ? std::numeric_limits<double>::infinity() : point.history.back().step;
             point.history.push_back({size, r_.tau, residual_, bifurcation});
             point.q = problem_.retract(point.q, d.q);
             point.p += d.p;
             point.unfolding = bifurcation ? gamma : 0;
-            if (std::isfinite(options_.reach)) {
-                const Eigen::VectorXd moved = problem_.difference(q, point.q);
-                if (!(moved.dot(weights_.cwiseProduct(moved)) <= options_.reach * options_.reach)) return std::nullopt;
-            }
             const bool done = size <= options_.tolerance || (size < 1e-9 && size > 0.2 * before);
             if (!done) continue;
             if (!evaluate(point.q, point.p)) return std::nullopt;
@@ -294,14 +290,15 @@ private:
 template <class Matrix>
 std::optional<CriticalPoint<Erased>> critical_point_near(const AnyProblem<Matrix>& problem, const AnyConfiguration& q,
                                                          double p, const CriticalPointOptions& options, Border border,
-                                                         BorderedSolver<Matrix>* solver, const Eigen::VectorXd& weak) {
+                                                         BorderedSolver<Matrix>* solver, const Eigen::VectorXd& weak,
+                                                         bool fold) {
     std::optional<BorderedSolver<Matrix>> own;
     if (!solver)
         solver = &own.emplace(problem.properties().symmetric, problem.multipliers(), problem.symmetric_factors());
     detail::CriticalPointNewton<Matrix> newton(problem, options, *solver);
-    auto point = newton.solve(q, p, border, weak, false);
+    auto point = newton.solve(q, p, border, weak, fold);
     // a fold whose load does little work looks like a bifurcation
-    return point ? point : newton.solve(q, p, border, weak, true);
+    return point ? point : newton.solve(q, p, border, weak, !fold);
 }
 
 }  // namespace equilibria

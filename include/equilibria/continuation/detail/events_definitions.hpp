@@ -228,9 +228,9 @@ private:
             CriticalPointOptions within = options_;  // the step: what Newton's method finds elsewhere is no use here
             within.reach = 10 * stepper_->length(stepper_->difference(a, b.q, b.p));
             for (const Point* from : {&guess, first ? &a : &b, first ? &b : &a}) {
-                auto point = critical_point_near(stepper_->problem(), from->q, from->p, within, from->border,
-                                                 &stepper_->solver(),
-                                                 near && from == &guess ? near->weak_direction : Eigen::VectorXd());
+                auto point = critical_point_near(
+                    stepper_->problem(), from->q, from->p, within, from->border, &stepper_->solver(),
+                    near && from == &guess ? near->weak_direction : Eigen::VectorXd(), near && turned);
                 if (!point) continue;
                 const std::optional<double> share = share_of(a, b, *point);
                 if (!share) continue;

@@ -29,8 +29,8 @@ using namespace tao::pegtl;
 
 // clang-format off
 struct blanks : star<space> {};
-struct exponent_part : seq<one<'e', 'E'>, opt<one<'+', '-'>>, plus<digit>> {};
-struct number : seq<sor<seq<plus<digit>, opt<one<'.'>, star<digit>>>, seq<one<'.'>, plus<digit>>>,
+struct exponent_part : seq<one<'e', 'E'>, opt<one<'+', '-'>>, plus<ascii::digit>> {};
+struct number : seq<sor<seq<plus<ascii::digit>, opt<one<'.'>, star<ascii::digit>>>, seq<one<'.'>, plus<ascii::digit>>>,
                     opt<exponent_part>> {};
 struct name : identifier {};
 struct sum;

@@ -23,9 +23,11 @@ class CriticalPointNewton {
 public:
     using Point = CriticalPoint<Erased>;
 
+    /// fold: one is expected, whose load does some work, however little that is beside the bifurcation's coefficients.
     CriticalPointNewton(const AnyProblem<Matrix>& problem, const CriticalPointOptions& options,
-                        BorderedSolver<Matrix>& solver)
-        : problem_(problem), options_(options), symmetric_(problem.properties().symmetric), solver_(solver) {}
+                        BorderedSolver<Matrix>& solver, bool fold)
+        : problem_(problem), options_(options), symmetric_(problem.properties().symmetric), fold_(fold),
+          solver_(solver) {}
 
     /// limit_first: the limit point's system unless the bifurcation's leads to a point that is about as near.
     /// weak: nearly the null vector; empty where it is not known.
@@ -63,7 +65,7 @@ public:
             if (!done) continue;
             if (!evaluate(point.q, point.p)) return std::nullopt;
             if (bifurcation && transversality() > options_.bifurcation && !load_vanishes()) return std::nullopt;
-            if (!bifurcation && switches < 2 && (bifurcation_step(), load_vanishes())) {
+            if (!bifurcation && !fold_ && switches < 2 && (bifurcation_step(), load_vanishes())) {
                 bifurcation = true;
                 switches = 2;
                 continue;
@@ -275,7 +277,7 @@ private:
 
     const AnyProblem<Matrix>& problem_;
     CriticalPointOptions options_;
-    bool symmetric_;
+    bool symmetric_, fold_;
     BorderedSolver<Matrix>& solver_;
     Eigen::VectorXd weights_, g_, g_p_, gp_r_, weak_;
     Matrix dr_;
@@ -295,7 +297,7 @@ std::optional<CriticalPoint<Erased>> critical_point_near(const AnyProblem<Matrix
     std::optional<BorderedSolver<Matrix>> own;
     if (!solver)
         solver = &own.emplace(problem.properties().symmetric, problem.multipliers(), problem.symmetric_factors());
-    detail::CriticalPointNewton<Matrix> newton(problem, options, *solver);
+    detail::CriticalPointNewton<Matrix> newton(problem, options, *solver, fold);
     auto point = newton.solve(q, p, border, weak, fold);
     // a fold whose load does little work looks like a bifurcation
     return point ? point : newton.solve(q, p, border, weak, !fold);

@@ -225,8 +225,8 @@ private:
             // from where an interpolation has it, or from the end at which K is closer to singular
             const bool first = std::abs(a.weak_eigenvalue) < std::abs(b.weak_eigenvalue);
             const Point guess = near ? *near : interpolated(a, b, turned);
-            CriticalPointOptions within = options_;  // the step: what Newton's method finds elsewhere is no use here
-            within.reach = 10 * stepper_->length(stepper_->difference(a, b.q, b.p));
+            CriticalPointOptions within = options_;
+            if (near) within.reach = 10 * stepper_->length(stepper_->difference(a, b.q, b.p));  // others are next to it
             for (const Point* from : {&guess, first ? &a : &b, first ? &b : &a}) {
                 auto point = critical_point_near(
                     stepper_->problem(), from->q, from->p, within, from->border, &stepper_->solver(),

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <complex>
 #include <cstddef>
 #include <limits>
 #include <optional>
@@ -14,8 +13,9 @@
 
 #include <Eigen/Eigenvalues>
 
+#include <equilibria/continuation/detail/multiple_point.hpp>
+#include <equilibria/continuation/detail/predicted_zeros.hpp>
 #include <equilibria/continuation/events.hpp>
-#include <equilibria/core/interpolated.hpp>
 
 namespace equilibria {
 
@@ -39,12 +39,6 @@ public:
     }
 
 private:
-    static bool folds(const Point& a, const Point& b) { return (a.tangent.p < 0) != (b.tangent.p < 0); }
-    static int changes(const Point& a, const Point& b) {
-        if (a.negative && b.negative) return std::abs(*b.negative - *a.negative);
-        return a.determinant_sign != b.determinant_sign ? 1 : 0;
-    }
-
     /// Number 0: the weakest one; then the next ones that are watched.
     static double eigenvalue(const Point& at, Eigen::Index k) {
         return k == 0 ? at.weak_eigenvalue : at.next_eigenvalues(k - 1);
@@ -101,28 +95,8 @@ private:
         const Eigen::MatrixXd v = from.weak_directions();
         Eigen::MatrixXd left = v;
         if (!symmetric()) left.col(0) = from.weak_left;
-        return left.cwiseProduct(turned(from, v)).colwise().sum().transpose();
+        return left.cwiseProduct(derivative_along(*stepper_, from, v)).colwise().sum().transpose();
     }
-    /// What dK along the branch makes of these vectors.
-    Eigen::MatrixXd turned(const Point& from, const Eigen::MatrixXd& v) const {
-        const AnyProblem<Matrix>& problem = stepper_->problem();
-        const Eigen::VectorXd& t = from.tangent.q;
-        if (problem.properties().tangent_derivative) {
-            Eigen::MatrixXd y = problem.tangent_derivative(from.q, from.p, t) * v;
-            for (Eigen::Index k = 0; k < v.cols(); ++k)
-                y.col(k) += from.tangent.p * problem.parameter_derivative_along(from.q, from.p, v.col(k));
-            return y;
-        }
-        // differences along the tangent, which is of length 1
-        const double h = third_root_of_rounding;
-        const auto at = [&](double by) {
-            const Matrix k =
-                problem.tangent(problem.retract(from.q, Eigen::VectorXd(by * t)), from.p + by * from.tangent.p);
-            return symmetric() ? symmetric_product(k, v) : Eigen::MatrixXd(k * v);
-        };
-        return (at(h) - at(-h)) / (2 * h);
-    }
-
     /// Where eigenvalue k only touches 0 between a and b.
     std::optional<Critical> touching(const Point& a, const Point& b, Eigen::Index k) {
         const EventFunction<Erased> approach{"approach", [this, k](const Point& at) {
@@ -249,7 +223,7 @@ private:
         }
         // next to two null vectors the branch is known to few digits
         if (count <= 1 && h <= 20 * resolution_ && vanishing(a, b) == 2)
-            if (Multiple found = multiple(a, b, 2); found.sure) {
+            if (MultiplePoint found = multiple_point(*stepper_, a, b, 2, resolution_); found.sure) {
                 out.points.push_back(std::move(found.point));
                 return;
             }
@@ -258,7 +232,7 @@ private:
             return;
         }
         if (count >= 2) {
-            out.points.push_back(multiple(a, b, count).point);
+            out.points.push_back(multiple_point(*stepper_, a, b, count, resolution_).point);
             return;
         }
         out.explained = false;
@@ -267,11 +241,6 @@ private:
                      ", and no critical point was found there";
     }
 
-    /// Where an eigenvalue is predicted to vanish: how far along the branch, and its direction there.
-    struct Zero {
-        double s;
-        Eigen::VectorXd direction;
-    };
     /// Searches between points that stand one in each gap between neighbouring zeros of the eigenvalues that change
     /// sign, as far as their first derivatives in the middle tell. Large structures have many close to each other, of
     /// which halving would part one at a time, and of which the weakest at one end is not that at the other. False
@@ -281,8 +250,8 @@ private:
         const auto middle = stepper_->between(a, b, 0.5);
         if (!middle) return false;
         const double h = b.arc_length - a.arc_length;
-        const std::vector<Zero> zeros = predicted_zeros(*middle, changes(a, b), h / 2);
-        const auto before = std::count_if(zeros.begin(), zeros.end(), [](const Zero& z) { return z.s < 0; });
+        const std::vector<PredictedZero> zeros = predicted_zeros(*stepper_, *middle, changes(a, b), h / 2);
+        const auto before = std::count_if(zeros.begin(), zeros.end(), [](const PredictedZero& z) { return z.s < 0; });
         if (before != changes(a, *middle) || static_cast<int>(zeros.size()) - before != changes(*middle, b))
             return false;
         std::vector<Point> between{a};
@@ -301,25 +270,6 @@ private:
             locate(left, right, depth + 1, out, &at);
         }
         return true;
-    }
-    /// Where along the branch from a point, up to `reach` both ways, so many of its weakest eigenvalues vanish, were K
-    /// linear along it on the space that their directions and two more span.
-    std::vector<Zero> predicted_zeros(const Point& from, int count, double reach) const {
-        const Eigen::MatrixXd v = stepper_->weak_directions(from.q, from.p, count + 2);
-        if (v.size() == 0) return {};
-        const Eigen::MatrixXd k = v.transpose() * symmetric_product(stepper_->solver().matrix(), v),
-                              slope = v.transpose() * turned(from, v);
-        // (k + s slope) y = 0
-        const Eigen::EigenSolver<Eigen::MatrixXd> eigen(-k.partialPivLu().solve(slope));
-        std::vector<Zero> y;
-        for (Eigen::Index i = 0; i < v.cols(); ++i) {
-            const std::complex<double> inverse = eigen.eigenvalues()(i);
-            const double s = 1 / inverse.real();
-            if (std::abs(inverse.imag()) < 1e-9 * std::abs(inverse) && std::abs(s) < reach)
-                y.push_back({s, v * eigen.eigenvectors().col(i).real()});
-        }
-        std::sort(y.begin(), y.end(), [](const Zero& one, const Zero& other) { return one.s < other.s; });
-        return y;
     }
     /// The point between a and b that is so far along, as far as their tangents tell.
     Point along(const Point& a, const Point& b, double h) const {
@@ -377,67 +327,6 @@ private:
             return y;
         };
         return std::min(at_end(a), at_end(b));
-    }
-
-    /// A point with several null vectors.
-    struct Multiple {
-        Critical point;
-        bool sure = false;  ///< the sum of the two weakest eigenvalues vanishes there, to 1e-2 of what it is nearby
-    };
-    /// So many eigenvalues change sign, or touch 0, within the resolution. There the branch is ill determined; its
-    /// points some way off are not: it is interpolated where the weakest eigenvalue, or, where that but touches 0 and p
-    /// turns back, dp/ds vanishes.
-    Multiple multiple(const Point& a, const Point& b, int nullity) {
-        const bool nearer = std::abs(a.weak_eigenvalue) < std::abs(b.weak_eigenvalue);
-        const Point& close = nearer ? a : b;
-        Multiple found;
-        Critical& y = found.point;
-        y.nullity = nullity;
-        y.negative_before = a.negative;
-        y.negative_after = b.negative;
-        y.q = close.q;
-        y.p = close.p;
-        y.null_vector = close.weak_direction;
-        y.left_null_vector = symmetric() ? close.weak_direction : close.weak_left;
-        y.residual = close.residual;
-        y.sigma = close.sigma;
-        y.null_vectors = stepper_->weak_directions(close.q, close.p, y.nullity);
-        y.kind = folds(a, b) && load_works(close, y.null_vectors) ? CriticalKind::hilltop : CriticalKind::multiple;
-        const bool by_turn = changes(a, b) < 2 && folds(a, b);
-        std::vector<double> value;      // what vanishes there
-        std::vector<double> way;        // along the tangent at `close`
-        std::vector<double> sum;        // of the two weakest eigenvalues
-        std::vector<Direction> offset;  // from `close`
-        const double h = std::max(10 * resolution_, b.arc_length - a.arc_length);
-        for (const int k : {-3, -2, -1, 1, 2, 3}) {
-            const auto point = stepper_->step(k < 0 ? a : b, k * h);
-            if (!point || changes(a, *point) != (k < 0 ? 0 : changes(a, b))) return found;
-            value.push_back(by_turn ? point->tangent.p : point->weak_eigenvalue);
-            offset.push_back(stepper_->difference(close, point->q, point->p));
-            way.push_back(stepper_->dot(close.tangent, offset.back()));
-            if (point->next_eigenvalues.size() == 2) sum.push_back(point->next_eigenvalues.sum());
-        }
-        // where it vanishes, and the branch there
-        const double there = equilibria::interpolated(0, value, way);
-        std::vector<double> p;
-        for (const Direction& d : offset) p.push_back(d.p);
-        y.p = close.p + equilibria::interpolated(there, way, p);
-        std::vector<Eigen::VectorXd> q;
-        for (Direction& d : offset) q.push_back(std::move(d.q));
-        y.q = stepper_->problem().retract(close.q, equilibria::interpolated(there, way, std::move(q)));
-        y.residual = stepper_->problem().residual(y.q, y.p).template lpNorm<Eigen::Infinity>();
-        double largest = 0;
-        for (const double x : sum) largest = std::max(largest, std::abs(x));
-        found.sure = sum.size() == way.size() && std::abs(equilibria::interpolated(there, way, sum)) < 1e-2 * largest;
-        return found;
-    }
-
-    /// Whether the load does work along null vectors, which makes a fold of them; next to the point, as it is known.
-    bool load_works(const Point& near, const Eigen::MatrixXd& null_vectors) const {
-        if (null_vectors.size() == 0) return true;
-        const Eigen::VectorXd root = stepper_->metric().cwiseSqrt(),
-                              load = stepper_->problem().parameter_derivative(near.q, near.p);
-        return (null_vectors.transpose() * load).norm() > 0.1 * load.cwiseQuotient(root).norm();
     }
 
     bool symmetric() const { return stepper_->problem().properties().symmetric; }

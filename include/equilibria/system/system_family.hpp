@@ -29,7 +29,7 @@ namespace equilibria {
 /// The support, the number of parameters, and the function that gives the coefficients.
 class SystemFamily {
 public:
-    using Number = std::complex<double>;         ///< of parameters and coefficients
+    using Number = std::complex<double>;         ///< type of parameters and coefficients
     using Parameters = std::span<const Number>;  ///< one after the other, real or not
     /// The coefficients of the support's terms, in its order, at parameters.
     using Coefficients = std::function<std::vector<Number>(Parameters)>;

@@ -19,9 +19,11 @@ namespace equilibria {
 /// Baillieul's estimate for chains, Theorems 3.1 and 3.2: where every equation has degree 2 in angles alone and is odd
 /// under theta -> -theta, the 2^n points with every sine zero are equilibria, and there are at most 4^n isolated ones.
 struct ChainEstimate {
-    PathCount at_least, at_most;
+    PathCount at_least;  ///< number of equilibria that there always are, 2^n
+    PathCount at_most;   ///< bound of the number of isolated ones, 4^n
 };
 
+/// The estimate, where the model is such a chain.
 template <Model M>
 constexpr std::optional<ChainEstimate> chain_estimate() {
     if (!Formulation<M>::reflection_symmetric) return {};
@@ -36,15 +38,16 @@ constexpr std::optional<ChainEstimate> chain_estimate() {
 
 /// The bounds of one model, side by side.
 struct Bounds {
-    int angles = 0, coordinates = 0;
-    PathCount total_degree;
+    int angles = 0;                           ///< number of angles
+    int coordinates = 0;                      ///< number of plain coordinates
+    PathCount total_degree;                   ///< number of Bezout in (cos, sin) of the angles and the coordinates
     std::optional<PathCount> one_group_each;  ///< none above 20 unknowns
     PathCount multihomogeneous;               ///< the smallest of the groupings compared
     std::vector<int> grouping;                ///< the one that has it: the group of each unknown
-    ComparedGroupings compared = ComparedGroupings::one;
-    std::optional<ChainEstimate> chain;
-    std::optional<PathCount> mixed_volume;          ///< of the system in (cos, sin), where it was computed
-    std::optional<PathCount> laurent_mixed_volume;  ///< of the system in exp(i theta), where it was computed
+    ComparedGroupings compared = ComparedGroupings::one;  ///< which groupings that was
+    std::optional<ChainEstimate> chain;                   ///< none where the model is no such chain
+    std::optional<PathCount> mixed_volume;                ///< of the system in (cos, sin), where it was computed
+    std::optional<PathCount> laurent_mixed_volume;        ///< of the system in exp(i theta), where it was computed
 
     /// The least number of paths that reaches every isolated equilibrium, of those known here.
     PathCount smallest() const {
@@ -54,6 +57,7 @@ struct Bounds {
         return least;
     }
 
+    /// A table of several lines, ending in a new line.
     friend std::ostream& operator<<(std::ostream& out, const Bounds& b) {
         out << b.angles << (b.angles == 1 ? " angle" : " angles");
         if (b.coordinates > 0) out << ", " << b.coordinates << (b.coordinates == 1 ? " coordinate" : " coordinates");

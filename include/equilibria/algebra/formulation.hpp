@@ -26,6 +26,7 @@
 
 namespace equilibria {
 
+/// The polynomials in the unknowns of the model M with coefficients of type C.
 template <class M, class C = double>
 using PolynomialOf = TrigonometricPolynomial<n_angles<M>, n_coordinates<M>, C>;
 
@@ -121,18 +122,21 @@ inline constexpr bool usable = is_trigonometric<M>();
 /// One term of one equation. Terms are sorted by equation, then by the code of the equation's own unknown.
 template <class M>
 struct SupportTerm {
-    int equation;
-    Monomial<n_angles<M>, n_coordinates<M>> monomial;
+    int equation;                                      ///< from 0
+    Monomial<n_angles<M>, n_coordinates<M>> monomial;  ///< product of factors, one an unknown
 
     /// The factor in unknown number `equation`: terms of an equation that share it are summed before it is multiplied.
     constexpr int own_code() const { return monomial.code(equation); }
 
+    /// The order of the support.
+    /// \{
     friend constexpr bool operator==(const SupportTerm&, const SupportTerm&) = default;
     friend constexpr bool operator<(const SupportTerm& a, const SupportTerm& b) {
         if (a.equation != b.equation) return a.equation < b.equation;
         if (a.own_code() != b.own_code()) return a.own_code() < b.own_code();
         return a.monomial < b.monomial;
     }
+    /// \}
 };
 
 namespace detail {
@@ -160,10 +164,11 @@ inline constexpr int support_size = static_cast<int>(support_terms<M>().size());
 /// The support of a model's equations and what follows from it, all at compile time.
 template <class M>
 struct Formulation {
-    static constexpr int unknowns = n_unknowns<M>;
-    static constexpr int angles = n_angles<M>;
-    static constexpr int terms = detail::support_size<M>;
+    static constexpr int unknowns = n_unknowns<M>;         ///< number of unknowns and of equations
+    static constexpr int angles = n_angles<M>;             ///< how many of them are angles
+    static constexpr int terms = detail::support_size<M>;  ///< number of terms of all equations together
 
+    /// All terms, in their order.
     static constexpr Array<SupportTerm<M>, detail::support_size<M>> support = [] {
         Array<SupportTerm<M>, detail::support_size<M>> y;
         const auto found = detail::support_terms<M>();
@@ -193,7 +198,7 @@ struct Formulation {
         return d;
     }
 
-    static constexpr bool has_potential = PotentialModel<M>;
+    static constexpr bool has_potential = PotentialModel<M>;  ///< whether the equations are the gradient of a potential
 
     /// Whether F(-theta) = -F(theta): every term has an odd number of sines. Then theta -> -theta maps equilibria to
     /// equilibria. (Angles only: with plain coordinates the library does not use the reflection.)

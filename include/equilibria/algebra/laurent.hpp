@@ -30,15 +30,18 @@ namespace equilibria {
 /// exponents.
 template <class M>
 struct LaurentTerm {
-    int equation;
-    Array<int, n_unknowns<M>> exponents;
+    int equation;                         ///< from 0
+    Array<int, n_unknowns<M>> exponents;  ///< of each unknown, of either sign
 
+    /// The order of the support.
+    /// \{
     friend constexpr bool operator==(const LaurentTerm&, const LaurentTerm&) = default;
     friend constexpr bool operator<(const LaurentTerm& a, const LaurentTerm& b) {
         if (a.equation != b.equation) return a.equation < b.equation;
         return std::lexicographical_compare(a.exponents.begin(), a.exponents.end(), b.exponents.begin(),
                                             b.exponents.end());
     }
+    /// \}
 };
 
 namespace detail {
@@ -118,9 +121,10 @@ inline constexpr int laurent_size = static_cast<int>(laurent_terms<M>().size());
 /// The support of a model's Laurent system, at compile time. Exponents are symmetric, z^k beside z^-k.
 template <Model M>
 struct LaurentFormulation {
-    static constexpr int unknowns = n_unknowns<M>;
-    static constexpr int terms = detail::laurent_size<M>;
+    static constexpr int unknowns = n_unknowns<M>;         ///< number of unknowns and of equations
+    static constexpr int terms = detail::laurent_size<M>;  ///< number of terms of all equations together
 
+    /// All terms, in their order.
     static constexpr Array<LaurentTerm<M>, terms> support = [] {
         Array<LaurentTerm<M>, terms> y;
         const auto found = detail::laurent_terms<M>();

@@ -17,25 +17,29 @@ namespace equilibria {
 template <int Angles, int Coordinates>
 class Monomial {
 public:
-    static constexpr int angles = Angles, unknowns = Angles + Coordinates;
+    static constexpr int angles = Angles;                  ///< number of angles
+    static constexpr int unknowns = Angles + Coordinates;  ///< number of all unknowns
     static constexpr int highest = 127;  ///< the largest multiple of an angle and power of a coordinate
 
+    /// The code of the factor in an unknown; 0 where it has none.
     constexpr int code(int unknown) const {
         return static_cast<std::int8_t>(words_[word(unknown)] >> shift(unknown) & 0xff);
     }
+    /// Replaces the factor in an unknown; |code| is at most `highest`.
     constexpr void set_code(int unknown, int code) {
         auto& w = words_[word(unknown)];
         w = (w & ~(std::uint64_t{0xff} << shift(unknown))) |
             (static_cast<std::uint64_t>(static_cast<std::uint8_t>(code)) << shift(unknown));
     }
+    /// The monomial of a single factor.
     static constexpr Monomial single(int unknown, int code) {
         Monomial m;
         m.set_code(unknown, code);
         return m;
     }
-    static constexpr bool is_angle(int unknown) { return unknown < Angles; }
+    static constexpr bool is_angle(int unknown) { return unknown < Angles; }  ///< whether the unknown is an angle
 
-    constexpr bool is_one() const { return *this == Monomial{}; }
+    constexpr bool is_one() const { return *this == Monomial{}; }  ///< whether no unknown has a factor
 
     /// Degree in the unknown: of the factor as a polynomial in (cos, sin), or in x.
     constexpr int degree(int unknown) const {
@@ -71,12 +75,15 @@ public:
         return m;
     }
 
+    /// A total order of no meaning, the same in every program: products are sorted by it.
+    /// \{
     friend constexpr bool operator==(const Monomial&, const Monomial&) = default;
     friend constexpr bool operator<(const Monomial& a, const Monomial& b) {
         for (std::size_t w = 0; w + 1 < words; ++w)
             if (a.words_[w] != b.words_[w]) return a.words_[w] < b.words_[w];
         return a.words_[words - 1] < b.words_[words - 1];
     }
+    /// \}
 
 private:
     static constexpr std::size_t word(int unknown) { return static_cast<std::size_t>(unknown) / 8; }

@@ -28,11 +28,14 @@ namespace equilibria {
 
 /// A number of paths. One that does not fit 63 bits is the largest that does, and `saturated` says so.
 struct PathCount {
-    std::int64_t value = 0;
-    bool saturated = false;
+    std::int64_t value = 0;  ///< at most 2^63 - 1
+    bool saturated = false;  ///< the number does not fit 63 bits
 
+    /// 2^63 - 1 and saturated.
     static constexpr PathCount too_many() { return {std::numeric_limits<std::int64_t>::max(), true}; }
 
+    /// Saturating; 0 times what is saturated is 0.
+    /// \{
     friend constexpr PathCount operator+(PathCount a, PathCount b) {
         std::int64_t sum = 0;
         if (a.saturated || b.saturated || __builtin_add_overflow(a.value, b.value, &sum)) return too_many();
@@ -44,10 +47,15 @@ struct PathCount {
         if (a.saturated || b.saturated || __builtin_mul_overflow(a.value, b.value, &product)) return too_many();
         return {product, false};
     }
+    /// \}
+    /// Order by value; what is saturated comes last.
+    /// \{
     friend constexpr bool operator==(PathCount, PathCount) = default;
     friend constexpr bool operator<(PathCount a, PathCount b) {
         return a.value != b.value ? a.value < b.value : a.saturated < b.saturated;
     }
+    /// \}
+    /// The number, behind "more than " where it is saturated.
     friend std::ostream& operator<<(std::ostream& out, PathCount a) {
         return out << (a.saturated ? "more than " : "") << std::to_string(a.value);
     }
@@ -165,10 +173,11 @@ enum class ComparedGroupings {
 /// The smallest number of those compared. G: a group for each unknown.
 template <class G>
 struct GroupingNumber {
-    PathCount number;
-    G grouping;
-    ComparedGroupings compared;
+    PathCount number;            ///< of paths
+    G grouping;                  ///< the group of each unknown by which that number comes
+    ComparedGroupings compared;  ///< which groupings there were to choose from
 };
+/// What smallest_multihomogeneous_number returns.
 template <Model M>
 using SmallestGrouping = GroupingNumber<Grouping<M>>;
 

@@ -27,15 +27,15 @@ namespace equilibria {
 /// coefficient * prod_v variable_v^exponents[v]; one exponent a variable, negative ones in Laurent systems alone.
 template <class C>
 struct PolynomialTerm {
-    C coefficient;
-    std::vector<int> exponents;
+    C coefficient;               ///< a real or complex number
+    std::vector<int> exponents;  ///< one a variable, in the system's order
 };
 
 /// Equations are sums of terms that vanish.
 template <class C>
 struct PolynomialSystem {
-    std::vector<std::string> variables;
-    std::vector<std::vector<PolynomialTerm<C>>> equations;
+    std::vector<std::string> variables;                     ///< names, in the order of the exponents
+    std::vector<std::vector<PolynomialTerm<C>>> equations;  ///< one sum of terms each
 };
 
 /// The total degree; of a Laurent polynomial the largest sum of exponents. -1 of no terms.

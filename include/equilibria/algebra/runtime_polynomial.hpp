@@ -10,10 +10,13 @@
 
 namespace equilibria {
 
-/// A polynomial in at most so many angles and coordinates, most of which are not there.
-inline constexpr int most_angles = 16, most_coordinates = 48;
+/// The sizes of the polynomials made at run time: models may have so many angles and coordinates, and most have fewer.
+inline constexpr int most_angles = 16;       ///< highest number of angles
+inline constexpr int most_coordinates = 48;  ///< highest number of coordinates
+/// A polynomial in at most so many angles and coordinates, with coefficients of type C.
 template <class C = double>
 using RuntimePolynomial = TrigonometricPolynomial<most_angles, most_coordinates, C>;
+/// A polynomial for each equation.
 template <class C = double>
 using RuntimePolynomials = std::vector<RuntimePolynomial<C>>;
 

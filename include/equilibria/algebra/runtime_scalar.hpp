@@ -20,11 +20,11 @@ namespace equilibria {
 template <class C>
 class RuntimePool {
 public:
-    using Pool = PolynomialPool<most_angles, most_coordinates, C>;
+    using Pool = PolynomialPool<most_angles, most_coordinates, C>;  ///< the polynomials' own pool
 
     RuntimePool();
     ~RuntimePool();
-    Pool* get() const { return pool_.get(); }
+    Pool* get() const { return pool_.get(); }  ///< valid as long as this lives
 
 private:
     std::unique_ptr<Pool> pool_;
@@ -34,21 +34,26 @@ private:
 template <class C = double>
 class RuntimeScalar {
 public:
-    using Symbolic = SymbolicScalar<most_angles, most_coordinates, C>;
-    using Polynomial = RuntimePolynomial<C>;
+    using Symbolic = SymbolicScalar<most_angles, most_coordinates, C>;  ///< the scalar that does the work
+    using Polynomial = RuntimePolynomial<C>;                            ///< of one type for all models
 
     RuntimeScalar() = default;
+    /// A constant, or the handle of a polynomial in a pool.
+    /// \{
     template <class A>
     requires(std::is_arithmetic_v<A> || std::is_same_v<A, C>)
     RuntimeScalar(const A& constant) : of_(constant) {}
     explicit RuntimeScalar(const Symbolic& of) : of_(of) {}
+    /// \}
     /// `scale` times the coordinate number j.
     static RuntimeScalar coordinate(const RuntimePool<C>& pool, int j, const C& scale);
 
-    Polynomial polynomial() const;
+    Polynomial polynomial() const;  ///< a copy; of a constant the polynomial of degree 0
     /// The derivatives by the unknowns of a system of these sizes.
     RuntimePolynomials<C> gradient(const RuntimeSizes& sizes) const;
 
+    /// Arithmetic of polynomials; a quotient by what is not constant is marked as faulty, see NotPolynomial.
+    /// \{
     friend RuntimeScalar operator+(const RuntimeScalar& a) { return a; }
     friend RuntimeScalar operator-(const RuntimeScalar& a) { return negative(a); }
     friend RuntimeScalar operator+(const RuntimeScalar& a, const RuntimeScalar& b) { return sum(a, b); }
@@ -59,7 +64,11 @@ public:
     RuntimeScalar& operator-=(const RuntimeScalar& b) { return *this = difference(*this, b); }
     RuntimeScalar& operator*=(const RuntimeScalar& b) { return *this = product(*this, b); }
     RuntimeScalar& operator/=(const RuntimeScalar& b) { return *this = quotient(*this, b); }
+    /// \}
 
+    /// Integer powers of polynomials; everything else of constants alone, and faulty of what is none, see
+    /// NotPolynomial.
+    /// \{
     template <std::integral Power>
     friend RuntimeScalar pow(const RuntimeScalar& a, Power power) {
         return integer_power(a, static_cast<int>(power));
@@ -73,6 +82,7 @@ public:
     friend RuntimeScalar log(const RuntimeScalar& a) { return logarithm(a); }
     friend RuntimeScalar sin(const RuntimeScalar& a) { return sine(a); }
     friend RuntimeScalar cos(const RuntimeScalar& a) { return cosine(a); }
+    /// \}
 
 private:
     template <class>
@@ -98,13 +108,15 @@ private:
 template <class C = double>
 class RuntimeAngle : public AngleBase {
 public:
-    using Symbolic = SymbolicAngle<most_angles, most_coordinates, C>;
-    using Scalar = RuntimeScalar<C>;
+    using Symbolic = SymbolicAngle<most_angles, most_coordinates, C>;  ///< the angle that does the work
+    using Scalar = RuntimeScalar<C>;                                   ///< what its sine and cosine are
 
     RuntimeAngle() = default;
     /// Unknown number i.
     RuntimeAngle(const RuntimePool<C>& pool, int i) : of_(pool.get(), i) {}
 
+    /// Sums with angles and with constant phases in radians, multiples by integers.
+    /// \{
     friend RuntimeAngle operator+(const RuntimeAngle& a) { return a; }
     friend RuntimeAngle operator-(const RuntimeAngle& a) { return multiple(-1, a); }
     friend RuntimeAngle operator+(const RuntimeAngle& a, const RuntimeAngle& b) { return sum(a, b); }
@@ -145,9 +157,13 @@ public:
     RuntimeAngle& operator-=(const B& b) {
         return *this = *this - b;
     }
+    /// \}
 
+    /// Expanded by the addition formulas into a polynomial.
+    /// \{
     friend Scalar cos(const RuntimeAngle& a) { return cosine(a); }
     friend Scalar sin(const RuntimeAngle& a) { return sine(a); }
+    /// \}
 
 private:
     static RuntimeAngle sum(const RuntimeAngle& a, const RuntimeAngle& b);

@@ -22,7 +22,7 @@ namespace equilibria {
 template <int Angles, int Coordinates, class C>
 class PolynomialPool {
 public:
-    using Polynomial = TrigonometricPolynomial<Angles, Coordinates, C>;
+    using Polynomial = TrigonometricPolynomial<Angles, Coordinates, C>;  ///< what it owns
 
     constexpr PolynomialPool() = default;
     constexpr PolynomialPool(const PolynomialPool&) = delete;
@@ -31,6 +31,7 @@ public:
         for (const Polynomial* chunk : chunks_) delete[] chunk;
     }
 
+    /// Takes a polynomial; the pointer is valid as long as the pool lives.
     constexpr const Polynomial* keep(Polynomial&& p) {
         if (used_ == chunk_size) {
             chunks_.push_back(nullptr);
@@ -52,21 +53,27 @@ private:
 template <int Angles, int Coordinates, class C = double>
 class SymbolicScalar {
 public:
-    using Pool = PolynomialPool<Angles, Coordinates, C>;
-    using Polynomial = typename Pool::Polynomial;
+    using Pool = PolynomialPool<Angles, Coordinates, C>;  ///< owns the polynomials
+    using Polynomial = typename Pool::Polynomial;         ///< with coefficients of type C
 
     constexpr SymbolicScalar() = default;
+    /// A constant, which needs no pool.
     template <class A>
     requires(std::is_arithmetic_v<A> || std::is_same_v<A, C>)
     constexpr SymbolicScalar(const A& constant) : constant_(static_cast<C>(constant)) {}
+    /// Put into the pool.
     constexpr SymbolicScalar(Pool* pool, Polynomial&& p) : pool_(pool), kept_(pool->keep(std::move(p))) {}
 
+    /// Whether it is the constant 0; false of every polynomial.
     constexpr bool is_zero() const { return !kept_ && constant_ == C(0); }
+    /// A copy; of a constant the polynomial of degree 0.
     constexpr Polynomial polynomial() const {
         if (kept_) return *kept_;
         return Polynomial(constant_);
     }
 
+    /// Arithmetic of polynomials, in constants where both are; faults travel along, see NotPolynomial.
+    /// \{
     friend constexpr SymbolicScalar operator+(const SymbolicScalar& a) { return a; }
     friend constexpr SymbolicScalar operator-(const SymbolicScalar& a) {
         return a.kept_ ? SymbolicScalar(a.pool_, -*a.kept_) : SymbolicScalar(C(-a.constant_));
@@ -91,7 +98,11 @@ public:
     constexpr SymbolicScalar& operator-=(const SymbolicScalar& b) { return *this = *this - b; }
     constexpr SymbolicScalar& operator*=(const SymbolicScalar& b) { return *this = *this * b; }
     constexpr SymbolicScalar& operator/=(const SymbolicScalar& b) { return *this = *this / b; }
+    /// \}
 
+    /// Integer powers of polynomials; everything else of constants alone, and faulty of what is none, see
+    /// NotPolynomial.
+    /// \{
     template <class Power>
     requires std::is_arithmetic_v<Power>
     friend constexpr SymbolicScalar pow(const SymbolicScalar& a, Power power) {
@@ -112,6 +123,7 @@ public:
     friend constexpr SymbolicScalar cos(const SymbolicScalar& a) {
         return a.transformed([](const Polynomial& x) { return cos(x); });
     }
+    /// \}
 
 private:
     template <class F>
@@ -137,14 +149,16 @@ private:
 template <int Angles, int Coordinates, class C = double>
 class SymbolicAngle : public AngleBase {
 public:
-    using Scalar = SymbolicScalar<Angles, Coordinates, C>;
-    using Pool = typename Scalar::Pool;
-    using Polynomial = typename Scalar::Polynomial;
+    using Scalar = SymbolicScalar<Angles, Coordinates, C>;  ///< what its sine and cosine are
+    using Pool = typename Scalar::Pool;                     ///< owns those polynomials
+    using Polynomial = typename Scalar::Polynomial;         ///< with coefficients of type C
 
     constexpr SymbolicAngle() = default;
     /// Unknown number i.
     constexpr SymbolicAngle(Pool* pool, int i) : pool_(pool) { multiples_[i] = 1; }
 
+    /// Sums with angles and with constant phases in radians, multiples by integers.
+    /// \{
     friend constexpr SymbolicAngle operator+(const SymbolicAngle& a) { return a; }
     friend constexpr SymbolicAngle operator-(const SymbolicAngle& a) { return -1 * a; }
     friend constexpr SymbolicAngle operator+(SymbolicAngle a, const SymbolicAngle& b) {
@@ -193,9 +207,13 @@ public:
     constexpr SymbolicAngle& operator-=(const B& b) {
         return *this = *this - b;
     }
+    /// \}
 
+    /// Expanded by the addition formulas into a polynomial; faulty where a multiple is above Monomial::highest.
+    /// \{
     friend constexpr Scalar cos(const SymbolicAngle& a) { return a.expanded(true); }
     friend constexpr Scalar sin(const SymbolicAngle& a) { return a.expanded(false); }
+    /// \}
 
 private:
     /// cos or sin by the addition formulas, one unknown after the other.

@@ -42,28 +42,34 @@ struct RealPart<std::complex<R>> {
 };
 }  // namespace detail
 
+/// A sum of terms, sorted by monomial, each monomial once. Sums that cancel to rounding are dropped.
 template <int Angles, int Coordinates, class C = double>
 class TrigonometricPolynomial {
 public:
-    using Coefficient = C;
-    using Basis = Monomial<Angles, Coordinates>;
+    using Coefficient = C;                        ///< type of the coefficients: real or complex, exact or not
+    using Basis = Monomial<Angles, Coordinates>;  ///< products of cosines, sines and powers
+    /// coefficient * monomial.
     struct Term {
-        Basis monomial;
-        C coefficient;
+        Basis monomial;  ///< product of factors, one an unknown
+        C coefficient;   ///< not 0, unless it was given so
     };
 
     constexpr TrigonometricPolynomial() = default;
+    /// A constant; 0 has no terms.
     template <class A>
     requires(std::is_arithmetic_v<A> || std::is_same_v<A, C>)
     constexpr TrigonometricPolynomial(const A& constant) {
         if (C value = static_cast<C>(constant); value != C(0)) terms_.push_back({{}, value});
     }
+    /// A single term.
     constexpr TrigonometricPolynomial(const Basis& monomial, const C& coefficient) : terms_{{monomial, coefficient}} {}
 
-    constexpr const std::vector<Term>& terms() const { return terms_; }
-    constexpr NotPolynomial fault() const { return fault_; }
+    constexpr const std::vector<Term>& terms() const { return terms_; }  ///< by ascending monomial
+    constexpr NotPolynomial fault() const { return fault_; }             ///< the gravest fault of all that went into it
 
+    /// Whether it has no term but the constant one.
     constexpr bool is_constant() const { return terms_.empty() || (terms_.size() == 1 && terms_[0].monomial.is_one()); }
+    /// The constant term; 0 where there is none.
     constexpr C constant() const {
         return !terms_.empty() && terms_[0].monomial.is_one() ? terms_[0].coefficient : C(0);
     }
@@ -84,6 +90,8 @@ public:
         return y;
     }
 
+    /// Arithmetic; a divisor that is not constant gives what is faulty. Faults of operands travel along.
+    /// \{
     friend constexpr TrigonometricPolynomial operator-(TrigonometricPolynomial a) {
         for (Term& t : a.terms_) t.coefficient = -t.coefficient;
         return a;
@@ -137,6 +145,7 @@ public:
     constexpr TrigonometricPolynomial& operator-=(const TrigonometricPolynomial& b) { return *this = *this - b; }
     constexpr TrigonometricPolynomial& operator*=(const TrigonometricPolynomial& b) { return *this = *this * b; }
     constexpr TrigonometricPolynomial& operator/=(const TrigonometricPolynomial& b) { return *this = *this / b; }
+    /// \}
 
     /// Integer powers; negative ones of constants only.
     template <std::integral I>
@@ -154,6 +163,8 @@ public:
         if (y > -1000 && y < 1000 && y == static_cast<int>(y)) return pow(a, static_cast<int>(y));
         return a.of_constant([y](const C& x) { return C(constant_math::pow(x, y)); });
     }
+    /// Of constants only; of anything else the result is faulty.
+    /// \{
     friend constexpr TrigonometricPolynomial sqrt(const TrigonometricPolynomial& a) {
         return a.of_constant([](const C& x) { return C(constant_math::sqrt(x)); });
     }
@@ -169,6 +180,7 @@ public:
     friend constexpr TrigonometricPolynomial cos(const TrigonometricPolynomial& a) {
         return a.of_constant([](const C& x) { return C(constant_math::cos(x)); });
     }
+    /// \}
 
     /// The partial derivative by one unknown.
     friend constexpr TrigonometricPolynomial derivative(const TrigonometricPolynomial& a, int unknown) {
@@ -187,6 +199,7 @@ public:
         return y;
     }
 
+    /// What stands for an expression that is no polynomial: without terms, and with this fault.
     static constexpr TrigonometricPolynomial faulty(NotPolynomial why) {
         TrigonometricPolynomial y;
         y.fault_ = why;

@@ -39,12 +39,13 @@ typename LaneTraits<R>::Mask excludes_real_points(const KrawczykResult<R>& proof
 /// coordinate.
 template <class S>
 struct Enclosure {
+    /// The discs of one unknown.
     struct Unknown {
         Complex<S> value;             ///< of the cosine of an angle, or of a coordinate
         Complex<S> sine{S(0), S(0)};  ///< 0 of a coordinate
-        S off{};
+        S off{};                      ///< their radius
     };
-    SizedArray<Unknown, at_run_time> unknowns;
+    SizedArray<Unknown, at_run_time> unknowns;  ///< the angles, then the coordinates
 
     Enclosure() = default;
     /// Room for one of n unknowns.
@@ -90,6 +91,7 @@ struct Enclosure {
             y |= detail::without_real_points(at.value, at.off) || detail::without_real_points(at.sine, at.off);
         return y;
     }
+    /// Whether it is proved that no point is in both; of as many unknowns.
     friend bool disjoint(const Enclosure& a, const Enclosure& b) {
         for (int u = 0; u < a.unknowns.size(); ++u) {
             const Unknown &at = a.unknowns[u], &other = b.unknowns[u];
@@ -108,14 +110,16 @@ struct Enclosure {
 
 /// What a linear form takes an enclosure to: enclosures with disjoint intervals are disjoint. NaN: there is none.
 struct EnclosureInterval {
-    double low = std::numeric_limits<double>::quiet_NaN(), high = low;
+    double low = std::numeric_limits<double>::quiet_NaN();  ///< lower end
+    double high = low;                                      ///< upper end
 };
 
 /// A linear form of the coordinates of enclosures, the same each time for as many unknowns.
 class EnclosureForm {
 public:
-    explicit EnclosureForm(int unknowns);
+    explicit EnclosureForm(int unknowns);  ///< for this number of unknowns
 
+    /// The interval of one enclosure, with the rounding errors of the sum in it.
     EnclosureInterval operator()(const Enclosure<double>& e) const {
         Sum<double> sum;
         for (int u = 0; u < e.unknowns.size(); ++u) {

@@ -18,23 +18,26 @@
 
 namespace equilibria {
 
+/// Midpoints are exact.
+/// \{
 template <>
 inline constexpr bool exact_cancellation<ExactBall> = true;
 template <int N>
 inline constexpr bool exact_cancellation<Dual<ExactBall, N>> = true;
+/// \}
 
 /// One term of an equation over exact numbers.
 template <class M>
 struct ExactTerm {
-    int equation;
-    Monomial<n_angles<M>, n_coordinates<M>> monomial;
-    ExactBall coefficient;
+    int equation;                                      ///< from 0
+    Monomial<n_angles<M>, n_coordinates<M>> monomial;  ///< product of factors, one an unknown
+    ExactBall coefficient;                             ///< with its radius, 0 at parameters that are numbers
 };
 
 /// All terms of all equations, by equation; those that cancel are absent.
 template <class M>
 struct ExactSystem {
-    std::vector<ExactTerm<M>> terms;
+    std::vector<ExactTerm<M>> terms;  ///< by equation
 
     ExactSystem() = default;
     /// From an equation each, polynomials over exact numbers.
@@ -53,6 +56,7 @@ struct ExactSystem {
     static ExactSystem at(const Parameters<M, ExactBall>& p) {
         return ExactSystem(detail::equations_at_run_time<M, ExactBall>(p));
     }
+    /// At numbers; throws InvalidArgument for those that are not finite as well.
     static ExactSystem at(const Parameters<M>& p) {
         require_finite(p, "parameters");
         Parameters<M, ExactBall> exact;
@@ -79,17 +83,22 @@ struct ExactSystem {
 
 /// The terms of an exact system as data, whatever the model: what the proofs compute with.
 struct ExactTerms {
+    /// A factor of a term.
     struct Factor {
-        int unknown, code;  ///< see Monomial: cos k, sin k (code -k), or x^k
+        int unknown;  ///< number of the unknown
+        int code;     ///< see Monomial: cos k, sin k (code -k), or x^k
     };
+    /// One term of an equation.
     struct Term {
-        int equation, first, last;  ///< its factors
-        ExactBall coefficient;
+        int equation;           ///< from 0
+        int first;              ///< its first factor in `factors`
+        int last;               ///< past its last factor
+        ExactBall coefficient;  ///< with its radius
     };
-    RuntimeSizes sizes;
-    bool symmetric = false;  ///< the equations are the gradient of a potential
-    std::vector<Term> terms;
-    std::vector<Factor> factors;
+    RuntimeSizes sizes;           ///< numbers of angles and coordinates
+    bool symmetric = false;       ///< the equations are the gradient of a potential
+    std::vector<Term> terms;      ///< of all equations, by equation
+    std::vector<Factor> factors;  ///< of all terms, one term's after the other's
 
     /// Total degree of each equation in (cos, sin) and the coordinates; 0 of one that vanishes.
     std::vector<int> degrees() const {
@@ -113,6 +122,7 @@ struct ExactTerms {
     }
 
     ExactTerms() = default;
+    /// Of a model's system; it is symmetric where the model has a potential.
     template <class M>
     ExactTerms(const ExactSystem<M>& system) : sizes(Sizes<M>()), symmetric(PotentialModel<M>) {
         for (const auto& t : system.terms) {
@@ -188,12 +198,14 @@ struct ExactSystems {
     }
 };
 
-/// Those as data, whatever the model.
+/// The members of ExactSystems as data, whatever the model.
 struct ExactTermFamily {
-    ExactTerms center, all;              ///< as of ExactSystems
+    ExactTerms center;                   ///< the system at the middle of the intervals
+    ExactTerms all;                      ///< the system for all values at once
     std::vector<ExactTerms> derivative;  ///< by each varied parameter
-    std::vector<double> half_width;
+    std::vector<double> half_width;      ///< of each interval, from the middle
 
+    /// A copy as data.
     template <class M, int N>
     ExactTermFamily(const ExactSystems<M, N>& systems)
         : center(systems.center), all(systems.all), half_width(systems.half_width.begin(), systems.half_width.end()) {

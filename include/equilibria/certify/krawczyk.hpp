@@ -21,20 +21,23 @@ namespace equilibria {
 /// The outcome for one lane of points.
 template <class R>
 struct KrawczykResult {
-    using Mask = typename LaneTraits<R>::Mask;
-    using Numbers = SizedArray<R, at_run_time>;
-    using Matrix = RuntimeMatrix<Complex<R>>;
+    using Mask = typename LaneTraits<R>::Mask;   ///< a truth value a lane
+    using Numbers = SizedArray<R, at_run_time>;  ///< one an unknown
+    using Matrix = RuntimeMatrix<Complex<R>>;    ///< n x n
 
-    Mask proved{};
+    Mask proved{};           ///< whether exactly one root lies in the polydisc
     Numbers radius;          ///< |root - point| of each unknown, angles in radians; meaningful where proved
     Numbers weight;          ///< radii of the polydisc of e in which the root is alone: E weight < weight
     RuntimePoint<R> center;  ///< of the enclosure of (c, s, x)
     Numbers off;             ///< radius of the enclosures of c_u and s_u, or of x_u, around `center`
     // for proofs about the Jacobians over the polydisc
-    Matrix jacobian, inverse, basis;  ///< J at the point, Y, and B: displacements are B e
-    RuntimeMatrix<R> contraction;     ///< E >= |1 - Y J B| over the polydisc of e
+    Matrix jacobian;               ///< J at the point
+    Matrix inverse;                ///< Y, close to (J B)^-1
+    Matrix basis;                  ///< B, n x n: displacements are B e; 1 but for krawczyk_systems.hpp
+    RuntimeMatrix<R> contraction;  ///< E >= |1 - Y J B| over the polydisc of e
 
     KrawczykResult() = default;
+    /// Room for these sizes; nothing is proved.
     explicit KrawczykResult(const RuntimeSizes& sizes)
         : radius(sizes.unknowns), weight(sizes.unknowns), center(point_of_zeros<RuntimeUnknowns, R>(sizes)),
           off(sizes.unknowns), jacobian(sizes.unknowns), inverse(sizes.unknowns), basis(sizes.unknowns),
@@ -109,8 +112,9 @@ void enclose(const RuntimeSizes& sizes, const FactorBalls<R>& wide, KrawczykResu
 template <class R>
 class KrawczykTest {
 public:
-    using S = typename LaneTraits<R>::Scalar;
+    using S = typename LaneTraits<R>::Scalar;  ///< the type of one lane
 
+    /// The system is not copied.
     explicit KrawczykTest(const BallSystem<S>& system)
         : system_(&system), n_(system.sizes.unknowns), at_(system), wide_(system), out_(system.sizes), lu_(n_), f_(n_),
           j_(n_), size_y_(n_), e_(n_), newton_(n_), r_(n_), reach_(n_) {
@@ -160,7 +164,7 @@ public:
         detail::enclose(system_->sizes, wide_, out_);
         return out_;
     }
-    KrawczykResult<R> result() && { return std::move(out_); }
+    KrawczykResult<R> result() && { return std::move(out_); }  ///< that of the last call, moved out
 
 private:
     using Mask = typename LaneTraits<R>::Mask;

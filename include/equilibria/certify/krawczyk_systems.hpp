@@ -23,10 +23,12 @@ namespace equilibria {
 /// Systems at all parameters in intervals, over S; see ExactSystems.
 template <class S>
 struct BallSystems {
-    BallSystem<S> center, all;
-    std::vector<BallSystem<S>> derivative;
-    std::vector<S> half_width;
+    BallSystem<S> center;                   ///< the system at the middle of the intervals
+    BallSystem<S> all;                      ///< the system for all values at once
+    std::vector<BallSystem<S>> derivative;  ///< by each varied parameter, for all values at once
+    std::vector<S> half_width;              ///< of each interval, from the middle
 
+    /// The same systems with coefficients over S, enclosed.
     explicit BallSystems(const ExactTermFamily& exact) : center(exact.center), all(exact.all) {
         // one table of factors serves them all
         auto highest = all.highest;
@@ -80,8 +82,9 @@ void multiply(int n, const auto& a, const auto& b, auto& y) {
 template <class R>
 class KrawczykSystemsTest {
 public:
-    using S = typename LaneTraits<R>::Scalar;
+    using S = typename LaneTraits<R>::Scalar;  ///< the type of one lane
 
+    /// The systems are not copied.
     explicit KrawczykSystemsTest(const BallSystems<S>& systems)
         : systems_(systems), n_(systems.all.sizes.unknowns), varied_(systems.varied()), at_(systems.center),
           wide_(systems.center), out_(systems.center.sizes), lu_(n_), y_(n_), middle_(n_), j_(n_), jb_(n_), f_(n_),
@@ -123,7 +126,7 @@ public:
         detail::enclose(systems_.center.sizes, wide_, out_);
         return out_;
     }
-    KrawczykResult<R> result() && { return std::move(out_); }
+    KrawczykResult<R> result() && { return std::move(out_); }  ///< that of the last call, moved out
 
 private:
     using Mask = typename LaneTraits<R>::Mask;

@@ -16,8 +16,9 @@
 
 namespace equilibria {
 
+/// A bound of the number of isolated complex roots, and which theorem it is.
 struct ProvedBound {
-    std::uint64_t value;
+    std::uint64_t value;  ///< the bound
     std::string name;     ///< of the theorem's number
     std::string theorem;  ///< that it is a bound
 };
@@ -37,6 +38,7 @@ inline std::optional<ProvedBound> total_degree_bound(const ExactTerms& system) {
     return ProvedBound{static_cast<std::uint64_t>(bound.value), "total degree", "Bezout's"};
 }
 
+/// Of a model's system.
 template <Model M>
 std::optional<ProvedBound> total_degree_bound(const ExactSystem<M>& system) {
     return total_degree_bound(ExactTerms(system));

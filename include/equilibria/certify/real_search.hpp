@@ -25,10 +25,11 @@ namespace equilibria {
 
 /// All real angles with |theta_u - center_u| <= radius_u, in radians and up to whole turns.
 struct AngleBox {
-    RuntimeArray<double> center, radius;
+    RuntimeArray<double> center;  ///< of each angle
+    RuntimeArray<double> radius;  ///< of each angle, not negative
 
     AngleBox() = default;
-    explicit AngleBox(int n) : center(n), radius(n) {}
+    explicit AngleBox(int n) : center(n), radius(n) {}  ///< room for n angles, all 0
 
     /// That of the root which lane k of a test with real = true proves, for all parameters of the test.
     template <class M, class R>

@@ -17,9 +17,9 @@ namespace equilibria {
 /// A root in decimal digits.
 template <class M>
 struct RefinedRoot {
-    int digits = 0;                     ///< after the decimal point
-    UnknownArray<M, std::string> real;  ///< angles in radians, then coordinates
-    UnknownArray<M, std::string> imaginary;
+    int digits = 0;                          ///< after the decimal point
+    UnknownArray<M, std::string> real;       ///< angles in radians, then coordinates
+    UnknownArray<M, std::string> imaginary;  ///< as `real`, of the imaginary parts
     bool proved = false;       ///< exactly one root lies within 10^-digits of these numbers, in every unknown
     bool proved_real = false;  ///< and it is real; the imaginary parts are 0 then
     std::string error;         ///< a bound of the distance of any unknown, in digits of its own; empty if not proved

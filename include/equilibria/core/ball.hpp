@@ -46,18 +46,21 @@ R magnitude_bound(const Complex<R>& z) {
 template <class R>
 struct BallFactor;
 
+/// All z with |z - mid| <= rad, a ball in each lane.
 template <class R>
 struct Ball {
-    Complex<R> mid;
-    R rad;
+    Complex<R> mid;  ///< midpoint
+    R rad;           ///< radius, not negative; infinite where nothing is known
 
     constexpr Ball() = default;
-    Ball(const Complex<R>& z) : mid(z), rad(R{} + 0.0) {}
-    Ball(const Complex<R>& z, const R& radius) : mid(z), rad(radius) {}
+    Ball(const Complex<R>& z) : mid(z), rad(R{} + 0.0) {}                ///< the point z alone
+    Ball(const Complex<R>& z, const R& radius) : mid(z), rad(radius) {}  ///< both parts as given
 
     /// Not below |z| for any member z.
     friend R magnitude_bound(const Ball& a) { return rounded_up<R>(magnitude_bound(a.mid) + a.rad); }
 
+    /// Contains the exact result for any members of the operands.
+    /// \{
     friend Ball operator-(const Ball& a) { return {-a.mid, a.rad}; }
     friend Ball operator+(const Ball& a, const Ball& b) {
         const Complex<R> sum = a.mid + b.mid;
@@ -74,6 +77,7 @@ struct Ball {
         return {product, rounded_up<R>(size * a.rad + rounding_unit<R> * magnitude_bound(product))};
     }
     Ball& operator+=(const Ball& b) { return *this = *this + b; }
+    /// \}
 
     /// 1 / z; an infinite radius where 0 may be a member.
     friend Ball inverse(const Ball& a) {
@@ -93,10 +97,12 @@ struct Ball {
 /// A ball that many others are multiplied by, with what each product takes of it.
 template <class R>
 struct BallFactor {
-    Complex<R> mid;
-    R error, reach;  ///< rad and the rounding of a product, as a share of the other's size; |mid| + rad
+    Complex<R> mid;  ///< that of the ball
+    R error;         ///< rad and the rounding of a product, as a share of the other's size
+    R reach;         ///< bound of |mid| + rad
 
     BallFactor() = default;
+    /// Of the ball b.
     BallFactor(const Ball<R>& b) : mid(b.mid) {
         const R size = magnitude_bound(b.mid);
         error = b.rad + 2 * rounding_unit<R> * size;

@@ -9,7 +9,9 @@
 #pragma once
 
 #ifdef EQUILIBRIA_COMPILED
+/// What a definition that is no template begins with: `inline` in header-only use, nothing in the library's own units.
 #define EQUILIBRIA_INLINE
+/// The name of the symbol that tells the kinds of units apart; for this header alone.
 #define EQUILIBRIA_KIND_OF_UNIT "this_unit_uses_equilibria_compiled_but_another_one_is_header_only"
 #else
 #define EQUILIBRIA_INLINE inline

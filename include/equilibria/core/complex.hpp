@@ -11,19 +11,24 @@
 
 namespace equilibria {
 
+/// re + i im over the real type R; uninitialised by default where R is.
 template <class R>
 struct Complex {
-    using Real = R;
-    R re, im;
+    using Real = R;  ///< of the parts: a floating-point type or a pack of lanes
+    R re;            ///< real part
+    R im;            ///< imaginary part
 
     constexpr Complex() = default;
-    constexpr Complex(const R& real, const R& imaginary) : re(real), im(imaginary) {}
+    constexpr Complex(const R& real, const R& imaginary) : re(real), im(imaginary) {}  ///< from both parts
     /// A real constant, in every lane.
     constexpr Complex(double real) : re(broadcast<R>(real)), im(broadcast<R>(0.0)) {}
+    /// A real number, which is not converted unasked.
     template <class A>
     requires(std::is_same_v<A, R> && !std::is_same_v<A, double>)
     constexpr explicit Complex(const A& real) : re(real), im(broadcast<R>(0.0)) {}
 
+    /// Arithmetic of the field, and with real numbers; no guards against overflow.
+    /// \{
     friend constexpr Complex operator+(const Complex& a, const Complex& b) { return {a.re + b.re, a.im + b.im}; }
     friend constexpr Complex operator-(const Complex& a, const Complex& b) { return {a.re - b.re, a.im - b.im}; }
     friend constexpr Complex operator-(const Complex& a) { return {-a.re, -a.im}; }
@@ -43,6 +48,7 @@ struct Complex {
     constexpr Complex& operator-=(const Complex& b) { return *this = *this - b; }
     constexpr Complex& operator*=(const Complex& b) { return *this = *this * b; }
     constexpr Complex& operator*=(const R& b) { return *this = b * *this; }
+    /// \}
 
     /// 1 / a, without guards against overflow: the values of a path are scaled, and a bad quotient is a failed step.
     friend constexpr Complex inverse(const Complex& a) {
@@ -61,7 +67,7 @@ struct Complex {
     }
     /// |a|^2
     friend constexpr R norm2(const Complex& a) { return a.re * a.re + a.im * a.im; }
-    friend constexpr Complex conj(const Complex& a) { return {a.re, -a.im}; }
+    friend constexpr Complex conj(const Complex& a) { return {a.re, -a.im}; }  ///< conjugate
     /// a^k, for an integer k of any arithmetic type: what a trigonometric polynomial needs.
     template <class A>
     requires std::is_arithmetic_v<A>
@@ -74,7 +80,8 @@ struct Complex {
     }
 };
 
-/// double factors for packs of lanes and for multiprecision: 2.0 * z.
+/// double factors and summands for packs of lanes and for multiprecision: 2.0 * z.
+/// \{
 template <class R>
 requires(!std::is_same_v<R, double>)
 constexpr Complex<R> operator*(double a, const Complex<R>& b) {
@@ -115,6 +122,7 @@ requires(!std::is_same_v<R, double>)
 constexpr Complex<R> operator/(double a, const Complex<R>& b) {
     return a * inverse(b);
 }
+/// \}
 
 /// The same complex number in every lane.
 template <class R, class A = double>
@@ -128,11 +136,13 @@ template <class R>
 std::complex<double> lane(const Complex<R>& z, int k) {
     return {static_cast<double>(lane(z.re, k)), static_cast<double>(lane(z.im, k))};
 }
+/// Writes lane k, rounded to the lane's type.
 template <class R>
 void set_lane(Complex<R>& z, int k, const std::complex<double>& value) {
     set_lane(z.re, k, static_cast<typename LaneTraits<R>::Scalar>(value.real()));
     set_lane(z.im, k, static_cast<typename LaneTraits<R>::Scalar>(value.imag()));
 }
+/// Lane by lane, a where the mask is set and b elsewhere.
 template <class M, class R>
 Complex<R> select(const M& mask, const Complex<R>& a, const Complex<R>& b) {
     return {select(mask, a.re, b.re), select(mask, a.im, b.im)};

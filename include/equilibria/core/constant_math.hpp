@@ -11,8 +11,9 @@
 
 namespace equilibria::constant_math {
 
-constexpr double abs(double x) { return x < 0 ? -x : x; }
+constexpr double abs(double x) { return x < 0 ? -x : x; }  ///< |x|, in constant expressions as at run time
 
+/// Square root by Heron's iteration, after scaling to [1, 4).
 constexpr double sqrt(double x) {
     if (!std::is_constant_evaluated()) return std::sqrt(x);
     if (x == 0) return 0;
@@ -25,6 +26,7 @@ constexpr double sqrt(double x) {
     return scale * r;
 }
 
+/// e^x by its series, after halving x.
 constexpr double exp(double x) {
     if (!std::is_constant_evaluated()) return std::exp(x);
     int halvings = 0;
@@ -35,6 +37,7 @@ constexpr double exp(double x) {
     return sum;
 }
 
+/// Natural logarithm; that of 0 does not compile in a constant expression.
 constexpr double log(double x) {
     if (!std::is_constant_evaluated()) return std::log(x);
     if (x == 0) throw "equilibria: log of 0 at the generic parameters";
@@ -55,6 +58,7 @@ constexpr double reduced(double x) {  // to [-pi, pi]
 }
 }  // namespace detail
 
+/// Of an angle in radians.
 constexpr double sin(double x) {
     if (!std::is_constant_evaluated()) return std::sin(x);
     x = detail::reduced(x);
@@ -63,6 +67,7 @@ constexpr double sin(double x) {
     return sum;
 }
 
+/// Of an angle in radians.
 constexpr double cos(double x) {
     if (!std::is_constant_evaluated()) return std::cos(x);
     x = detail::reduced(x);
@@ -78,6 +83,7 @@ constexpr double pow(double x, double y) {
 }
 
 /// Of other scalars: what their own library has. (Without these, a long double would become a double.)
+/// \{
 template <class S>
 requires(!std::is_integral_v<S>)
 auto sqrt(const S& x) {
@@ -114,5 +120,6 @@ auto pow(const S& x, double y) {
     using std::pow;
     return pow(x, y);
 }
+/// \}
 
 }  // namespace equilibria::constant_math

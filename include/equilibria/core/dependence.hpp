@@ -14,10 +14,12 @@
 
 namespace equilibria {
 
+/// The set of independent variables that went into a number; it is computed with as a number is.
 class Dependence {
 public:
     /// A constant.
     Dependence() = default;
+    /// Any number: a constant.
     template <class A>
     requires std::is_arithmetic_v<A>
     Dependence(A) {}
@@ -32,6 +34,8 @@ public:
     /// The numbers of the variables, in ascending order.
     const std::vector<int>& on() const { return on_; }
 
+    /// The union of the operands' sets, whatever the operation.
+    /// \{
     Dependence& operator+=(const Dependence& b) {
         if (std::includes(on_.begin(), on_.end(), b.on_.begin(), b.on_.end())) return *this;
         std::vector<int> both(on_.size() + b.on_.size());
@@ -60,6 +64,7 @@ public:
     friend Dependence pow(Dependence a, A) {
         return a;
     }
+    /// \}
 
 private:
     std::vector<int> on_;

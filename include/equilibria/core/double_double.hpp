@@ -32,8 +32,8 @@ public:
     /// Of two doubles whose sum rounds to the first.
     constexpr DoubleDouble(double high, double low) : high_(high), low_(low) {}
 
-    constexpr double high() const { return high_; }
-    constexpr double low() const { return low_; }
+    constexpr double high() const { return high_; }  ///< the sum rounded to a double
+    constexpr double low() const { return low_; }    ///< what the rounding to high() leaves
     /// Rounded to nearest.
     template <class A>
     requires std::is_arithmetic_v<A>
@@ -41,7 +41,9 @@ public:
         return static_cast<A>(high_);
     }
 
-    using Self = DoubleDouble;
+    using Self = DoubleDouble;  ///< short for the operators below
+    /// Arithmetic, with the errors given above.
+    /// \{
     friend Self operator+(const Self& a, const Self& b) {
         const Self s = sum(a.high_, b.high_), t = sum(a.low_, b.low_);
         const Self v = ordered_sum(s.high_, s.low_ + t.high_);
@@ -64,7 +66,10 @@ public:
     Self& operator-=(const Self& b) { return *this = *this - b; }
     Self& operator*=(const Self& b) { return *this = *this * b; }
     Self& operator/=(const Self& b) { return *this = *this / b; }
+    /// \}
 
+    /// Order of the values; all false of a NaN.
+    /// \{
     friend bool operator<(const Self& a, const Self& b) {
         return a.high_ < b.high_ || (a.high_ == b.high_ && a.low_ < b.low_);
     }
@@ -72,13 +77,16 @@ public:
     friend bool operator>(const Self& a, const Self& b) { return b < a; }
     friend bool operator<=(const Self& a, const Self& b) { return a < b || a == b; }
     friend bool operator>=(const Self& a, const Self& b) { return b <= a; }
+    /// \}
 
-    friend Self abs(const Self& a) { return a.high_ < 0 ? -a : a; }
+    friend Self abs(const Self& a) { return a.high_ < 0 ? -a : a; }  ///< |a|, exactly
+    /// Of a number that is not positive what std::sqrt gives: 0, or a NaN.
     friend Self sqrt(const Self& a) {
         if (!(a.high_ > 0)) return std::sqrt(a.high_);
         const double root = std::sqrt(a.high_);
         return ordered_sum(root, (a - product(root, root)).high_ / (2 * root));
     }
+    /// Whether neither part is infinite or a NaN.
     friend bool isfinite(const Self& a) { return std::isfinite(a.high_) && std::isfinite(a.low_); }
 
 private:
@@ -114,6 +122,7 @@ private:
 
 }  // namespace equilibria
 
+/// \cond
 /// As of a floating-point type; epsilon is a bound of the relative error of any of the operations above.
 template <>
 class std::numeric_limits<equilibria::DoubleDouble> : public std::numeric_limits<double> {
@@ -131,3 +140,4 @@ public:
     static constexpr Self infinity() { return Base::infinity(); }
     static constexpr Self quiet_NaN() { return Base::quiet_NaN(); }
 };
+/// \endcond

@@ -22,16 +22,20 @@ constexpr auto plain(A a) {
 }
 }  // namespace detail
 
+/// A value and its derivatives along N directions, over the scalar T.
 template <class T, int N>
 struct Dual {
-    T value{};
-    Array<T, N> derivative{};
+    T value{};                 ///< of the function at the point
+    Array<T, N> derivative{};  ///< along each direction; of a variable number k, entry k is 1
 
     constexpr Dual() = default;
+    /// A constant: all derivatives are 0.
+    /// \{
     constexpr Dual(const T& v) : value(v) {}
     template <class A>
     requires(std::is_arithmetic_v<A> && !std::is_same_v<A, T>)
     constexpr Dual(A v) : value(static_cast<T>(detail::plain(v))) {}
+    /// \}
 
     /// The independent variable number k.
     static constexpr Dual variable(const T& v, int k) {
@@ -48,11 +52,14 @@ struct Dual {
         return y;
     }
 
+    /// Whether the values and all derivatives agree.
     friend constexpr bool operator==(const Dual& a, const Dual& b) {
         for (int k = 0; k < N; ++k)
             if (!(a.derivative[k] == b.derivative[k])) return false;
         return a.value == b.value;
     }
+    /// Arithmetic, exact to first order.
+    /// \{
     friend constexpr Dual operator-(const Dual& a) { return a.chain(-a.value, -1.0); }
     friend constexpr Dual operator+(const Dual& a, const Dual& b) {
         Dual y(a.value + b.value);
@@ -106,7 +113,10 @@ struct Dual {
     }
     constexpr Dual& operator*=(const Dual& b) { return *this = *this * b; }
     constexpr Dual& operator/=(const Dual& b) { return *this = *this / b; }
+    /// \}
 
+    /// Elementary functions by the chain rule, from those of T; the integer powers by repeated products.
+    /// \{
     friend constexpr Dual sin(const Dual& a) {
         using std::cos, std::sin;
         return a.chain(sin(a.value), cos(a.value));
@@ -150,6 +160,7 @@ struct Dual {
         using std::pow;
         return a.chain(pow(a.value, power), detail::plain(power) * pow(a.value, power - 1));
     }
+    /// \}
 };
 
 }  // namespace equilibria

@@ -10,6 +10,8 @@
 
 namespace equilibria {
 
+/// A copy of the entries.
+/// \{
 inline Eigen::VectorXd eigen_vector(const RuntimeArray<double>& a) {
     return Eigen::Map<const Eigen::VectorXd>(a.begin(), a.size());
 }
@@ -24,6 +26,7 @@ inline RuntimeArray<double> runtime_array(const Eigen::VectorXd& v) {
     std::copy(v.begin(), v.end(), y.begin());
     return y;
 }
+/// \}
 /// Of a square matrix.
 inline RuntimeMatrix<double> runtime_matrix(const Eigen::MatrixXd& a) {
     RuntimeMatrix<double> y(static_cast<int>(a.rows()));

@@ -18,6 +18,7 @@ namespace equilibria {
 /// A broken precondition. `what()` reads "<argument> = <value>: <what is allowed>".
 class InvalidArgument : public std::invalid_argument {
 public:
+    /// The three parts of `what()`.
     InvalidArgument(std::string_view argument, std::string_view value, std::string_view allowed);
 };
 
@@ -56,6 +57,7 @@ void require(bool holds, std::string_view argument, const T& value, std::string_
 
 /// Throws InvalidArgument unless every entry of `values` is finite; names the entry as argument[k].
 void require_finite(std::span<const double> values, std::string_view argument);
+/// Of entries of another type: float, multiprecision or whatever else has an isfinite.
 template <class Range>
 requires(!std::is_convertible_v<const Range&, std::span<const double>>)
 void require_finite(const Range& values, std::string_view argument) {

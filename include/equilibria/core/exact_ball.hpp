@@ -51,11 +51,14 @@ public:
         }
     }
 
-    bool is_zero() const { return mantissa_.is_zero(); }
+    bool is_zero() const { return mantissa_.is_zero(); }  ///< whether the value is 0
+    /// Whether the values are the same, however they are written.
     friend bool operator==(const Dyadic& a, const Dyadic& b) {
         if (a.is_zero() || b.is_zero()) return a.is_zero() && b.is_zero();
         return (a - b).is_zero();
     }
+    /// Exact.
+    /// \{
     friend Dyadic operator-(Dyadic a) {
         a.mantissa_ = -a.mantissa_;
         return a;
@@ -75,6 +78,7 @@ public:
         y.exponent_ = y.is_zero() ? 0 : a.exponent_ + b.exponent_;
         return y;
     }
+    /// \}
 
     /// The value in the floating-point type S, wrong by a few units in the last place at the most.
     template <class S>
@@ -95,21 +99,25 @@ private:
 class ExactBall {
 public:
     ExactBall() = default;
+    /// Exactly this number.
     template <class A>
     requires std::is_arithmetic_v<A>
     ExactBall(A value) : mid_(value) {}
-    ExactBall(const Dyadic& mid, double rad) : mid_(mid), rad_(rad) {}
+    ExactBall(const Dyadic& mid, double rad) : mid_(mid), rad_(rad) {}  ///< all within rad >= 0 of mid
     /// All numbers from low to high.
     static ExactBall between(double low, double high) {
         const Dyadic a(low), b(high), half(0.5);
         return {half * (a + b), rounded_up((half * (b - a)).to<double>())};
     }
 
-    const Dyadic& mid() const { return mid_; }
-    double rad() const { return rad_; }
-    bool exact() const { return rad_ == 0; }
+    const Dyadic& mid() const { return mid_; }  ///< exact midpoint
+    double rad() const { return rad_; }         ///< radius, not negative; rounded up
+    bool exact() const { return rad_ == 0; }    ///< whether there is one member alone
 
+    /// Whether midpoint and radius agree.
     friend bool operator==(const ExactBall& a, const ExactBall& b) { return a.mid_ == b.mid_ && a.rad_ == b.rad_; }
+    /// Contains the result for any members of the operands; exact where they are.
+    /// \{
     friend ExactBall operator-(const ExactBall& a) { return {-a.mid_, a.rad_}; }
     friend ExactBall operator+(const ExactBall& a, const ExactBall& b) {
         return {a.mid_ + b.mid_, a.exact() && b.exact() ? 0 : rounded_up(a.rad_ + b.rad_)};
@@ -120,6 +128,7 @@ public:
         return {a.mid_ * b.mid_, rounded_up(a.size() * b.rad_ + a.rad_ * (b.size() + b.rad_))};
     }
 
+    /// \}
     // Templates, so that a program without the compiled library pays only for the functions that its models call.
 
     /// Throws InvalidArgument where the divisor may be 0.
@@ -128,6 +137,9 @@ public:
     friend ExactBall operator/(const A& a, const B& b) {
         return ExactBall(a) * inverse(ExactBall(b));
     }
+    /// Enclosed to 100 digits. Throws InvalidArgument where the result is not finite, and where the argument of a root
+    /// or logarithm may not be positive (but for sqrt(0) = 0).
+    /// \{
     template <std::same_as<ExactBall> B>
     friend ExactBall sqrt(const B& a);
     template <std::same_as<ExactBall> B>
@@ -138,6 +150,7 @@ public:
     friend ExactBall sin(const B& a);
     template <std::same_as<ExactBall> B>
     friend ExactBall cos(const B& a);
+    /// \}
     /// a^y for a > 0.
     template <std::same_as<ExactBall> B>
     friend ExactBall pow(const B& a, double y) {

@@ -20,15 +20,18 @@ namespace equilibria {
 template <class S>
 class Jet {
 public:
-    static constexpr int highest = 7;     ///< order
-    static constexpr int directions = 4;  ///< of the derivatives
-    using Series = Taylor<Dual<S, directions>, highest>;
+    static constexpr int highest = 7;                     ///< order
+    static constexpr int directions = 4;                  ///< of the derivatives
+    using Series = Taylor<Dual<S, directions>, highest>;  ///< the same, with every order and direction there
 
     Jet() : Jet(S(0.0)) {}
+    /// A constant, of order 0.
+    /// \{
     Jet(const S& constant) { value_[0] = constant; }
     template <class A>
     requires(std::is_arithmetic_v<A> && !std::is_same_v<A, S>)
     Jet(A constant) : Jet(static_cast<S>(detail::plain(constant))) {}
+    /// \}
     /// value + slope t, to this order.
     static Jet variable(const S& value, const S& slope, int order) {
         Jet y(order, false);
@@ -37,6 +40,8 @@ public:
         if (order > 0) y.value_[1] = slope;
         return y;
     }
+    /// Copies what there is up to the order.
+    /// \{
     Jet(const Jet& a) { *this = a; }
     Jet& operator=(const Jet& a) {
         order_ = a.order_;
@@ -46,12 +51,14 @@ public:
         return *this;
     }
 
-    int order() const { return order_; }
+    /// \}
+    int order() const { return order_; }  ///< highest power that is kept
     /// The coefficient k; 0 above the order.
     S value(int k) const { return k <= order_ ? value_[k] : S(0.0); }
-    void set(int k, const S& value) { value_[k] = value; }
+    void set(int k, const S& value) { value_[k] = value; }  ///< the coefficient k <= order(), without its derivatives
     /// Its derivative along the direction d.
     S slope(int k, int d) const { return moves_ && k <= order_ ? slope_[k][d] : S(0.0); }
+    /// The coefficient k with all its derivatives.
     Dual<S, directions> coefficient(int k) const {
         Dual<S, directions> y(value(k));
         for (int d = 0; d < directions; ++d) y.derivative[d] = slope(k, d);
@@ -67,6 +74,8 @@ public:
         return *this;
     }
 
+    /// Arithmetic, to the higher of the two orders.
+    /// \{
     friend Jet operator+(const Jet& a) { return a; }
     friend Jet operator-(const Jet& a) { return a.scaled(-1.0); }
     friend Jet operator+(const Jet& a, const Jet& b) { return sum(a, b); }
@@ -92,7 +101,10 @@ public:
     Jet& operator-=(const Jet& b) { return *this = *this - b; }
     Jet& operator*=(const Jet& b) { return *this = *this * b; }
     Jet& operator/=(const Jet& b) { return *this = *this / b; }
+    /// \}
 
+    /// Elementary functions, to the same order; log, sqrt and powers that are no integers need value(0) != 0.
+    /// \{
     friend Jet sin(const Jet& a) { return a.of(Function::sine); }
     friend Jet cos(const Jet& a) { return a.of(Function::cosine); }
     friend Jet exp(const Jet& a) { return a.of(Function::exponential); }
@@ -106,6 +118,7 @@ public:
     friend Jet pow(const Jet& a, F power) {
         return a.to_the(static_cast<double>(power));
     }
+    /// \}
 
 private:
     enum class Function { sine, cosine, exponential, logarithm, square_root };

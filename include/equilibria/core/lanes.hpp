@@ -40,10 +40,12 @@ inline constexpr int native_lanes = 2;
 /// which the bare vector extension refuses to do.
 template <int W>
 struct FloatLanes {
-    typedef float Values __attribute__((vector_size(W * 4)));
-    typedef std::int32_t Mask __attribute__((vector_size(W * 4)));
-    Values values;
+    typedef float Values __attribute__((vector_size(W * 4)));       ///< bare pack of the vector extension
+    typedef std::int32_t Mask __attribute__((vector_size(W * 4)));  ///< 0 or -1 a lane, from comparisons
+    Values values;                                                  ///< one a lane
 
+    /// Lane by lane, with scalars rounded to float; comparisons give masks.
+    /// \{
     friend constexpr FloatLanes operator+(const FloatLanes& a, const FloatLanes& b) { return {a.values + b.values}; }
     friend constexpr FloatLanes operator-(const FloatLanes& a, const FloatLanes& b) { return {a.values - b.values}; }
     friend constexpr FloatLanes operator*(const FloatLanes& a, const FloatLanes& b) { return {a.values * b.values}; }
@@ -81,6 +83,8 @@ struct FloatLanes {
     friend constexpr FloatLanes operator/(A a, const FloatLanes& b) {
         return {static_cast<float>(a) / b.values};
     }
+    /// \}
+    /// a where the mask is set, b elsewhere.
     friend constexpr FloatLanes select(const Mask& mask, const FloatLanes& a, const FloatLanes& b) {
         return {mask ? a.values : b.values};
     }
@@ -89,25 +93,28 @@ struct FloatLanes {
 /// What generic code must know about a real type that may be a pack of lanes.
 template <class R>
 struct LaneTraits {
-    static constexpr int width = 1;
-    using Scalar = R;  ///< the type of one lane
-    using Mask = bool;
+    static constexpr int width = 1;  ///< number of lanes
+    using Scalar = R;                ///< the type of one lane
+    using Mask = bool;               ///< what a comparison gives
 };
+/// Of Lanes<W>.
 template <class R>
 requires(!std::is_arithmetic_v<R> && std::is_arithmetic_v<std::remove_reference_t<decltype(std::declval<R&>()[0])>> &&
          std::is_trivially_copyable_v<R> && requires(R a) { a < a ? a : a; })
 struct LaneTraits<R> {
-    static constexpr int width = static_cast<int>(sizeof(R) / sizeof(double));
-    using Scalar = double;
-    using Mask = decltype(R{} < R{});
+    static constexpr int width = static_cast<int>(sizeof(R) / sizeof(double));  ///< number of lanes, W
+    using Scalar = double;                                                      ///< the type of one lane
+    using Mask = decltype(R{} < R{});                                           ///< 0 or -1 a lane
 };
+/// Of FloatLanes<W>.
 template <int W>
 struct LaneTraits<FloatLanes<W>> {
-    static constexpr int width = W;
-    using Scalar = float;
-    using Mask = typename FloatLanes<W>::Mask;
+    static constexpr int width = W;             ///< number of lanes
+    using Scalar = float;                       ///< the type of one lane
+    using Mask = typename FloatLanes<W>::Mask;  ///< 0 or -1 a lane
 };
 
+/// Whether R has more than one lane.
 template <class R>
 inline constexpr bool is_pack = LaneTraits<R>::width > 1;
 
@@ -123,6 +130,7 @@ constexpr R broadcast(const typename LaneTraits<R>::Scalar& value) {
     else
         return value;
 }
+/// A double, rounded to float.
 template <class R>
 requires is_single<R>
 constexpr R broadcast(double value) {
@@ -139,6 +147,7 @@ typename LaneTraits<R>::Scalar lane(const R& pack, int k) {
     else
         return pack;
 }
+/// Writes lane k; a scalar has the one lane 0.
 template <class R>
 void set_lane(R& pack, int k, const typename LaneTraits<R>::Scalar& value) {
     if constexpr (is_pack<R> && is_single<R>)
@@ -155,7 +164,8 @@ R select(const M& mask, const R& a, const R& b) {
     return mask ? a : b;
 }
 
-/// Masks: bool for scalars, else a pack of 0 and -1.
+/// Masks: bool for scalars, else a pack of 0 and -1. Negation and conjunction lane by lane.
+/// \{
 template <class Mask>
 Mask mask_not(const Mask& m) {
     if constexpr (std::is_same_v<Mask, bool>)
@@ -170,6 +180,8 @@ Mask mask_and(const Mask& a, const Mask& b) {
     else
         return a & b;
 }
+/// \}
+/// Whether lane k of the mask is set; of a scalar's, k is ignored.
 template <class Mask>
 bool mask_lane(const Mask& m, int k) {
     if constexpr (std::is_same_v<Mask, bool>)
@@ -177,6 +189,7 @@ bool mask_lane(const Mask& m, int k) {
     else
         return m[k] != 0;
 }
+/// Whether the mask is set in every lane.
 template <class Mask>
 bool all_lanes(const Mask& m) {
     if constexpr (std::is_same_v<Mask, bool>) {
@@ -188,11 +201,14 @@ bool all_lanes(const Mask& m) {
     }
 }
 
+/// Whether the mask is set in no lane.
 template <class Mask>
 bool no_lane(const Mask& m) {
     return all_lanes(mask_not(m));
 }
 
+/// The larger and the smaller one, lane by lane; b where either is a NaN.
+/// \{
 template <class R>
 R lane_max(const R& a, const R& b) {
     return select(a > b, a, b);
@@ -201,7 +217,9 @@ template <class R>
 R lane_min(const R& a, const R& b) {
     return select(a < b, a, b);
 }
+/// \}
 
+/// The root of each lane, with std::sqrt, or with what the scalar's own library has.
 template <class R>
 R square_root(const R& a) {
     if constexpr (is_pack<R>) {

@@ -33,10 +33,11 @@ void with_extent(int n, auto&& work) {
 template <class R>
 class SymmetricFactorization {
 public:
-    using Z = Complex<R>;
+    using Z = Complex<R>;  ///< type of the entries
 
-    explicit SymmetricFactorization(int n) : n_(n), l_(n) {}
+    explicit SymmetricFactorization(int n) : n_(n), l_(n) {}  ///< of n x n matrices
 
+    /// Takes in a[i][j], i <= j; see above for a vanishing pivot.
     void factor(const auto& a) {
         for (int i = 0; i < n_; ++i)
             for (int j = i; j < n_; ++j) l_[i][j] = a[i][j];
@@ -82,11 +83,13 @@ private:
 template <class R>
 class PivotedFactorization {
 public:
-    using Z = Complex<R>;
-    using Mask = typename LaneTraits<R>::Mask;
+    using Z = Complex<R>;                       ///< type of the entries
+    using Mask = typename LaneTraits<R>::Mask;  ///< of the lanes in which two rows are exchanged
 
-    explicit PivotedFactorization(int n) : n_(n), l_(n), exchange_(n), column_(n) {}
+    explicit PivotedFactorization(int n) : n_(n), l_(n), exchange_(n), column_(n) {}  ///< of n x n matrices
 
+    /// Takes in a[i][j] and factorises; each lane exchanges rows of its own. A singular matrix gives infinities or
+    /// NaNs.
     void factor(const auto& a) {
         const int n = n_;
         for (int i = 0; i < n; ++i)
@@ -188,8 +191,9 @@ public:
     RuntimeFactorization(int n, bool symmetric)
         : symmetric_(symmetric), ldl_(symmetric ? n : 0), lu_(symmetric ? 0 : n) {}
 
+    /// Takes in the n x n matrix a; see the two factorisations.
     void factor(const auto& a) { symmetric_ ? ldl_.factor(a) : lu_.factor(a); }
-    void solve(auto& b) const { symmetric_ ? ldl_.solve(b) : lu_.solve(b); }
+    void solve(auto& b) const { symmetric_ ? ldl_.solve(b) : lu_.solve(b); }  ///< overwrites b with the solution
 
 private:
     bool symmetric_;

@@ -12,7 +12,7 @@
 
 namespace equilibria {
 
-using Generator = std::mt19937_64;
+using Generator = std::mt19937_64;  ///< the only source of randomness here; always the caller's
 
 /// Uniform in [0, 1), 53 bits.
 inline double uniform(Generator& generator) { return unit_interval(generator()); }

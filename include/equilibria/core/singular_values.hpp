@@ -19,7 +19,7 @@ namespace equilibria {
 /// A = U diag(sigma) V^H for a matrix of rows x columns, rows >= columns.
 class SingularValues {
 public:
-    using Vector = std::vector<std::complex<double>>;
+    using Vector = std::vector<std::complex<double>>;  ///< a vector, or a matrix column after column
 
     /// a: column after column.
     [[gnu::cold]] SingularValues(int rows, int columns, Vector a)
@@ -39,7 +39,7 @@ public:
                   [&](std::size_t i, std::size_t j) { return std::pair(-values_[i], i) < std::pair(-values_[j], j); });
     }
 
-    int size() const { return static_cast<int>(columns_); }
+    int size() const { return static_cast<int>(columns_); }  ///< number of singular values: of columns
     /// The singular value number k, the largest first.
     double operator[](int k) const { return values_[order_[static_cast<std::size_t>(k)]]; }
     /// The unit right singular vector of value number k.

@@ -72,9 +72,10 @@ auto symmetric_eigenvalues(Matrix a) {
 /// Q with orthonormal columns and values with a = Q diag(values) Q^T, to rounding.
 template <class Matrix>
 struct SymmetricEigen {
-    Matrix vectors;
-    Eigen::Matrix<typename Matrix::Scalar, Matrix::RowsAtCompileTime, 1> values;
+    Matrix vectors;  ///< Q, column k belonging to values(k)
+    Eigen::Matrix<typename Matrix::Scalar, Matrix::RowsAtCompileTime, 1> values;  ///< in no order
 
+    /// Only for symmetric a; at most 50 sweeps.
     explicit SymmetricEigen(Matrix a) : vectors(Matrix::Identity(a.rows(), a.cols())) {
         detail::diagonalize<Matrix>(a, &vectors);
         values = a.diagonal();

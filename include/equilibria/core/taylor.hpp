@@ -21,15 +21,18 @@ template <class T, int Order>
 struct Taylor {
     static_assert(Order >= 0, "equilibria: the order of a power series must not be negative");
 
-    Array<T, Order + 1> coefficient{};
+    Array<T, Order + 1> coefficient{};  ///< of t^k, k = 0..Order
 
     constexpr Taylor() = default;
+    /// A constant.
+    /// \{
     constexpr Taylor(const T& constant) { coefficient[0] = constant; }
     template <class A>
     requires(std::is_arithmetic_v<A> && !std::is_same_v<A, T>)
     constexpr Taylor(A constant) {
         coefficient[0] = static_cast<T>(detail::plain(constant));
     }
+    /// \}
 
     /// value + slope t.
     static constexpr Taylor variable(const T& value, const T& slope = T(1.0)) {
@@ -38,8 +41,11 @@ struct Taylor {
         return y;
     }
 
+    /// All coefficients equal.
     friend constexpr bool operator==(const Taylor& a, const Taylor& b) { return a.coefficient == b.coefficient; }
 
+    /// Arithmetic, truncated after t^Order; division needs b.coefficient[0] != 0.
+    /// \{
     friend constexpr Taylor operator+(const Taylor& a) { return a; }
     friend constexpr Taylor operator-(const Taylor& a) {
         Taylor y;
@@ -99,7 +105,11 @@ struct Taylor {
     constexpr Taylor& operator-=(const Taylor& b) { return *this = *this - b; }
     constexpr Taylor& operator*=(const Taylor& b) { return *this = *this * b; }
     constexpr Taylor& operator/=(const Taylor& b) { return *this = *this / b; }
+    /// \}
 
+    /// Elementary functions of the series; log, sqrt and powers that are no integers need a.coefficient[0] != 0,
+    /// integer powers are repeated products.
+    /// \{
     friend constexpr Taylor sin(const Taylor& a) { return sine_and_cosine(a).sine; }
     friend constexpr Taylor cos(const Taylor& a) { return sine_and_cosine(a).cosine; }
     friend constexpr Taylor exp(const Taylor& a) {
@@ -151,6 +161,7 @@ struct Taylor {
         }
         return y;
     }
+    /// \}
 
 private:
     struct SineAndCosine {

@@ -16,13 +16,16 @@ class LaurentTables {
 public:
     /// z_u^power; power is not 0.
     struct Factor {
-        int unknown, power;
+        int unknown;  ///< number of the unknown
+        int power;    ///< exponent, of either sign
     };
+    /// coefficient * monomial.
     struct Term {
-        int monomial;
-        std::complex<double> coefficient;
+        int monomial;                      ///< its number
+        std::complex<double> coefficient;  ///< complex factor
     };
 
+    /// Without equations yet.
     explicit LaurentTables(int unknowns) : first_term{0}, lowest(at(unknowns)), highest(at(unknowns)) {}
 
     /// The next equation: the exponents and the coefficient of each of its terms.
@@ -31,16 +34,18 @@ public:
         first_term.push_back(static_cast<int>(terms.size()));
     }
 
-    int unknowns() const { return static_cast<int>(lowest.size()); }
+    int unknowns() const { return static_cast<int>(lowest.size()); }  ///< number of unknowns, all angles
+    /// Number of different monomials of all equations.
     int monomials() const { return static_cast<int>(first_factor_.size()) - 1; }
     /// Of a monomial.
     std::span<const Factor> factors_of(int monomial) const {
         return {factors_.data() + first_factor_[at(monomial)], factors_.data() + first_factor_[at(monomial + 1)]};
     }
 
-    std::vector<Term> terms;
-    std::vector<int> first_term;       ///< of each equation, and one past the last
-    std::vector<int> lowest, highest;  ///< power of each unknown, at most 0 and at least 0
+    std::vector<Term> terms;      ///< of all equations, one after the other
+    std::vector<int> first_term;  ///< of each equation, and one past the last
+    std::vector<int> lowest;      ///< lowest power of each unknown, at most 0
+    std::vector<int> highest;     ///< highest one, at least 0
 
 private:
     static std::size_t at(int k) { return static_cast<std::size_t>(k); }

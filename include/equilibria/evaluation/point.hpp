@@ -17,27 +17,36 @@ namespace equilibria {
 /// A point over the real type R, possibly a pack of lanes (a point a lane).
 template <class M, class R>
 struct Point {
-    Array<Complex<R>, n_angles<M>> c, s;
-    Array<Complex<R>, n_coordinates<M>> x;
+    Array<Complex<R>, n_angles<M>> c;       ///< cosine of each angle
+    Array<Complex<R>, n_angles<M>> s;       ///< sine of each angle
+    Array<Complex<R>, n_coordinates<M>> x;  ///< the plain coordinates
 };
+/// Of as many unknowns as are asked for.
 template <class R>
 struct Point<RuntimeUnknowns, R> {
-    SizedArray<Complex<R>, at_run_time> c, s, x;
+    SizedArray<Complex<R>, at_run_time> c;  ///< cosine of each angle
+    SizedArray<Complex<R>, at_run_time> s;  ///< sine of each angle
+    SizedArray<Complex<R>, at_run_time> x;  ///< the plain coordinates
 };
+/// A point whose numbers of unknowns are known at run time.
 template <class R>
 using RuntimePoint = Point<RuntimeUnknowns, R>;
 
 /// The numbers of a point, wherever they lie. Empty: no point.
 struct PointView {
-    std::span<const Complex<double>> c, s, x;
+    std::span<const Complex<double>> c;  ///< cosine of each angle
+    std::span<const Complex<double>> s;  ///< sine of each angle
+    std::span<const Complex<double>> x;  ///< the plain coordinates
 
     PointView() = default;
+    /// Of these numbers, which have to outlive it.
     PointView(std::span<const Complex<double>> cosines, std::span<const Complex<double>> sines,
               std::span<const Complex<double>> coordinates)
         : c(cosines), s(sines), x(coordinates) {}
+    /// Of a point, which has to outlive it.
     PointView(const RuntimePoint<double>& q)
         : c(q.c.begin(), q.c.end()), s(q.s.begin(), q.s.end()), x(q.x.begin(), q.x.end()) {}
-    bool empty() const { return c.empty() && x.empty(); }
+    bool empty() const { return c.empty() && x.empty(); }  ///< whether there is no point
 };
 
 /// A point with the numbers 0.
@@ -72,6 +81,7 @@ template <class R>
 RuntimePoint<R> runtime_point(RuntimePoint<R> q) {
     return q;
 }
+/// A copy.
 template <class M, class R>
 RuntimePoint<R> runtime_point(const Point<M, R>& q) {
     const auto entries = [](const auto& a) {
@@ -178,6 +188,7 @@ void move_roughly(Point<M, R>& q, const auto& d) {
     }
     for (int j = 0; j < q.x.size(); ++j) q.x[j] += d[q.c.size() + j];
 }
+/// q after `move`.
 template <class M, class R>
 Point<M, R> moved(Point<M, R> q, const auto& d) {
     move(q, d);
@@ -204,6 +215,7 @@ void correct(Point<M, R>& q, const auto& d) {
     }
     for (int j = 0; j < q.x.size(); ++j) q.x[j] += d[q.c.size() + j];
 }
+/// q after `correct`.
 template <class M, class R>
 Point<M, R> corrected(Point<M, R> q, const auto& d) {
     correct(q, d);

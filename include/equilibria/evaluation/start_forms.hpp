@@ -13,25 +13,28 @@ namespace equilibria {
 struct StartForms {
     /// coefficient * the factor with this code of the equation's own unknown.
     struct Term {
-        int equation, code;
-        std::complex<double> coefficient;
+        int equation;                      ///< equation and unknown, from 0
+        int code;                          ///< see Monomial
+        std::complex<double> coefficient;  ///< gamma included
     };
     /// constant + sum of factor * (cos of the unknown, or the unknown).
     struct LinearForm {
+        /// factor * (cos of the unknown, or the unknown).
         struct Part {
-            int unknown;
-            std::complex<double> factor;
+            int unknown;                  ///< from 0
+            std::complex<double> factor;  ///< random complex number
         };
-        std::complex<double> constant;
-        std::vector<Part> parts;
+        std::complex<double> constant;  ///< the value where all cosines and coordinates are 0
+        std::vector<Part> parts;        ///< one an unknown of its group
     };
+    /// weight * product of linear forms.
     struct Product {
-        int equation;
-        std::complex<double> weight;  ///< gamma included
-        std::vector<LinearForm> forms;
+        int equation;                   ///< from 0; one product an equation at most
+        std::complex<double> weight;    ///< gamma included
+        std::vector<LinearForm> forms;  ///< as many as the degree of the equation
     };
-    std::vector<Term> terms;
-    std::vector<Product> products;
+    std::vector<Term> terms;        ///< of all equations
+    std::vector<Product> products;  ///< of all equations that have one
 };
 
 }  // namespace equilibria

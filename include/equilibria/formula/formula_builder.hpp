@@ -23,49 +23,60 @@ enum class FormulaKind {
 
 /// A formula of a builder: a step, or a combination of angles.
 struct Formula {
-    FormulaKind kind = FormulaKind::constant;
-    int step = -1;
-    AngleCombination angle;
+    FormulaKind kind = FormulaKind::constant;  ///< what it may be used for
+    int step = -1;                             ///< number of its step; -1 of an angle
+    AngleCombination angle;                    ///< of a formula that is an angle
 };
 
 /// Makes formulas of the unknowns and the parameters of one model. Each function throws InvalidArgument where the rule
 /// of its operation is broken.
 class FormulaBuilder {
 public:
+    /// Numbers of the model's unknowns and parameters.
     FormulaBuilder(int angles, int coordinates, int parameters)
         : angles_(angles), coordinates_(coordinates), parameters_(parameters) {}
 
-    int angles() const { return angles_; }
-    int coordinates() const { return coordinates_; }
-    int parameters() const { return parameters_; }
+    int angles() const { return angles_; }            ///< number of unknown angles
+    int coordinates() const { return coordinates_; }  ///< number of plain unknowns
+    int parameters() const { return parameters_; }    ///< number of parameters
 
-    Formula number(double value);
-    Formula parameter(int k);
-    Formula angle(int i) const;
-    Formula coordinate(int j);
+    Formula number(double value);  ///< a constant, which must be finite
+    Formula parameter(int k);      ///< parameter number k
+    Formula angle(int i) const;    ///< unknown angle number i
+    Formula coordinate(int j);     ///< unknown coordinate number j
 
+    /// Of numbers; sums and differences also of angles and constant phases, products and negatives also of an angle and
+    /// an integer. Divisors are of parameters alone.
+    /// \{
     Formula sum(const Formula& a, const Formula& b);
     Formula difference(const Formula& a, const Formula& b);
     Formula product(const Formula& a, const Formula& b);
     Formula quotient(const Formula& a, const Formula& b);
     Formula negative(const Formula& a);
+    /// \}
     /// b must be an integer from 0 to 100 where a has unknowns in it, and of parameters alone elsewhere.
     Formula power(const Formula& a, const Formula& b);
+    /// Of an angle, or of parameters alone; the tangent of parameters alone.
+    /// \{
     Formula sine(const Formula& a);
     Formula cosine(const Formula& a);
     Formula tangent(const Formula& a);
+    /// \}
+    /// Of parameters alone.
+    /// \{
     Formula square_root(const Formula& a);
     Formula exponential(const Formula& a);
     Formula logarithm(const Formula& a);
+    /// \}
     /// Of one of the functions above by its name: sin, cos, tan, sqrt, exp, log.
     Formula function(const std::string& name, const Formula& a);
-    static const std::vector<std::string>& functions();
+    static const std::vector<std::string>& functions();  ///< the names of those functions
 
-    const FormulaSteps& steps() const { return steps_; }
+    const FormulaSteps& steps() const { return steps_; }  ///< what has been made so far
 
-    static constexpr int largest_power = 100;
+    static constexpr int largest_power = 100;     ///< exponent of what has unknowns in it
     static constexpr int largest_multiple = 100;  ///< of an angle
-    static constexpr int most_steps = 1'000'000;
+    static constexpr int most_steps = 1'000'000;  ///< of all formulas of a builder
 
 private:
     bool is_number(const Formula& a) const;

@@ -17,14 +17,18 @@
 
 namespace equilibria {
 
+/// Names, values and steps; formula_model checks them.
 struct FormulaModel {
-    std::string name;
-    std::vector<std::string> angles, coordinates, parameters;  ///< names
-    RuntimeArray<double> values;                               ///< of the parameters
-    bool has_potential = true;
-    std::shared_ptr<const FormulaSteps> steps;
-    std::vector<int> results;  ///< the step of the potential, or one for each equation: angles' first
+    std::string name;                           ///< of the model
+    std::vector<std::string> angles;            ///< names of the unknown angles
+    std::vector<std::string> coordinates;       ///< names of the plain unknowns
+    std::vector<std::string> parameters;        ///< names of the parameters
+    RuntimeArray<double> values;                ///< of the parameters
+    bool has_potential = true;                  ///< one formula is given, a potential, and not equations
+    std::shared_ptr<const FormulaSteps> steps;  ///< shared by all copies
+    std::vector<int> results;                   ///< the step of the potential, or one for each equation: angles' first
 
+    /// Number of angles and coordinates.
     int unknowns() const { return static_cast<int>(angles.size() + coordinates.size()); }
 };
 
@@ -65,6 +69,7 @@ class FormulaPotential : public detail::FormulaModelBase {
 public:
     using FormulaModelBase::FormulaModelBase;
 
+    /// As of a model's function.
     auto potential(const auto& theta, const auto& x, const auto& p) const {
         Scalar<decltype(x)> y;
         steps_->evaluate(theta, x, p, results_, &y);
@@ -76,6 +81,7 @@ class FormulaEquations : public detail::FormulaModelBase {
 public:
     using FormulaModelBase::FormulaModelBase;
 
+    /// As of a model's function; one entry an unknown.
     auto equations(const auto& theta, const auto& x, const auto& p) const {
         LocalArray<Scalar<decltype(x)>> y(static_cast<int>(results_.size()));
         steps_->evaluate(theta, x, p, results_, y.begin());

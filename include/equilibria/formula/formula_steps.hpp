@@ -20,34 +20,35 @@
 
 namespace equilibria {
 
+/// What a step does with earlier steps, or what it takes from outside.
 enum class FormulaOperation {
-    number,
-    parameter,
-    coordinate,
-    sine_of_angle,
-    cosine_of_angle,
-    sum,
-    difference,
-    product,
-    quotient,
-    negative,
-    integer_power,
-    square_root,
-    exponential,
-    logarithm,
-    sine,
-    cosine,
+    number,           ///< a constant
+    parameter,        ///< parameter number a
+    coordinate,       ///< coordinate number a
+    sine_of_angle,    ///< sine of the combination number a
+    cosine_of_angle,  ///< cosine of the combination number a
+    sum,              ///< a + b
+    difference,       ///< a - b
+    product,          ///< a b
+    quotient,         ///< a / b, where b is of parameters alone
+    negative,         ///< -a
+    integer_power,    ///< a^b, b being the exponent
+    square_root,      ///< of parameters alone
+    exponential,      ///< of parameters alone
+    logarithm,        ///< of parameters alone
+    sine,             ///< of parameters alone, in radians
+    cosine,           ///< of parameters alone, in radians
 };
 
+/// One operation, and what it is applied to.
 struct FormulaStep {
-    FormulaOperation operation = FormulaOperation::number;
-    /// Earlier steps; of a parameter, a coordinate or a combination of angles a is its number, of an integer power b
-    /// the exponent.
-    int a = -1, b = -1;
+    FormulaOperation operation = FormulaOperation::number;  ///< what is done
+    int a = -1;                 ///< an earlier step; of a parameter, a coordinate or a combination of angles its number
+    int b = -1;                 ///< an earlier step; of an integer power the exponent
     double value = 0;           ///< of a number
     bool of_parameters = true;  ///< no unknown is in it
 
-    friend bool operator==(const FormulaStep&, const FormulaStep&) = default;
+    friend bool operator==(const FormulaStep&, const FormulaStep&) = default;  ///< the same operation on the same steps
 };
 
 /// The sum of multiples of unknown angles and a phase.
@@ -55,7 +56,7 @@ struct AngleCombination {
     std::vector<std::pair<int, int>> multiples;  ///< number of the angle, by which integer; none twice, none by 0
     int phase = -1;                              ///< the step, of parameters alone; -1: none
 
-    friend bool operator==(const AngleCombination&, const AngleCombination&) = default;
+    friend bool operator==(const AngleCombination&, const AngleCombination&) = default;  ///< the same, term by term
 };
 
 namespace detail {
@@ -116,10 +117,11 @@ class FormulaSteps {
 public:
     /// The number of a step; of one that is there already, of that one.
     int add(FormulaStep step);
+    /// The number of a combination of angles; of one that is there already, of that one.
     int add(const AngleCombination& angle);
 
-    const std::vector<FormulaStep>& steps() const { return steps_; }
-    const std::vector<AngleCombination>& angles() const { return angles_; }
+    const std::vector<FormulaStep>& steps() const { return steps_; }  ///< in the order in which they are evaluated
+    const std::vector<AngleCombination>& angles() const { return angles_; }  ///< of which there are sines or cosines
 
     /// The values of the steps of these numbers.
     template <class Theta, class X, class P, class S>

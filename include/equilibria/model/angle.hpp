@@ -23,9 +23,11 @@ concept Integer = std::is_integral_v<A>;
 /// prefers their own operators, which match exactly.
 struct AngleBase {};
 
+/// Angles of any scalar and of both kinds, references included.
 template <class A>
 concept AngleLike = std::is_base_of_v<AngleBase, std::remove_cvref_t<A>>;
 
+/// The sentence with which the overloads below refuse; undefined after them.
 // clang-format off
 #define EQUILIBRIA_REFUSE_ANGLE                                                                                     \
     static_assert(detail::never<A>,                                                                                 \
@@ -34,6 +36,8 @@ concept AngleLike = std::is_base_of_v<AngleBase, std::remove_cvref_t<A>>;
         "the half angle as the unknown, for a torsion spring use its potential in sin and cos or a coordinate, for "  \
         "a constant torque give equations instead of a potential)")
 // clang-format on
+/// Refused with a sentence at compile time: no operation of angles.
+/// \{
 template <AngleLike A, class B>
 requires(!detail::Integer<std::remove_cvref_t<B>>)
 constexpr auto operator*(const A& a, const B&) {
@@ -71,20 +75,25 @@ constexpr auto pow(const A& a, const B&) {
     EQUILIBRIA_REFUSE_ANGLE;
     return a;
 }
+/// \}
 #undef EQUILIBRIA_REFUSE_ANGLE
 
 /// An angle known by its point (c, s) = (cos, sin) on the circle, over any scalar S: real, complex (then c^2 + s^2 = 1
 /// is the complex circle, and the angle may have an imaginary part), dual, interval, lanes.
 template <class S>
 struct CircleAngle : AngleBase {
-    S c, s;
+    S c;  ///< cosine
+    S s;  ///< sine
 
     constexpr CircleAngle() = default;
+    /// From a point with cosine^2 + sine^2 = 1, which is not checked.
     constexpr CircleAngle(const S& cosine, const S& sine) : c(cosine), s(sine) {}
 
-    friend constexpr const S& cos(const CircleAngle& a) { return a.c; }
-    friend constexpr const S& sin(const CircleAngle& a) { return a.s; }
+    friend constexpr const S& cos(const CircleAngle& a) { return a.c; }  ///< the cosine at hand
+    friend constexpr const S& sin(const CircleAngle& a) { return a.s; }  ///< the sine at hand
 
+    /// Sums and integer multiples, by the addition formulas.
+    /// \{
     friend constexpr CircleAngle operator+(const CircleAngle& a) { return a; }
     friend constexpr CircleAngle operator-(const CircleAngle& a) { return {a.c, -a.s}; }
     friend constexpr CircleAngle operator+(const CircleAngle& a, const CircleAngle& b) {
@@ -109,7 +118,9 @@ struct CircleAngle : AngleBase {
     friend constexpr CircleAngle operator*(const CircleAngle& a, I multiple) {
         return multiple * a;
     }
-    /// A constant phase in radians.
+    /// \}
+    /// Sums with a constant phase in radians.
+    /// \{
     template <class P>
     requires(!AngleLike<P>)
     friend constexpr CircleAngle operator+(const CircleAngle& a, const P& phase) {
@@ -132,6 +143,7 @@ struct CircleAngle : AngleBase {
     friend constexpr CircleAngle operator-(const P& phase, const CircleAngle& a) {
         return (-a) + phase;
     }
+    /// \}
 };
 
 }  // namespace equilibria

@@ -13,6 +13,7 @@
 
 namespace equilibria {
 
+/// n x n, by unknowns: angles, then coordinates.
 template <class M, class S = double>
 using UnknownMatrix = Eigen::Matrix<S, n_unknowns<M>, n_unknowns<M>>;
 
@@ -83,6 +84,7 @@ UnknownMatrix<M, S> jacobian_parameter_derivative(const Unknowns<M, S>& q, const
 }
 
 /// V'''[v, v, v] and V''''[v, v, v, v], the third and fourth directional derivatives of the potential.
+/// \{
 template <PotentialModel M, class S = double>
 S third_derivative(const Unknowns<M, S>& q, const Unknowns<M, S>& v, const Parameters<M, S>& p) {
     const auto f = directional_derivative<2, M, S>(q, v, p);
@@ -97,5 +99,6 @@ S fourth_derivative(const Unknowns<M, S>& q, const Unknowns<M, S>& v, const Para
     for (int i = 0; i < v.size(); ++i) sum = sum + f[i] * v[i];
     return sum;
 }
+/// \}
 
 }  // namespace equilibria

@@ -14,6 +14,7 @@
 
 namespace equilibria {
 
+/// Angles in radians, then plain coordinates.
 template <class M, class S = double>
 using Unknowns = Array<S, n_unknowns<M>>;
 

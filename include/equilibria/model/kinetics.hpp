@@ -46,8 +46,8 @@ namespace equilibria {
 
 namespace detail {
 
-// Whether M has a member of that name, whatever its arguments. A misspelt argument list must not leave out a force in
-// silence.
+/// Whether M has a member of that name, whatever its arguments. A misspelt argument list must not leave out a force in
+/// silence.
 #define EQUILIBRIA_MEMBER(name)            \
     template <class M>                     \
     constexpr bool has_##name() {          \
@@ -94,11 +94,14 @@ concept DynamicModel = PotentialModel<M> && detail::has_kinetic_energy<M>();
 /// Where a model is and how fast: unknowns in their order, angles in radians, and their rates.
 template <DynamicModel M>
 struct MotionState {
-    Unknowns<M> q, velocity;
+    Unknowns<M> q;         ///< unknowns
+    Unknowns<M> velocity;  ///< their rates, radians or units a unit of time
 };
 
+/// A number for each constraint.
 template <class M, class S = double>
 using ConstraintValues = Array<S, n_constraints<M>>;
+/// n_constraints x n.
 template <class M>
 using ConstraintJacobian = Eigen::Matrix<double, n_constraints<M>, n_unknowns<M>>;
 

@@ -62,10 +62,13 @@ constexpr int parameters_of() {
 }
 }  // namespace detail
 
+/// Number of unknown angles of the model M; 0 where it names none.
 template <class M>
 inline constexpr int n_angles = detail::angles_of<M>();
+/// Number of plain unknowns of the model M; 0 where it names none.
 template <class M>
 inline constexpr int n_coordinates = detail::coordinates_of<M>();
+/// Number of parameters of the model M; 0 where it names none.
 template <class M>
 inline constexpr int n_parameters = detail::parameters_of<M>();
 /// Angles first, plain coordinates after them.

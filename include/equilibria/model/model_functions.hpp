@@ -21,10 +21,10 @@ class ModelDerivatives {
 public:
     virtual ~ModelDerivatives() = default;
 
-    const RuntimeSizes& sizes() const { return sizes_; }
-    int unknowns() const { return sizes_.unknowns; }
-    int parameters() const { return parameters_; }
-    bool has_potential() const { return has_potential_; }
+    const RuntimeSizes& sizes() const { return sizes_; }   ///< numbers of angles and coordinates
+    int unknowns() const { return sizes_.unknowns; }       ///< number of equations, and of entries of q
+    int parameters() const { return parameters_; }         ///< number of entries of p
+    bool has_potential() const { return has_potential_; }  ///< whether the equations are the gradient of a potential
 
     /// f: F; j: J, row after row.
     virtual void linearize(const RuntimeArray<S>& q, const RuntimeArray<S>& p, RuntimeArray<S>& f,
@@ -34,6 +34,7 @@ public:
                                    const RuntimeArray<S>& w, RuntimeArray<S>& f, RuntimeMatrix<S>& j) const = 0;
 
 protected:
+    /// What the four functions above return.
     ModelDerivatives(const RuntimeSizes& sizes, int parameters, bool has_potential)
         : sizes_(sizes), parameters_(parameters), has_potential_(has_potential) {}
 
@@ -47,6 +48,7 @@ private:
 template <class S = double>
 class ModelFunctions : public ModelDerivatives<S> {
 public:
+    /// F over series; q and p are constants or of one order.
     virtual RuntimeArray<Jet<S>> equations(const RuntimeArray<Jet<S>>& q, const RuntimeArray<Jet<S>>& p) const = 0;
 
 protected:
@@ -100,6 +102,7 @@ public:
 }  // namespace detail
 
 /// Those of the model M; what all calls for it share.
+/// \{
 template <Model M, class S = double>
 const ModelDerivatives<S>& derivatives_of() {
     static const detail::DerivativesOf<M, S, ModelDerivatives<S>> derivatives;
@@ -110,6 +113,7 @@ const ModelFunctions<S>& functions_of() {
     static const detail::FunctionsOf<M, S> functions;
     return functions;
 }
+/// \}
 
 /// F(q, p).
 template <class S>

@@ -74,6 +74,7 @@ template <class T>
 concept RuntimeEquationsModel =
     detail::RuntimeModelSizes<T> && !RuntimePotentialModel<T> &&
     detail::RuntimeEquationsOf<T, RuntimeArray<CircleAngle<double>>, RuntimeArray<double>, RuntimeArray<double>>;
+/// Anything that the library accepts as a model at run time.
 template <class T>
 concept RuntimeModel = RuntimePotentialModel<T> || RuntimeEquationsModel<T>;
 
@@ -169,10 +170,12 @@ decltype(auto) lifted(const P& p) {
 /// Unknowns, angles in radians and then coordinates, as points of the circles and coordinates.
 template <class S>
 struct RuntimeModelPoint {
-    LocalArray<CircleAngle<S>> theta;
-    LocalArray<S> x;
+    LocalArray<CircleAngle<S>> theta;  ///< points of the angles
+    LocalArray<S> x;                   ///< coordinates
 
+    /// Room for so many unknowns, value-initialised.
     explicit RuntimeModelPoint(const RuntimeSizes& sizes) : theta(sizes.angles), x(sizes.coordinates) {}
+    /// Of the unknowns q, as many as sizes.unknowns.
     RuntimeModelPoint(const S* q, const RuntimeSizes& sizes) : RuntimeModelPoint(sizes) {
         using std::cos, std::sin;
         for (int i = 0; i < sizes.angles; ++i) theta[i] = {S(cos(q[i])), S(sin(q[i]))};

@@ -8,12 +8,16 @@
 
 namespace equilibria {
 
+/// The functions of a model of type T, over the scalar S.
 template <RuntimeModel T, class S = double>
 class RuntimeModelFunctions final : public ModelFunctions<S> {
 public:
+    /// The model is copied. Throws InvalidArgument as sizes_of does.
     explicit RuntimeModelFunctions(const T& model)
         : ModelFunctions<S>(sizes_of(model), model.parameters(), RuntimePotentialModel<T>), model_(model) {}
 
+    /// As of ModelFunctions; the Jacobian by duals of four directions at a time.
+    /// \{
     void linearize(const RuntimeArray<S>& q, const RuntimeArray<S>& p, RuntimeArray<S>& f,
                    RuntimeMatrix<S>& j) const override {
         const RuntimeModelPoint<S> at(q.begin(), this->sizes());
@@ -46,6 +50,7 @@ public:
         equations_at(model_, at.theta, at.x, p, f.begin());
         return f;
     }
+    /// \}
 
 private:
     T model_;

@@ -17,21 +17,28 @@ struct RuntimeUnknowns {};
 /// The numbers of angles, coordinates and all unknowns: of a model, or of the unknowns of a system.
 template <class M>
 struct Sizes {
-    static constexpr int angles = n_angles<M>, coordinates = n_coordinates<M>, unknowns = n_unknowns<M>;
-    static constexpr int extent = unknowns;  ///< of vectors of unknowns
+    static constexpr int angles = n_angles<M>;            ///< number of angles
+    static constexpr int coordinates = n_coordinates<M>;  ///< number of plain coordinates
+    static constexpr int unknowns = n_unknowns<M>;        ///< number of both together
+    static constexpr int extent = unknowns;               ///< of vectors of unknowns
 };
+/// The same as numbers of an object.
 template <>
 struct Sizes<RuntimeUnknowns> {
-    static constexpr int extent = at_run_time;
-    int angles = 0, coordinates = 0, unknowns = 0;
+    static constexpr int extent = at_run_time;  ///< of vectors of unknowns: known at run time
+    int angles = 0;                             ///< number of angles
+    int coordinates = 0;                        ///< number of plain coordinates
+    int unknowns = 0;                           ///< number of both together
 
     constexpr Sizes() = default;
+    /// So many of each; not checked.
     constexpr Sizes(int n_angles, int n_coordinates)
         : angles(n_angles), coordinates(n_coordinates), unknowns(n_angles + n_coordinates) {}
     /// Those of a type.
     template <class M>
     constexpr Sizes(const Sizes<M>&) : Sizes(Sizes<M>::angles, Sizes<M>::coordinates) {}
 };
+/// The numbers of a system that is data.
 using RuntimeSizes = Sizes<RuntimeUnknowns>;
 
 namespace detail {
@@ -64,6 +71,7 @@ UnknownArray<M, T> unknown_array(const Sizes<M>& sizes) {
 }
 
 /// The numbers in an array of the size of their type, and back.
+/// \{
 template <class T, int N>
 RuntimeArray<T> runtime_array(const Array<T, N>& a) {
     RuntimeArray<T> y(N);
@@ -82,5 +90,6 @@ Array<T, n_parameters<M>> parameters_from(const RuntimeArray<T>& a) {
     std::copy(a.begin(), a.end(), y.begin());
     return y;
 }
+/// \}
 
 }  // namespace equilibria

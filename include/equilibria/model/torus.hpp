@@ -26,6 +26,7 @@ inline double wrap(double angle) {
 // Of configurations of a model M, or of so many unknowns at run time.
 
 /// The same configuration with every angle in (-pi, pi].
+/// \{
 template <class Q>
 Q wrapped(const RuntimeSizes& sizes, Q q) {
     for (int i = 0; i < sizes.angles; ++i) q[i] = wrap(q[i]);
@@ -35,8 +36,10 @@ template <ModelSizes M>
 Unknowns<M> wrapped(const Unknowns<M>& q) {
     return wrapped(RuntimeSizes(Sizes<M>()), q);
 }
+/// \}
 
 /// The mirror image of a configuration: every angle with the other sign.
+/// \{
 template <class Q>
 Q mirrored(const RuntimeSizes& sizes, Q q) {
     for (int i = 0; i < sizes.angles; ++i) q[i] = -q[i];
@@ -46,8 +49,10 @@ template <ModelSizes M>
 Unknowns<M> mirrored(const Unknowns<M>& q) {
     return mirrored(RuntimeSizes(Sizes<M>()), q);
 }
+/// \}
 
 /// b - a, angles the shorter way around, in (-pi, pi].
+/// \{
 template <class Q>
 Q displacement(const RuntimeSizes& sizes, const Q& a, const Q& b) {
     Q d = b;
@@ -58,8 +63,10 @@ template <ModelSizes M>
 Unknowns<M> displacement(const Unknowns<M>& a, const Unknowns<M>& b) {
     return displacement(RuntimeSizes(Sizes<M>()), a, b);
 }
+/// \}
 
 /// The largest |entry| of the displacement from a to b; NaN where one is.
+/// \{
 template <class Q>
 double distance(const RuntimeSizes& sizes, const Q& a, const Q& b) {
     double y = 0;
@@ -73,8 +80,10 @@ template <ModelSizes M>
 double distance(const Unknowns<M>& a, const Unknowns<M>& b) {
     return distance(RuntimeSizes(Sizes<M>()), a, b);
 }
+/// \}
 
 /// Whether a and b are one configuration to within `tolerance`, in radians and units of the coordinates; false for NaN.
+/// \{
 template <class Q>
 bool same_unknowns(const RuntimeSizes& sizes, const Q& a, const Q& b, double tolerance) {
     return distance(sizes, a, b) <= tolerance;
@@ -83,5 +92,6 @@ template <ModelSizes M>
 bool same_unknowns(const Unknowns<M>& a, const Unknowns<M>& b, double tolerance) {
     return distance<M>(a, b) <= tolerance;
 }
+/// \}
 
 }  // namespace equilibria

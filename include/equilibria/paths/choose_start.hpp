@@ -23,10 +23,15 @@
 
 namespace equilibria {
 
-/// monodromy: all roots from one, by loops of the constants (monodromy.hpp); it is never chosen, since nothing bounds
-/// what it may miss.
-enum class StartKind { total_degree, multihomogeneous, polyhedral, monodromy };
+/// Where the paths begin.
+enum class StartKind {
+    total_degree,      ///< products of random lines; of a model that is odd under theta -> -theta an odd system
+    multihomogeneous,  ///< products of linear forms, for groups of unknowns
+    polyhedral,        ///< the roots of a system with the same supports and generic coefficients
+    monodromy  ///< all roots from one, by loops of the constants; never chosen, since nothing bounds what it may miss
+};
 
+/// The kind in words, as results name it.
 constexpr std::string_view to_string(StartKind kind) {
     constexpr std::array names{"total degree", "multihomogeneous", "polyhedral", "monodromy"};
     return names[static_cast<std::size_t>(kind)];
@@ -34,7 +39,7 @@ constexpr std::string_view to_string(StartKind kind) {
 
 /// Upper bounds of the number of isolated solutions, each the number of paths from a start.
 struct StartBounds {
-    PathCount total_degree;
+    PathCount total_degree;      ///< number of Bezout
     PathCount multihomogeneous;  ///< of `grouping`
     std::vector<int> grouping;   ///< the group of each unknown
     /// Of the supports that count solutions with coordinates 0 as well (affine_supports); nothing where it was not
@@ -44,9 +49,9 @@ struct StartBounds {
 
 /// A start, and why it was taken.
 struct StartChoice {
-    StartKind kind = StartKind::total_degree;
-    std::string why;
-    StartBounds bounds;
+    StartKind kind = StartKind::total_degree;  ///< the kind of start
+    std::string why;                           ///< the numbers of paths that were compared, in a sentence
+    StartBounds bounds;                        ///< those the choice was made from
 };
 
 /// groupings: to be compared; none: the smallest number of those that smallest_multihomogeneous_number compares. Unless

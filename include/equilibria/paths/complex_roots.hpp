@@ -26,10 +26,10 @@ namespace equilibria {
 /// All complex solutions of a system. M: its unknowns.
 template <class M = RuntimeUnknowns>
 struct ComplexRoots {
-    PathCounts paths;
-    std::vector<Root<M>> roots;  ///< distinct, by path number
-    std::vector<FailedPath<M>> failures;
-    std::string start;    ///< its name: total degree, linear product, polyhedral, ..
+    PathCounts paths;                     ///< how many ended how
+    std::vector<Root<M>> roots;           ///< distinct, by path number
+    std::vector<FailedPath<M>> failures;  ///< by path number
+    std::string start;                    ///< its name: total degree, linear product, polyhedral, ..
     std::string caution;  ///< of a start from which not every solution need be reached: what speaks for it, in words
 };
 

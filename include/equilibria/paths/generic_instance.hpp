@@ -23,8 +23,10 @@
 
 namespace equilibria {
 
+/// The solved system, from whose roots others are solved.
 class GenericInstance {
 public:
+    /// Complex angles in radians, then coordinates.
     using Unknowns = UnknownArray<RuntimeUnknowns, std::complex<double>>;
 
     /// Solves a system with the exponents of `typical` (affine_supports) and coefficients of about its size, whose
@@ -33,19 +35,25 @@ public:
     explicit GenericInstance(const SparseSystem& typical, const RunOptions& run = {},
                              const TrackerOptions& options = {});
 
+    /// Number of paths that were tracked to the generic system.
     std::uint64_t mixed_volume() const { return mixed_volume_; }
-    const RuntimeSizes& sizes() const { return sizes_; }
+    const RuntimeSizes& sizes() const { return sizes_; }  ///< numbers of angles and coordinates
     /// Angles in complex radians, then coordinates, none of which is 0. Less than the mixed volume only where paths
     /// failed, which every result then counts.
     const std::vector<Unknowns>& roots() const { return roots_; }
-    std::uint64_t failed() const { return mixed_volume_ - roots_.size(); }
+    std::uint64_t failed() const { return mixed_volume_ - roots_.size(); }  ///< paths that reached no regular root
     /// Its paths: how many cells they began in, what was tracked again, and the effort.
     struct Effort {
-        std::uint64_t cells = 0, retracked = 0, crossed = 0, in_double = 0, steps = 0;
-        double weight_ratio = 0;  ///< of largest to smallest weight of a term, of 90 % of the paths
-        double cells_seconds = 0, tracking_seconds = 0;
+        std::uint64_t cells = 0;      ///< mixed cells
+        std::uint64_t retracked = 0;  ///< see PathCounts
+        std::uint64_t crossed = 0;    ///< see PathCounts
+        std::uint64_t in_double = 0;  ///< see PathCounts
+        std::uint64_t steps = 0;      ///< see PathCounts
+        double weight_ratio = 0;      ///< of largest to smallest weight of a term, of 90 % of the paths
+        double cells_seconds = 0;     ///< of the search for mixed cells
+        double tracking_seconds = 0;  ///< of the paths
     };
-    const Effort& effort() const { return effort_; }
+    const Effort& effort() const { return effort_; }  ///< of solving the generic system
 
     /// The way to a system whose exponents are among those of the typical one, from the generic roots. own: what is
     /// polished, where the system has equations of its own beside its polynomials. Throws InvalidArgument where it has
@@ -54,9 +62,11 @@ public:
     /// Where its paths begin.
     class Start {
     public:
-        explicit Start(const GenericInstance& instance) : instance_(&instance) {}
-        static constexpr std::string_view name() { return "polyhedral"; }
+        explicit Start(const GenericInstance& instance) : instance_(&instance) {}  ///< the instance has to outlive it
+        static constexpr std::string_view name() { return "polyhedral"; }          ///< what results call it
+        /// One path a generic root.
         PathNumbering numbering() const { return PathNumbering::all(instance_->roots_.size()); }
+        /// Where path k begins.
         RuntimePoint<double> point(std::uint64_t k) const {
             return point_of<RuntimeUnknowns>(instance_->roots_[k], instance_->sizes_);
         }

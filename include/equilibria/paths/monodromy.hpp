@@ -47,6 +47,7 @@
 
 namespace equilibria {
 
+/// When a search ends, and what it leaves alone.
 struct MonodromyOptions {
     int quiet_loops = 10;  ///< so many loops without a new root, one after the other, end the search
     int most_loops = 100;  ///< so many in all end it in any case
@@ -64,23 +65,27 @@ enum class MonodromyEnd : std::uint8_t {
     quiet_loops,  ///< several loops found nothing new
     most_loops,   ///< the loops ran out
     no_root,      ///< Newton's method found no first root
-    cancelled
+    cancelled     ///< the run was cancelled
 };
+/// In words, as results name it.
 std::string_view to_string(MonodromyEnd end);
 
+/// The roots that a search found, the generic member that they are roots of, and the evidence.
 struct MonodromyRoots {
     std::vector<std::complex<double>> parameters;  ///< of a generic member
     std::vector<Root<RuntimeUnknowns>> roots;      ///< its roots, in the order of their discovery
-    MonodromyEnd end = MonodromyEnd::no_root;
-    int loops = 0, quiet_loops = 0;     ///< in all, and at the end without a new root
-    int newton_starts = 0;              ///< for the first root
+    MonodromyEnd end = MonodromyEnd::no_root;      ///< which of the rules it was
+    int loops = 0;                                 ///< number of all loops
+    int quiet_loops = 0;                           ///< loops at the end without a new root
+    int newton_starts = 0;                         ///< for the first root
     std::uint64_t found_by_newton = 0;  ///< roots that Newton's method found before a loop did, but for the first
-    std::uint64_t paths = 0, lost = 0;  ///< tracked, and those that reached no regular root
+    std::uint64_t paths = 0;            ///< number of paths that were tracked
+    std::uint64_t lost = 0;             ///< those that reached no regular root
     /// The second difference of the sums, relative to their terms, in the last trace test; NaN where there was none, or
     /// paths of it were lost.
     double trace = 0;
-    std::uint64_t seed = 0;
-    double seconds = 0;
+    std::uint64_t seed = 0;  ///< that of the run
+    double seconds = 0;      ///< of wall-clock time
 
     /// Whether one of the two rules ended the search: nothing speaks against there being no other root.
     bool closed() const { return end == MonodromyEnd::trace_test || end == MonodromyEnd::quiet_loops; }

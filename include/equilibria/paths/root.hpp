@@ -23,10 +23,10 @@ struct Root {
     UnknownArray<M, std::complex<double>> q;
     /// max_i |F_i| / (largest coefficient of F_i), F being the model's own function, before the last correction
     double residual = 0;
-    double condition = 0;    ///< of the Jacobian: equations against their terms, coordinates against 1 + |x|
-    std::uint64_t path = 0;  ///< the first path that ended here
-    std::int32_t paths = 1;  ///< how many did: the multiplicity of an isolated root
-    std::int32_t winding_number = 1;
+    double condition = 0;             ///< of the Jacobian: equations against their terms, coordinates against 1 + |x|
+    std::uint64_t path = 0;           ///< the first path that ended here
+    std::int32_t paths = 1;           ///< how many did: the multiplicity of an isolated root
+    std::int32_t winding_number = 1;  ///< turns around t = 1 after which the path closes; 1 of a regular root
     PathStatus status = PathStatus::finite;  ///< finite (regular) or singular
 };
 
@@ -40,9 +40,9 @@ bool may_be_regular(const Root<M>& root) {
 /// A path that failed, why, and where it was last.
 template <class M>
 struct FailedPath {
-    std::uint64_t path = 0;
-    FailureReason reason = FailureReason::none;
-    UnknownArray<M, std::complex<double>> q;  ///< as of a Root; far out on paths that were on their way to infinity
+    std::uint64_t path = 0;                      ///< its number
+    FailureReason reason = FailureReason::none;  ///< why it failed
+    UnknownArray<M, std::complex<double>> q;     ///< as of a Root; far out on paths that were on their way to infinity
 };
 
 namespace detail {
@@ -61,6 +61,7 @@ RootView view(const Root<M>& root) {
 }  // namespace detail
 
 /// In the unknowns of a model, which are as many.
+/// \{
 template <class M>
 Root<M> typed(const Root<RuntimeUnknowns>& root) {
     const auto& [q, residual, condition, path, paths, winding_number, status] = root;
@@ -70,6 +71,7 @@ template <class M>
 FailedPath<M> typed(const FailedPath<RuntimeUnknowns>& failed) {
     return {failed.path, failed.reason, unknowns_from<M>(failed.q)};
 }
+/// \}
 /// All of these, each let go when it has been taken over.
 template <class M, template <class> class Thing>
 std::vector<Thing<M>> typed(std::vector<Thing<RuntimeUnknowns>>&& things) {

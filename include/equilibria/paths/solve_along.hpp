@@ -31,13 +31,15 @@ namespace equilibria {
 /// Where paths begin that follow known roots.
 class KnownRoots {
 public:
+    /// Complex angles in radians, then coordinates.
     using Points = std::vector<UnknownArray<RuntimeUnknowns, std::complex<double>>>;
 
     /// Angles in complex radians, then coordinates. The points have to outlive it.
     KnownRoots(const RuntimeSizes& sizes, const Points& points) : sizes_(sizes), points_(&points) {}
 
-    static constexpr std::string_view name() { return "a solved instance"; }
-    PathNumbering numbering() const { return PathNumbering::all(points_->size()); }
+    static constexpr std::string_view name() { return "a solved instance"; }         ///< what results call it
+    PathNumbering numbering() const { return PathNumbering::all(points_->size()); }  ///< one path a root
+    /// Where path k begins.
     RuntimePoint<double> point(std::uint64_t k) const { return point_of<RuntimeUnknowns>((*points_)[k], sizes_); }
 
 private:

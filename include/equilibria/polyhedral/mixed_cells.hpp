@@ -68,8 +68,10 @@ struct MixedCellOptions {
     std::uint64_t most_volume = std::numeric_limits<std::uint64_t>::max();
     /// The largest entries of tables of 32 and of 64 bits (1 or more); less than the types hold: tests of what is
     /// wider.
+    /// \{
     std::int32_t largest_narrow = std::numeric_limits<std::int32_t>::max();
     std::int64_t largest_wide = std::numeric_limits<std::int64_t>::max();
+    /// \}
 };
 
 /// A mixed volume and how it was found.

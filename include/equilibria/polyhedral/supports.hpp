@@ -15,13 +15,14 @@ namespace equilibria {
 /// equations one after another are the columns that liftings and heights are given for.
 class Supports {
 public:
-    using Point = std::vector<int>;
+    using Point = std::vector<int>;  ///< exponents of a term
 
     /// So many unknowns (1 to 1024), and the points of as many equations, each of that many coordinates from -2^30 to
     /// 2^30. Throws InvalidArgument where an equation has no point, or a point twice. The order of the points is kept.
     explicit Supports(int unknowns, std::vector<std::vector<Point>> equations);
 
-    int unknowns() const { return unknowns_; }
+    int unknowns() const { return unknowns_; }  ///< number of unknowns and of equations
+    /// Points of each, in the order that was given.
     const std::vector<std::vector<Point>>& equations() const { return equations_; }
     /// The number of points of all equations together.
     int columns() const { return first_column_.back(); }

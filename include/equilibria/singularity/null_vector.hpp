@@ -31,8 +31,8 @@ RuntimeArray<double> left_null_vector(const RuntimeMatrix<double>& j, const Runt
 /// The number of singular values of J that are 0 to 1e-8 of `scale`, or of the largest one.
 int nullity(const RuntimeMatrix<double>& j, double scale);
 
-// The same of a model, whose J is symmetric where it has a potential.
-
+/// The same of a model, whose J is symmetric where it has a potential.
+/// \{
 template <int Count, Model M>
 Array<Unknowns<M>, Count> null_vectors(const UnknownMatrix<M>& j) {
     static_assert(Count <= n_unknowns<M>, "equilibria: no more null vectors than unknowns");
@@ -53,6 +53,7 @@ template <Model M>
 int nullity(const UnknownMatrix<M>& j, double scale) {
     return nullity(runtime_matrix(j), scale);
 }
+/// \}
 
 }  // namespace equilibria
 

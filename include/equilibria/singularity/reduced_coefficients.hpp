@@ -18,13 +18,15 @@ namespace equilibria {
 ///
 /// third != 0: fold (A2). third = 0, fourth != 0: cusp (A3), or pitchfork where v is odd on a symmetric branch.
 struct ReducedCoefficients {
-    double third = 0, fourth = 0;
+    double third = 0;   ///< phi'''
+    double fourth = 0;  ///< phi''''
 };
 
 /// At q, an equilibrium at the parameters p whose J has the unit null vector v. Where there is a second null vector
 /// `fourth` is infinite, and NaN here.
 ReducedCoefficients reduced_coefficients(const ModelFunctions<>& functions, const RuntimeArray<double>& q,
                                          const RuntimeArray<double>& v, const RuntimeArray<double>& p);
+/// The same of a model.
 template <Model M>
 ReducedCoefficients reduced_coefficients(const Unknowns<M>& q, const Unknowns<M>& v, const Parameters<M>& p) {
     return reduced_coefficients(functions_of<M>(), runtime_array(q), runtime_array(v), runtime_array(p));

@@ -35,6 +35,7 @@ namespace equilibria {
 /// The singularity of the given kind near q and p, of a model whose numbers of unknowns and parameters are known at run
 /// time; arguments and result as of the function for a model below. locate_singularity: by Newton's method alone, its
 /// kind left undecided.
+/// \{
 template <class S>
 RuntimeSingularity<S> locate_singularity(const ModelFunctions<S>& functions, SingularityKind kind,
                                          std::span<const int> active, const RuntimeArray<double>& q,
@@ -45,6 +46,7 @@ RuntimeSingularity<S> refine_singularity(const ModelFunctions<S>& functions, Sin
                                          std::span<const int> active, const RuntimeArray<double>& q,
                                          const RuntimeArray<S>& p,
                                          const std::optional<RuntimeArray<double>>& v = std::nullopt);
+/// \}
 
 /// The singularity of the given kind near q (radians, coordinates) and p, in the parameters number Active.., as many as
 /// the table of kinds says: fold and pitchfork one, cusp, tricritical pitchfork and extremal fold two, swallowtail and

@@ -26,6 +26,7 @@ namespace equilibria {
 /// RuntimeUnknowns.
 template <class M, class S = double>
 struct Singularity {
+    /// Undecided where Newton's method did not converge, or came to another kind.
     SingularityKind kind = SingularityKind::undecided;
     ParameterArray<M, S> p;  ///< the active ones as refined or traced, the others as given
     UnknownArray<M, S> q;    ///< the equilibrium
@@ -55,18 +56,20 @@ struct Singularity {
     /// unfolding's coefficients by the parameters, each by its effect on all equations together. 0: not versal. Of the
     /// kinds A, B and D; of the others not computed.
     double versality = 0;
-    bool versal() const { return versality > 1e-8; }
+    bool versal() const { return versality > 1e-8; }  ///< whether the active parameters unfold it to first order
 
     /// phi^(k), k = 3..8.
     const S& derivative(int k) const { return derivatives[k - 3]; }
 
     /// The active parameters, of which there must be so many.
+    /// \{
     S& x() { return p[active[0]]; }
     S& y() { return p[active[1]]; }
     S& z() { return p[active[2]]; }
     const S& x() const { return p[active[0]]; }
     const S& y() const { return p[active[1]]; }
     const S& z() const { return p[active[2]]; }
+    /// \}
 };
 
 /// The equilibrium q at p with the null vector v, the parameters number Active.. being active; the rest as by default.
@@ -113,6 +116,7 @@ To with_evidence_of(const From& from, To to) {
 }  // namespace detail
 
 /// The same point, its numbers in arrays of a size known at run time, and back.
+/// \{
 template <Model M, class S>
 RuntimeSingularity<S> runtime_singularity(const Singularity<M, S>& at) {
     RuntimeSingularity<S> y;
@@ -131,6 +135,7 @@ Singularity<M, S> typed(const RuntimeSingularity<S>& at) {
     if (at.w.size() > 0) y.w = unknowns_from<M>(at.w);
     return detail::with_evidence_of(at, y);
 }
+/// \}
 
 /// The equilibrium q at p with the null vector v, the parameters number `active` being active; the rest as by default.
 template <class S>

@@ -19,6 +19,7 @@
 
 namespace equilibria {
 
+/// The kinds, in the order of their table.
 enum class SingularityKind {
     undecided,                ///< not converged, or a coefficient that decides is 0 to rounding: a higher kind
     fold,                     ///< A2
@@ -38,24 +39,26 @@ enum class SingularityKind {
 
 /// A row of the table of kinds.
 struct SingularityClass {
-    SingularityKind kind;
-    const char* name;    ///< in words, unique
-    const char* symbol;  ///< Arnold's
-    int parameters;      ///< in so many it is an isolated point: its codimension, or one more where it is a tangency
-    int corank;          ///< null vectors of J
-    bool symmetric;      ///< on a branch that the mirror image theta -> -theta leaves as it is
+    SingularityKind kind;  ///< the kind that the row is of
+    const char* name;      ///< in words, unique
+    const char* symbol;    ///< Arnold's
+    int parameters;        ///< in so many it is an isolated point: its codimension, or one more where it is a tangency
+    int corank;            ///< null vectors of J
+    bool symmetric;        ///< on a branch that the mirror image theta -> -theta leaves as it is
     int vanishing;  ///< coefficients of the reduced gradient that are 0: g_1, g_2, .., or g_1, g_3, .. if symmetric
     SingularityKind curve;  ///< the curve of a plane of parameters that it is a point of, and ends or turns there
     const char* condition;  ///< what vanishes, beside F
 
-    /// g_order is the last coefficient that vanishes, and the derivative phi^(order + 2) decides.
+    /// g_order is the last coefficient that vanishes.
     constexpr int order() const { return symmetric ? 2 * vanishing - 1 : vanishing; }
+    /// phi^(deciding) is the first derivative of the reduced potential that must not be 0.
     constexpr int deciding() const { return symmetric ? 2 * vanishing + 2 : vanishing + 2; }
     /// Whether refine_singularity finds it by its row.
     constexpr bool by_series() const { return vanishing > 0 && kind != SingularityKind::extremal_pitchfork; }
 };
 
 // clang-format off
+/// The rows, one for each kind.
 inline constexpr SingularityClass singularity_classes[] = {
     {SingularityKind::undecided, "undecided", "", 0, 0, false, 0, SingularityKind::undecided, ""},
     {SingularityKind::fold, "fold", "A2", 1, 1, false, 1, SingularityKind::fold, "phi''"},
@@ -88,6 +91,7 @@ constexpr const SingularityClass& class_of(SingularityKind kind) {
     return singularity_classes[0];
 }
 
+/// The kind in words, from its row.
 constexpr const char* to_string(SingularityKind kind) { return class_of(kind).name; }
 
 /// The kind of the curve in a plane of parameters on which a singularity lies: fold or pitchfork. A tricritical

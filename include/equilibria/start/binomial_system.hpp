@@ -28,8 +28,9 @@ std::vector<std::int64_t> hermite_diagonal(std::vector<std::vector<std::int64_t>
 /// exponents[i] = a_i - b_i, ratio[i] = -d_i / c_i.
 class BinomialSystem {
 public:
-    using Number = std::complex<double>;
+    using Number = std::complex<double>;  ///< type of ratios and of complex angles
 
+    /// As many exponents and ratios as equations, which is not checked. Throws InvalidArgument as hermite_diagonal.
     BinomialSystem(const std::vector<std::vector<int>>& exponents, std::span<const Number> ratio);
 
     /// |det M|.

@@ -35,19 +35,21 @@ namespace equilibria {
 
 /// A way between parameters, t from 0 to 1.
 struct ParameterArc {
-    std::vector<std::complex<double>> from, to;
-    double bend = 0;  ///< b: 0 is the line between them
+    std::vector<std::complex<double>> from;  ///< parameters at t = 0
+    std::vector<std::complex<double>> to;    ///< parameters at t = 1
+    double bend = 0;                         ///< b: 0 is the line between them
 
-    std::vector<std::complex<double>> at(double t) const;
+    std::vector<std::complex<double>> at(double t) const;  ///< the parameters p(t)
 };
 
 /// A bend of size 0.6 to 1.6, of either sign.
 double random_bend(Generator& generator);
 
+/// The coefficients of a family along an arc, as Chebyshev series in t.
 class CoefficientPath {
 public:
-    using Number = std::complex<double>;
-    static constexpr int law_order = 3;
+    using Number = std::complex<double>;     ///< type of parameters and coefficients
+    static constexpr int law_order = 3;      ///< highest Taylor coefficient that law() gives
     static constexpr int most_points = 257;  ///< of an interpolation
 
     /// None where the coefficients are not analytic on the arc, as far as the interpolation tells. Throws
@@ -57,15 +59,17 @@ public:
     static CoefficientPath between(const SystemFamily& family, std::span<const Number> from, std::span<const Number> to,
                                    Generator& generator);
 
-    const RuntimeSizes& sizes() const { return sizes_; }
+    const RuntimeSizes& sizes() const { return sizes_; }  ///< numbers of angles and coordinates
     /// Of the Laurent system in exp(i theta) and the coordinates: codes of angles are powers; coefficients 0.
     const std::vector<SparseTerm>& terms() const { return terms_; }
-    /// At t = 0 and at t = 1, a term each.
+    /// The coefficients at t = 0 and at t = 1, one a term.
+    /// \{
     const std::vector<Number>& from() const { return from_; }
     const std::vector<Number>& to() const { return to_; }
+    /// \}
     /// The largest coefficient of each equation at t = 1, of cosines and sines; 1 of one that vanishes.
     const std::vector<double>& scale() const { return scale_; }
-    const ParameterArc& arc() const { return arc_; }
+    const ParameterArc& arc() const { return arc_; }  ///< the way of the parameters, bend included
     /// The highest degree in t of a term's coefficient.
     int degree() const { return degree_; }
     /// The numbers that the law is made of.

@@ -30,24 +30,26 @@ namespace equilibria {
 /// G_i = product of linear forms; H = (1-t) gamma G + t F.
 class LinearProduct {
 public:
-    using Number = std::complex<double>;
-    using Solution = UnknownArray<RuntimeUnknowns, Number>;
-    using LinearForm = StartForms::LinearForm;
-    static constexpr std::string_view name() { return "linear product"; }
+    using Number = std::complex<double>;                     ///< type of unknowns and of the forms' factors
+    using Solution = UnknownArray<RuntimeUnknowns, Number>;  ///< complex angles in radians, then coordinates
+    using LinearForm = StartForms::LinearForm;               ///< a factor of G_i
+    static constexpr std::string_view name() { return "linear product"; }  ///< what results call it
 
     /// grouping: the group of each unknown, numbers from 0, none left out. Degrees are those of the terms that the
     /// target has: each equation is scaled to its largest coefficient. Throws InvalidArgument where the grouping names
     /// no group for each unknown.
     LinearProduct(const SparseSystem& target, std::span<const int> grouping, Number gamma, Generator& generator);
 
+    /// Those of the target itself.
     const std::vector<SparseTerm>& terms(const SparseSystem& target) const { return target.terms(); }
     /// The coefficients do not move beside t F.
     std::vector<Number> from() const { return {}; }
     /// gamma G.
     const StartForms& forms() const { return forms_; }
-    const std::vector<Solution>& solutions() const { return solutions_; }
+    const std::vector<Solution>& solutions() const { return solutions_; }  ///< of G = 0, one a path
 
-    PathNumbering numbering() const { return PathNumbering::all(solutions_.size()); }
+    PathNumbering numbering() const { return PathNumbering::all(solutions_.size()); }  ///< all are tracked
+    /// Where path k begins.
     RuntimePoint<double> point(std::uint64_t k) const { return point_of<RuntimeUnknowns>(solutions_[k], sizes_); }
 
 private:

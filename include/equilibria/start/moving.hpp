@@ -19,7 +19,8 @@ namespace equilibria {
 template <Model M>
 class Moving {
 public:
-    static constexpr bool moving = true;
+    static constexpr bool moving = true;  ///< the coefficients of the target move in a way of their own
+    /// Complex angles in radians, then coordinates.
     using Points = std::vector<Array<std::complex<double>, n_unknowns<M>>>;
 
     /// From regular solutions `points` (complex angles in radians, then coordinates) of the system with the
@@ -29,11 +30,11 @@ public:
         for (int k = 0; k < Formulation<M>::terms; ++k) from_[k] = gamma * from[k];
     }
 
-    static constexpr std::string_view name() { return "a solved instance"; }
+    static constexpr std::string_view name() { return "a solved instance"; }  ///< what results call it
     /// The coefficient of the term at t = 0.
     std::complex<double> from(int term) const { return from_[term]; }
-    const PathNumbering& numbering() const { return numbering_; }
-    Point<M, double> point(std::uint64_t k) const { return point_of<M>(points_[k]); }
+    const PathNumbering& numbering() const { return numbering_; }                      ///< all are tracked
+    Point<M, double> point(std::uint64_t k) const { return point_of<M>(points_[k]); }  ///< where path k begins
 
 private:
     Array<std::complex<double>, Formulation<M>::terms> from_;

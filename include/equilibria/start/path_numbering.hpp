@@ -29,13 +29,13 @@ public:
         return y;
     }
 
-    bool symmetric() const { return !radices_.empty(); }
-    std::uint64_t total() const { return total_; }
-    /// Paths that rest.
+    bool symmetric() const { return !radices_.empty(); }  ///< whether mirror images stand for each other
+    std::uint64_t total() const { return total_; }        ///< number of all paths
+    /// Number of the paths that rest.
     std::uint64_t resting() const { return symmetric() ? std::uint64_t{1} << radices_.size() : 0; }
-    /// Paths that are tracked, and how many paths each of them stands for.
+    /// Number of the paths that are tracked.
     std::uint64_t tracked() const { return symmetric() ? (total_ - resting()) / 2 : total_; }
-    std::uint64_t weight() const { return symmetric() ? 2 : 1; }
+    std::uint64_t weight() const { return symmetric() ? 2 : 1; }  ///< how many paths each tracked one stands for
 
     /// The number of the k-th tracked path: with a symmetry the k-th of those that are less than their mirror image,
     /// whose highest digit that is not 0 or 1 is even.

@@ -31,9 +31,10 @@
 
 namespace equilibria {
 
+/// The mixed cells of the best of some liftings, and the start points in them.
 class PolyhedralStart {
 public:
-    using Number = std::complex<double>;
+    using Number = std::complex<double>;  ///< type of the coefficients
 
     /// coefficients: generic ones, a column of the supports each, about 1 in modulus. liftings: how many are drawn at
     /// most. Throws InvalidArgument where there are not as many coefficients as columns, and for what mixed_cells
@@ -41,18 +42,20 @@ public:
     PolyhedralStart(const Supports& supports, std::vector<Number> coefficients, Generator& generator, int liftings = 4,
                     const MixedCellOptions& options = {});
 
-    static constexpr std::string_view name() { return "polyhedral"; }
-    PathNumbering numbering() const { return PathNumbering::all(paths_); }
+    static constexpr std::string_view name() { return "polyhedral"; }       ///< what results call it
+    PathNumbering numbering() const { return PathNumbering::all(paths_); }  ///< all are tracked
+    /// Where the path begins: a root of its cell's binomial system.
     RuntimePoint<double> point(std::uint64_t path) const;
 
-    const Supports& supports() const { return supports_; }
+    const Supports& supports() const { return supports_; }  ///< those of the generic system
+    /// Those of the generic system, one a column of the supports.
     const std::vector<Number>& coefficients() const { return coefficients_; }
     /// Of the path's cell: the height of each column over the largest one.
     std::span<const float> weights(std::uint64_t path) const;
     /// Of the path's cell: log(1 - s), s being the time at which all terms that are not the cell's are 2^-24 of its
     /// own, or less, at its start points.
     double rate(std::uint64_t path) const { return cells_[cell_of(path)].rate; }
-    std::size_t cells() const { return cells_.size(); }
+    std::size_t cells() const { return cells_.size(); }  ///< number of mixed cells
     /// The ratio of weights that 90 % of the paths stay below.
     double weight_ratio() const { return weight_ratio_; }
 

@@ -17,10 +17,12 @@
 
 namespace equilibria {
 
+/// Solutions of one system, and the terms that it has together with another.
 class SolvedInstance {
 public:
+    /// Complex angles in radians, then coordinates.
     using Points = std::vector<UnknownArray<RuntimeUnknowns, std::complex<double>>>;
-    static constexpr std::string_view name() { return "a solved instance"; }
+    static constexpr std::string_view name() { return "a solved instance"; }  ///< what results call it
 
     /// points: regular solutions of `from`, complex angles in radians, then coordinates. Throws InvalidArgument where
     /// the systems have other unknowns than each other.
@@ -30,9 +32,10 @@ public:
     const std::vector<SparseTerm>& terms(const SparseSystem&) const { return terms_; }
     /// Their coefficients at t = 0.
     const std::vector<std::complex<double>>& from() const { return from_; }
-    StartForms forms() const { return {}; }
+    StartForms forms() const { return {}; }  ///< none: only coefficients move
 
-    PathNumbering numbering() const { return PathNumbering::all(points_.size()); }
+    PathNumbering numbering() const { return PathNumbering::all(points_.size()); }  ///< all are tracked
+    /// Where path k begins.
     RuntimePoint<double> point(std::uint64_t k) const { return point_of<RuntimeUnknowns>(points_[k], sizes_); }
 
 private:

@@ -30,7 +30,7 @@ concept Start = requires(const T& start, std::uint64_t k) {
 /// The points of any start, of which no more is known: what those ask who track its paths.
 class StartPoints {
 public:
-    using Point = RuntimePoint<double>;
+    using Point = RuntimePoint<double>;  ///< with its numbers of unknowns at run time
 
     /// The start has to outlive it.
     template <class T>
@@ -41,9 +41,9 @@ public:
             resting_point = [&start](std::uint64_t k) { return runtime_point(start.resting_point(k)); };
     }
 
-    PathNumbering numbering;
-    std::string name;
-    std::function<Point(std::uint64_t)> point;
+    PathNumbering numbering;                    ///< which paths are tracked
+    std::string name;                           ///< what results call the start
+    std::function<Point(std::uint64_t)> point;  ///< where the k-th tracked path begins
     /// The k-th solution that rests at every t; none where the numbering has none.
     std::function<Point(std::uint64_t)> resting_point;
     /// Whether they are roots of G by their numbers, so that the homotopy's coefficients say all of them.

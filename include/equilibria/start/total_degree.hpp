@@ -28,6 +28,7 @@ class Reflected : public TotalDegreeStart {
                   "equilibria: the reflected start needs equations that are odd under theta -> -theta");
 
 public:
+    /// A start for the target's sizes of equations.
     Reflected(const ModelSystem<M>& target, Generator& generator)
         : TotalDegreeStart(TotalDegreeKind::reflected, Sizes<M>(), Formulation<M>::degrees, target.scale, generator) {}
 };
@@ -58,6 +59,7 @@ struct NaturalStartOf<M, true> {
 
 }  // namespace detail
 
+/// The start that suits a model: reflected where its equations are odd under theta -> -theta, unless it declines.
 template <Model M>
 using NaturalStart = typename detail::NaturalStartOf<M, detail::starts_reflected<M>()>::type;
 

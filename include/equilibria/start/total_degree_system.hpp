@@ -29,7 +29,8 @@ enum class TotalDegreeKind {
 
 /// One start point of one unknown: (c, s) of an angle, or (x, 0).
 struct StartCoordinate {
-    std::complex<double> c, s;
+    std::complex<double> c;  ///< cosine, or coordinate
+    std::complex<double> s;  ///< sine; 0 of a coordinate
 };
 
 /// G_1 .. G_n and their roots.
@@ -47,7 +48,7 @@ public:
     std::vector<StartForms::Term> terms() const;
     /// The start points of unknown i. Reflected: first the two with s = 0, then pairs (c, s), (c, -s).
     const std::vector<StartCoordinate>& points(int i) const { return points_[at(i)]; }
-    TotalDegreeKind kind() const { return kind_; }
+    TotalDegreeKind kind() const { return kind_; }  ///< general or reflected
 
 private:
     using Line = std::complex<double>[3];  // a c + b s - e

@@ -12,6 +12,7 @@ namespace equilibria {
 /// `what()` reads "checkpoint = <path>: <what is wrong>".
 class CheckpointError : public std::runtime_error {
 public:
+    /// Of the checkpoint at this path, and what is wrong with it in words.
     CheckpointError(std::string_view path, std::string_view wrong)
         : std::runtime_error("checkpoint = " + std::string(path.empty() ? "''" : path) + ": " + std::string(wrong)),
           wrong_(wrong) {}

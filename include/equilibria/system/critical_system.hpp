@@ -102,16 +102,16 @@ public:
         std::vector<double> scale;    ///< of the active ones: x_k is of the size of 1
         RuntimeMatrix<double> basis;  ///< B, row by row
         // with two active parameters, of the last equation:
-        std::array<double, 3> slice{};  ///< s_1, s_2, s_0
-        std::array<double, 2> extremal{};
-        double cusp = 0;
-        RuntimeArray<double> sine;  ///< r
+        std::array<double, 3> slice{};     ///< s_1, s_2, s_0
+        std::array<double, 2> extremal{};  ///< weights of v . dF/dx_k
+        double cusp = 0;                   ///< weight of V'''[v, v, v]
+        RuntimeArray<double> sine;         ///< r
     };
 
-    const ModelPolynomials& model() const { return *model_; }
-    std::span<const int> active() const { return active_; }
-    int actives() const { return static_cast<int>(active_.size()); }
-    const ActiveEntry& entry() const { return entry_; }
+    const ModelPolynomials& model() const { return *model_; }  ///< the one it was made from
+    std::span<const int> active() const { return active_; }    ///< numbers of the active parameters, in the order of x
+    int actives() const { return static_cast<int>(active_.size()); }  ///< how many parameters are active: 1 or 2
+    const ActiveEntry& entry() const { return entry_; }               ///< how they enter the equations
     /// Of the system: angles, then the model's coordinates, w, x and, off symmetric branches, y.
     const RuntimeSizes& sizes() const { return sizes_; }
     int first_null() const { return model_->sizes().coordinates; }     ///< the coordinate w_1
@@ -126,7 +126,8 @@ public:
     /// The numbers for those of the model: random B and r, weights 0. scales: of the active parameters, positive.
     Numbers numbers(const RuntimeArray<double>& p, std::vector<double> scales, Generator& generator) const;
 
-    /// The active parameter number k from its unknown, and back.
+    /// The active parameter number k from its unknown x_k, and back; `scale` is that of Numbers.
+    /// \{
     double parameter(int k, double x, double scale) const {
         return scale * (entry_.power[static_cast<std::size_t>(k)] == 2 ? std::sqrt(x) : x);
     }
@@ -134,6 +135,7 @@ public:
         const double x = parameter / scale;
         return entry_.power[static_cast<std::size_t>(k)] == 2 ? x * x : x;
     }
+    /// \}
 
     /// The equations over the numbers C, from the model's (see model_polynomials, of first_active) over them.
     template <class C>
@@ -153,6 +155,7 @@ public:
         }
         return y;
     }
+    /// The same over doubles, from the model's polynomials at the numbers' parameters.
     RuntimePolynomials<> equations(const Numbers& numbers) const;
     /// The system to be solved.
     SparseSystem system(const Numbers& numbers) const;

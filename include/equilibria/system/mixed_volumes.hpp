@@ -17,8 +17,10 @@ namespace equilibria {
 
 /// Nothing where a number is 2^63 or more. Supports count solutions with coordinates 0 as well (affine_supports).
 struct MixedVolumes {
-    std::optional<std::int64_t> in_cosines_and_sines, in_exponentials;
+    std::optional<std::int64_t> in_cosines_and_sines;  ///< in (cos, sin), with the circle equations
+    std::optional<std::int64_t> in_exponentials;       ///< in exp(i theta)
 };
+/// Both for the supports of this system, whose coefficients do not count.
 MixedVolumes mixed_volumes(const SparseSystem& system);
 
 /// What degrees say of a model (`bounds`), and its mixed volumes at generic parameters.

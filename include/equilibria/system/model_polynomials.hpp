@@ -79,9 +79,11 @@ class ModelPolynomials {
 public:
     virtual ~ModelPolynomials() = default;
 
-    const RuntimeSizes& sizes() const { return sizes_; }
-    bool has_potential() const { return has_potential_; }
+    const RuntimeSizes& sizes() const { return sizes_; }   ///< numbers of angles and coordinates
+    bool has_potential() const { return has_potential_; }  ///< whether the equations are the gradient of a potential
+    /// Whether F(-theta) = -F(theta), of angles alone.
     bool reflection_symmetric() const { return reflection_symmetric_; }
+    /// Those at which the support was found.
     const RuntimeArray<double>& generic_parameters() const { return generic_parameters_; }
 
     /// See model_polynomials.
@@ -89,6 +91,7 @@ public:
                                            std::span<const double> scales, int first) const = 0;
 
 protected:
+    /// What the four functions above return.
     ModelPolynomials(const RuntimeSizes& sizes, bool has_potential, bool reflection_symmetric,
                      RuntimeArray<double> generic)
         : sizes_(sizes), has_potential_(has_potential), reflection_symmetric_(reflection_symmetric),
@@ -100,6 +103,7 @@ private:
     RuntimeArray<double> generic_parameters_;
 };
 
+/// The polynomials of a Model, known from its type alone.
 template <Model M>
 class PolynomialsOf final : public ModelPolynomials {
 public:

@@ -26,9 +26,10 @@ Array<double, n_unknowns<M>> equation_scales(const Array<C, Formulation<M>::term
     return scale;
 }
 
+/// The coefficients of a model's terms, which are those of Formulation<M>, at given parameters.
 template <Model M>
 struct ModelSystem {
-    Parameters<M> parameters;
+    Parameters<M> parameters;                           ///< as given
     Array<double, Formulation<M>::terms> coefficients;  ///< of the support's terms
     Array<double, n_unknowns<M>> scale;                 ///< the largest coefficient of each equation
 

@@ -33,8 +33,8 @@ public:
         return p;
     }
 
-    const RuntimeSizes& sizes() const { return sizes_; }
-    bool has_potential() const { return has_potential_; }
+    const RuntimeSizes& sizes() const { return sizes_; }   ///< numbers of angles and coordinates
+    bool has_potential() const { return has_potential_; }  ///< whether the equations are the gradient of a potential
     /// Whether F(-theta) = -F(theta), of angles alone.
     bool reflection_symmetric() const { return reflection_symmetric_; }
     /// Total degree of each equation in the (cos, sin) of the angles and the coordinates.
@@ -60,9 +60,9 @@ private:
 
 /// A model at run time at given parameters.
 struct RuntimeModelSystem {
-    const RuntimeFormulation* formulation;
-    RuntimeArray<double> parameters;
-    std::vector<SparseTerm> terms;
+    const RuntimeFormulation* formulation;  ///< not owned
+    RuntimeArray<double> parameters;        ///< as given
+    std::vector<SparseTerm> terms;          ///< the support with the coefficients there, 0 of terms that are absent
     std::vector<double> scale;  ///< the largest coefficient of each equation; 1 of one that vanishes identically
 
     /// The formulation has to outlive it. Throws InvalidArgument as `terms` does.

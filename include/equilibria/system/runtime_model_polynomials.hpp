@@ -10,9 +10,11 @@
 
 namespace equilibria {
 
+/// The polynomials of a model of type T, which is copied.
 template <RuntimeModel T>
 class RuntimeModelPolynomials final : public ModelPolynomials {
 public:
+    /// Throws InvalidArgument as RuntimeFormulation does.
     explicit RuntimeModelPolynomials(const T& model) : RuntimeModelPolynomials(model, RuntimeFormulation(model)) {}
 
     RuntimePolynomials<> equations(const RuntimeArray<double>& p, std::span<const int> active,

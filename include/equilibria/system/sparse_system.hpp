@@ -26,7 +26,7 @@ namespace equilibria {
 /// As many equations as unknowns. Terms are sorted by equation, then by the code of the equation's own unknown.
 class SparseSystem {
 public:
-    using Term = SparseTerm;
+    using Term = SparseTerm;  ///< product of factors with its coefficient
 
     /// From terms, in any order, each product of factors once in an equation. Throws InvalidArgument where a term's
     /// equation or number of codes is none of the system's, where an equation has no terms, or a coefficient is not
@@ -38,8 +38,8 @@ public:
     explicit SparseSystem(const std::vector<TrigonometricPolynomial<Angles, Coordinates>>& equations)
         : SparseSystem(RuntimeSizes(Angles, Coordinates), terms_of(equations)) {}
 
-    const RuntimeSizes& sizes() const { return sizes_; }
-    const std::vector<Term>& terms() const { return terms_; }
+    const RuntimeSizes& sizes() const { return sizes_; }          ///< numbers of angles and coordinates
+    const std::vector<Term>& terms() const { return terms_; }     ///< of all equations, sorted
     const std::vector<double>& scale() const { return scale_; }   ///< the largest coefficient of each equation
     const std::vector<int>& degrees() const { return degrees_; }  ///< total degree of each in (cos, sin), coordinates
 

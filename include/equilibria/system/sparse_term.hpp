@@ -20,8 +20,8 @@ public:
     /// A code for each unknown.
     explicit SparseMonomial(std::vector<int> codes) : codes_(std::move(codes)) {}
 
-    int size() const { return static_cast<int>(codes_.size()); }
-    int code(int unknown) const { return codes_[static_cast<std::size_t>(unknown)]; }
+    int size() const { return static_cast<int>(codes_.size()); }                       ///< number of unknowns
+    int code(int unknown) const { return codes_[static_cast<std::size_t>(unknown)]; }  ///< of the factor in the unknown
     /// In (cos, sin) of the unknown, or in x.
     int degree(int unknown) const { return std::abs(code(unknown)); }
     /// Total degree in all (cos, sin) and x.
@@ -31,8 +31,11 @@ public:
         return d;
     }
 
+    /// The order of the codes, the first unknown's first.
+    /// \{
     friend bool operator==(const SparseMonomial&, const SparseMonomial&) = default;
     friend auto operator<=>(const SparseMonomial&, const SparseMonomial&) = default;
+    /// \}
 
 private:
     std::vector<int> codes_;
@@ -46,10 +49,11 @@ SparseMonomial sparse_monomial(const Monomial<Angles, Coordinates>& monomial) {
     return SparseMonomial(std::move(codes));
 }
 
+/// One term of one equation.
 struct SparseTerm {
-    int equation;
-    SparseMonomial monomial;
-    double coefficient;
+    int equation;             ///< from 0
+    SparseMonomial monomial;  ///< product of factors, one an unknown
+    double coefficient;       ///< real
 
     /// The factor in unknown number `equation`: terms of an equation that share it are summed before it is multiplied.
     int own_code() const { return monomial.code(equation); }

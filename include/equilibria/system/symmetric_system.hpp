@@ -36,19 +36,21 @@ public:
 
     /// What the equations depend on.
     struct Numbers {
-        CriticalSystem::Numbers plane;  ///< parameters, scales and basis
-        RuntimeArray<double> cosine;    ///< of the branch: 1 or -1
-        std::array<double, 3> slice{};  ///< s_1, s_2, s_0
-        std::array<double, 2> extremal{};
-        double fourth = 0;
+        CriticalSystem::Numbers plane;     ///< parameters, scales and basis
+        RuntimeArray<double> cosine;       ///< of the branch: 1 or -1
+        std::array<double, 3> slice{};     ///< s_1, s_2, s_0
+        std::array<double, 2> extremal{};  ///< weights of v . dJ/dx_k v
+        double fourth = 0;                 ///< weight of V''''[v, v, v, v]
     };
 
-    const CriticalSystem& plane() const { return *plane_; }
-    const RuntimeSizes& sizes() const { return sizes_; }
-    int first_active() const { return n_ - 1; }  ///< the coordinate x_1
+    const CriticalSystem& plane() const { return *plane_; }  ///< the critical system that it was made from
+    const RuntimeSizes& sizes() const { return sizes_; }     ///< no angles; the coordinates are w and x
+    int first_active() const { return n_ - 1; }              ///< the coordinate x_1
     /// {w}, {x_1}, {x_2}
     const std::vector<int>& grouping() const { return grouping_; }
 
+    /// The numbers for the branch theta = `branch`, of entries 0 or pi: random B and weights 0. scales: of the active
+    /// parameters, positive.
     Numbers numbers(const RuntimeArray<double>& p, std::vector<double> scales, const RuntimeArray<double>& branch,
                     Generator& generator) const;
 
@@ -78,6 +80,7 @@ public:
         y.push_back(last);
         return y;
     }
+    /// The same over doubles, from the model's polynomials at the numbers' parameters.
     RuntimePolynomials<> equations(const Numbers& numbers) const;
     /// The system to be solved.
     SparseSystem system(const Numbers& numbers) const { return sparse_system(equations(numbers), sizes_); }

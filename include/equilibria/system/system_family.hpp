@@ -26,10 +26,11 @@
 
 namespace equilibria {
 
+/// The support, the number of parameters, and the function that gives the coefficients.
 class SystemFamily {
 public:
-    using Number = std::complex<double>;
-    using Parameters = std::span<const Number>;
+    using Number = std::complex<double>;         ///< type of parameters and coefficients
+    using Parameters = std::span<const Number>;  ///< one after the other, real or not
     /// The coefficients of the support's terms, in its order, at parameters.
     using Coefficients = std::function<std::vector<Number>(Parameters)>;
 
@@ -37,9 +38,9 @@ public:
     /// be called from one thread at a time. Throws InvalidArgument where a term is none of the system's.
     SystemFamily(const RuntimeSizes& sizes, std::vector<SparseTerm> support, int parameters, Coefficients coefficients);
 
-    const RuntimeSizes& sizes() const { return sizes_; }
-    int parameters() const { return parameters_; }
-    const std::vector<SparseTerm>& support() const { return support_; }
+    const RuntimeSizes& sizes() const { return sizes_; }                 ///< numbers of angles and coordinates
+    int parameters() const { return parameters_; }                       ///< number of parameters
+    const std::vector<SparseTerm>& support() const { return support_; }  ///< terms in the order of the coefficients
 
     /// Throws InvalidArgument where there are other numbers of parameters or of coefficients than there should be. A
     /// coefficient that is not finite comes back as it is, or as an error of the model's.

@@ -195,7 +195,7 @@ public:
     explicit RotationDrive(const Eigen::Vector3d& axis, double rate = 1, double offset = 0)
         : axis_(detail::frame_along(axis)[0]), rate_(rate), offset_(offset) {}
 
-    /// 2 sin of half the angle that is left.
+    /// Twice the sine of half the angle by which B has turned too far.
     template <class T>
     Eigen::Matrix<T, 1, 1> constraints(const std::array<Frame<T>, 2>& at, const T& p) const {
         using std::cos, std::sin;
@@ -223,7 +223,7 @@ public:
     /// rate: by p, radians; offset: at p = 0.
     explicit PlanarRotationDrive(double rate = 1, double offset = 0) : drive_(Eigen::Vector3d::UnitZ(), rate, offset) {}
 
-    /// 2 sin of half the angle that is left.
+    /// Twice the sine of half the angle by which B has turned too far.
     template <class T>
     Eigen::Matrix<T, 1, 1> constraints(const std::array<Frame<T>, 2>& at, const T& p) const {
         return drive_.constraints(at, p);

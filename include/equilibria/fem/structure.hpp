@@ -65,7 +65,7 @@ public:
     MakeSymmetricFactors symmetric_factors() const { return options_.factors; }
     /// The number of a component of a node among the unknowns; -1 where it is fixed or no element uses it.
     int unknown(int node, Component c) const { return unknowns_[static_cast<std::size_t>(node)][c]; }
-    /// K and rho, chosen where the options left them 0.
+    /// Of the augmented Lagrangian; chosen where the options left a 0.
     const ConstraintScale& scale() const { return options_.scale; }
     double length() const { return options_.length; }  ///< of the weights, chosen where the options left it 0
 

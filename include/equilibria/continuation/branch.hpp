@@ -127,7 +127,7 @@ public:
         /// The point of the branch at which it is.
         const BranchPoint<P>& operator*() const { return *point_; }
         const BranchPoint<P>* operator->() const { return &*point_; }  ///< the same, for its members
-        /// A step onwards; beyond the last point where the stepper gives none.
+        /// A step onwards, which may lead to the end.
         /// \{
         Iterator& operator++() {
             auto next = stepper_->advance(*point_, before_ ? &*before_ : nullptr);

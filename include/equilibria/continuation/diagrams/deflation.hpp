@@ -20,7 +20,7 @@ namespace equilibria {
 /// How deflated Newton searches.
 struct DeflationOptions {
     double power = 2;           ///< of the distance to a known equilibrium
-    double shift = 1;           ///< the factor far away from all of them
+    double shift = 1;           ///< what each factor is far away from its equilibrium
     int most_iterations = 100;  ///< of Newton's method from one guess
     double tolerance = 1e-11;   ///< of the last step, over the size of the unknowns
     /// Of Newton's method, by the problem's weights.

@@ -23,7 +23,7 @@ struct LineEvent {
     double residual = 0;                     ///< the largest |entry| of F and J v
     /// Of the last step of Newton's method: about the error. NaN of kinds other than fold and pitchfork.
     double correction = 0;
-    ReducedCoefficients reduced;  ///< of the equation along v that decides the kind
+    ReducedCoefficients reduced;  ///< derivatives along v that decide between fold, cusp and pitchfork
     /// Of folds u . dF/dp, u the unit left null vector (v where there is a potential); else the derivative by p of the
     /// eigenvalue that vanishes, along the branch.
     double slope = 0;

@@ -21,7 +21,7 @@ public:
     using Problem = PlaneProblem;    ///< one of these
     /// The branch's q, and x as its p.
     using Configuration = CriticalConfiguration<equilibria::Configuration<Problem>>;
-    static constexpr bool symmetric = false;  ///< sigma' need not be positive; 1 x 1
+    static constexpr bool symmetric = false;  ///< the tangent, 1 x 1, is taken for unsymmetric
 
     /// x_scale: a change of x that counts as much as one of 1.
     PitchforkCurve(Problems problems, double x_scale) : problems_(std::move(problems)), x_scale_(x_scale) {}

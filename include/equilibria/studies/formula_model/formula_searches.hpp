@@ -51,7 +51,7 @@ SweepCounts sweep(const FormulaModel& model, const ParameterPoints& points,
 /// The equations at these unknowns (angles in radians, then coordinates).
 RuntimeArray<double> equations_of(const FormulaModel& model, const RuntimeArray<double>& q,
                                   const RuntimeArray<double>& p);
-/// The Jacobian of these equations, n x n.
+/// Their Jacobian, n rows of n entries.
 RuntimeMatrix<double> jacobian_of(const FormulaModel& model, const RuntimeArray<double>& q,
                                   const RuntimeArray<double>& p);
 /// The potential there; NaN of a model without one.

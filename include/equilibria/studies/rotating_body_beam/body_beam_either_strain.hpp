@@ -35,7 +35,7 @@ struct BodyBeamEitherStrain : RotatingBodyBeamBase<K, BeamStrain::either> {
         at_speed ? 4 + 3 * K : 5 + 3 * K;         ///< w, u, lambda; omega too at a given momentum
     static constexpr int first_mode = 3;          ///< place of u among the coordinates
     static constexpr int multiplier = 3 + 3 * K;  ///< place of lambda
-    static constexpr int omega = multiplier + 1;  ///< place of omega
+    static constexpr int omega = multiplier + 1;  ///< place of omega, at a given momentum
 
     /// The function whose critical points are the equilibria.
     constexpr auto potential(const auto&, const auto& x, const auto& p) const {
@@ -75,8 +75,8 @@ struct BodyBeamEitherStrain : RotatingBodyBeamBase<K, BeamStrain::either> {
     struct Units {
         Array<double, Base::n_parameters> scaled;  ///< the parameters in these units
         double modes;                              ///< modes at p over those in these units
-        double speed;                              ///< speeds
-        double moments;                            ///< moments of inertia
+        double speed;                              ///< the same of speeds
+        double moments;                            ///< the same of moments of inertia
     };
     /// The units that suit p, whose length and bending stiffnesses are positive.
     static Units units(const Array<double, Base::n_parameters>& p) {

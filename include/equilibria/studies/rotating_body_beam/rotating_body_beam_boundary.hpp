@@ -69,7 +69,7 @@ public:
     BeamStrain strain() const { return coupled_ ? BeamStrain::coupled : BeamStrain::linear; }  ///< linear or coupled
     BeamControl control_by() const { return control_; }  ///< whether p is omega or A
 
-    /// N, of length 1 at a solution.
+    /// The axis n, of length 1 at a solution.
     Eigen::Vector3d axis(const Eigen::VectorXd& q) const { return sized(q).head<3>(); }
     double moment(const Eigen::VectorXd& q) const { return sized(q)(3 * m_ + 3); }  ///< lambda
     /// omega

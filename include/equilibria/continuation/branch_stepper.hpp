@@ -189,7 +189,7 @@ public:
     }
     /// The scalar product of lengths: sum w_i a_i b_i + theta^2 a_p b_p.
     double dot(const Direction& a, const Direction& b) const { return any_.dot(a, b); }
-    double length(const Direction& a) const { return any_.length(a); }  ///< of a direction
+    double length(const Direction& a) const { return any_.length(a); }  ///< of a direction, by this product
     const Eigen::VectorXd& metric() const { return any_.metric(); }     ///< w, the weights of the unknowns
 
     static void flip(Direction& d) { AnyBranchStepper<Matrix>::flip(d); }  ///< turns a direction round

@@ -104,8 +104,8 @@ struct RootSet {
             if (!e.degenerate()) ++counts[static_cast<std::size_t>(e.index)];
         return counts;
     }
-    /// \{
     /// Whether the Morse relations of the n-torus apply, and whether they do and hold.
+    /// \{
     bool morse_applies() const { return verdict().morse_applies(); }
     bool morse() const { return verdict().morse(); }
     /// \}

@@ -36,7 +36,8 @@ struct Arc {
         y.inwards = y.normal.cross(y.tangent);
         return y;
     }
-    Eigen::Vector3d at(double t) const {  ///< the point at t
+    /// The point at t.
+    Eigen::Vector3d at(double t) const {
         const double half = std::sin(angle * t / 2);
         return first + radius * (std::sin(angle * t) * tangent + 2 * half * half * inwards);
     }

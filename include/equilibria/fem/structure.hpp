@@ -50,7 +50,7 @@ template <bool Conservative>
 class BasicStructure {
 public:
     using Configuration = StructureState;            ///< frames and multipliers
-    static constexpr bool symmetric = Conservative;  ///< K is
+    static constexpr bool symmetric = Conservative;  ///< whether K is taken for symmetric
 
     /// Throws InvalidArgument where nothing can move, where a node may turn about two axes alone, where a load acts on
     /// a component that no element uses, and, for a conservative structure, where an element has no energy or a moment

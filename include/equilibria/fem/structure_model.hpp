@@ -80,8 +80,8 @@ public:
         return own.size() - 1;
     }
 
-    /// \{
     /// Fixes components of a node where they are: positions, and right increments of its rotation.
+    /// \{
     void fix(int node, std::span<const Component> components) {
         for (const Component c : components) fixed_[checked(node, "node")][c] = true;
     }
@@ -89,7 +89,8 @@ public:
         fix(node, std::span(components.begin(), components.size()));
     }
     /// \}
-    bool fixed(int node, Component c) const { return fixed_[checked(node, "node")][c]; }  ///< whether a component is
+    /// Whether a component is fixed.
+    bool fixed(int node, Component c) const { return fixed_[checked(node, "node")][c]; }
 
     /// The node turns as another one does, as points of one rigid body do: Boolean assignment of rotations (18). So do
     /// all nodes that turn with either of them.

@@ -34,7 +34,7 @@ public:
                                    .laurent = path.to()}),
           path_(&path) {}
 
-    static constexpr bool moving() { return true; }  ///< coefficients do
+    static constexpr bool moving() { return true; }  ///< coefficients change with t
     /// The Taylor coefficient of order `Order` in t, at the time t, of a term's coefficient.
     template <int Order, class R, class Time>
     Complex<R> law(int term, const Time& t) const {

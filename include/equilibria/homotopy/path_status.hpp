@@ -17,7 +17,7 @@ enum class PathStatus : std::uint8_t {
 
 /// Why a path failed.
 enum class FailureReason : std::uint8_t {
-    none,              ///< it did not
+    none,              ///< the path did not fail
     step_too_small,    ///< the step control refused every step
     too_many_steps,    ///< as many as TrackerOptions::most_steps
     endgame_undecided  ///< near t = 1, neither finite, nor at infinity, nor singular could be shown

@@ -76,8 +76,8 @@ public:
     const RuntimeSizes& sizes() const { return sizes_; }           ///< numbers of angles and of coordinates
     const detail::TermTables& tables() const { return *tables_; }  ///< the terms that are evaluated
     const StartForms& forms() const { return forms_; }             ///< G
-    bool moving() const { return !from_.empty(); }                 ///< whether coefficients do
-    bool symmetric() const { return symmetric_; }                  ///< the Jacobian is
+    bool moving() const { return !from_.empty(); }                 ///< whether coefficients change with t
+    bool symmetric() const { return symmetric_; }                  ///< whether the Jacobian is symmetric
     /// The square of the size beyond which a path is left to the endgame. Exponentials have their digits there still,
     /// and on a line of generic coefficients paths come back from farther out.
     double far_away2() const { return laurent_.empty() ? equilibria::far_away2 : 1e60; }

@@ -21,7 +21,7 @@ public:
     SparseHomotopy(const SparseSystem& target, const StartSystem& start)
         : PolynomialHomotopy(target, start), start_(&start) {}
 
-    static constexpr bool moving() { return true; }  ///< coefficients do
+    static constexpr bool moving() { return true; }  ///< coefficients change with t
     /// The Taylor coefficient of order `Order` in t, at the time t, of a term's coefficient.
     template <int Order, class R, class Time>
     auto law(int term, const Time& t) const {

@@ -27,8 +27,7 @@ struct PlotlyAxis {
 };
 
 /// What a view shows. Titles are in UTF-8 and in Plotly's markup: `<i>`, `<b>`, `<sub>`, `<sup>`, `<br>`, and `&lt;`
-/// for a
-/// `<`. Those of axes are drawn upright whatever the markup, and a long line is cut where the window ends.
+/// for a `<`. Those of axes are drawn upright whatever the markup, and a long line is cut where the window ends.
 struct PlotlyView {
     std::string title;          ///< above the view
     std::string subtitle = {};  ///< below it, smaller

@@ -31,10 +31,10 @@ template <int N>
 struct RotatingChain {
     static_assert(N >= 1);
     static constexpr int n_angles = N;              ///< one of each link
-    static constexpr int length = 0;                ///< the first length
-    static constexpr int mass = N;                  ///< the first mass
-    static constexpr int omega = 2 * N;             ///< angular speed
-    static constexpr int gravity = 2 * N + 1;       ///< of the field
+    static constexpr int length = 0;                ///< place of the first length
+    static constexpr int mass = N;                  ///< place of the first mass
+    static constexpr int omega = 2 * N;             ///< place of the angular speed
+    static constexpr int gravity = 2 * N + 1;       ///< place of gravity
     static constexpr int n_parameters = 2 * N + 2;  ///< two for each link, and two
 
     /// V, see above.

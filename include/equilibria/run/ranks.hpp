@@ -31,7 +31,7 @@ public:
 class Ranks {
 public:
     using Bytes = std::vector<std::uint8_t>;          ///< what a block gave
-    using BytesView = std::span<const std::uint8_t>;  ///< bytes of somebody else
+    using BytesView = std::span<const std::uint8_t>;  ///< bytes that are read, not owned
 
     /// A loop over the blocks 0 .. size - 1.
     struct Loop {

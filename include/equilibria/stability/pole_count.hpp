@@ -43,8 +43,8 @@ struct PoleCount {
     typename System::Poles poles;                           ///< by real parts, the largest last
     RouthTable<typename System::Polynomial> routh;          ///< of the polynomial
     HurwitzCriterion<typename System::Polynomial> hurwitz;  ///< of the polynomial
-    int right_of_axis = 0;                                  ///< poles, counted one by one
-    int on_axis = 0;                                        ///< poles, counted one by one
+    int right_of_axis = 0;                                  ///< poles right of the imaginary axis
+    int on_axis = 0;                                        ///< poles on it, see imaginary_pole
 
     /// Poles right of the imaginary axis; nothing where the criteria do not agree. Of Hurwitz's minors nothing is asked
     /// where the last ones are zero.

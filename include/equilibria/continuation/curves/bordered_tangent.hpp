@@ -44,7 +44,7 @@ struct BorderedTangent {
     Eigen::VectorXd g;                        ///< the residual
     Eigen::VectorXd g_p;                      ///< dg/dp
     BorderedSolver<TangentMatrix<P>> solver;  ///< with K's factors
-    bool regular;                             ///< the bordered matrix is, and g is finite
+    bool regular;                             ///< the bordered matrix is regular, and g finite
     BorderedSolution null;                    ///< [r; sigma]; empty where not regular
     BorderedSolution left;                    ///< the same of B^T
     BorderedSolution slope;                   ///< [s; -mu]

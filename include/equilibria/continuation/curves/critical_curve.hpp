@@ -131,7 +131,7 @@ public:
     Configuration rebase(const Configuration& y, double r) const { return with_best_border(problems_(r), y); }
 
 protected:
-    /// The residual where the border is singular, of `size` entries.
+    /// `size` times NaN: the residual where the bordered tangent is singular.
     static Eigen::VectorXd not_a_number(Eigen::Index size) {
         return Eigen::VectorXd::Constant(size, std::numeric_limits<double>::quiet_NaN());
     }

@@ -104,7 +104,7 @@ public:
     BorderedSolver& operator=(BorderedSolver&&) noexcept;
     /// \}
     ~BorderedSolver();
-    bool symmetric() const { return symmetric_; }  ///< K was promised to be
+    bool symmetric() const { return symmetric_; }  ///< whether K was promised to be symmetric
 
     /// Factors K, which it takes, without the border's row and column. False where that is singular to working
     /// precision, or K not finite.

@@ -18,8 +18,8 @@ namespace equilibria {
 /// independent of all others and not among them.
 class ConstraintGradients {
 public:
-    /// \{
     /// weights: of the unknowns, as the continuation's problem has them; lengths are theirs.
+    /// \{
     ConstraintGradients(const Eigen::MatrixXd& k, int multipliers, const Eigen::VectorXd& weights);
     ConstraintGradients(const Eigen::SparseMatrix<double>& k, int multipliers, const Eigen::VectorXd& weights);
     /// \}

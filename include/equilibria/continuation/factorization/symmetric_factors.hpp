@@ -11,7 +11,7 @@
 
 namespace equilibria {
 
-/// An unknown whose row and column are zerosbut for `corner`, whatever the matrix holds there.
+/// An unknown whose row and column are zeros but for `corner`, whatever the matrix holds there.
 struct RemovedUnknown {
     Eigen::Index unknown = -1;  ///< -1: none
     double corner = 1;          ///< the entry where row and column cross

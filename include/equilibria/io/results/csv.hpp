@@ -39,8 +39,8 @@ std::string csv_cell(T x) {
     else
         return std::to_string(x);
 }
-/// \{
 /// Text, in quotes where it must be.
+/// \{
 inline std::string csv_cell(std::string_view text) {
     if (text.find_first_of(",\"\r\n") == text.npos) return std::string(text);
     std::string out = "\"";

@@ -79,7 +79,7 @@ struct LocusEvidence {
 template <class M>
 struct Locus {
     Window window;                         ///< of the two parameters, x and y
-    ParameterArray<M, double> parameters;  ///< all of them; those of x and y are not read
+    ParameterArray<M, double> parameters;  ///< all of the model's; those of x and y do not matter
     std::vector<LocusCurve<M>> curves;     ///< of folds and of pitchforks
     /// The special points of the curves, in the order in which they were found: cusps (with the derivatives phi''' and
     /// phi'''' of the reduced potential, residual the largest of |F|, |J v| and |phi'''|), tricritical pitchforks, and
@@ -96,7 +96,7 @@ struct Locus {
         return found;
     }
 
-    using Evidence = LocusEvidence;  ///< what speaks for completeness
+    using Evidence = LocusEvidence;  ///< the type of `evidence`
     Evidence evidence;               ///< what speaks for completeness, and against it
 
     std::string argument() const { return evidence.argument(); }  ///< see LocusEvidence::argument

@@ -28,7 +28,7 @@ namespace equilibria {
 struct ProvedShare {
     std::uint64_t proved = 0;  ///< points that are proved
     std::uint64_t of = 0;      ///< points that were tried
-    /// "proved of all".
+    /// As in "5 of 7".
     friend std::ostream& operator<<(std::ostream& out, const ProvedShare& s) {
         return out << s.proved << " of " << s.of;
     }

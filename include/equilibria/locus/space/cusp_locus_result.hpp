@@ -40,7 +40,7 @@ struct CuspPlane {
 template <PotentialModel M>
 struct CuspLocus {
     Box box;                           ///< of the three parameters
-    Parameters<M> parameters;          ///< all of them; those of the three are not read
+    Parameters<M> parameters;          ///< all of the model's; those of the three do not matter
     std::vector<CuspCurve<M>> curves;  ///< one of a mirror pair
     std::vector<CuspPlane<M>> planes;  ///< ascending
 

@@ -149,8 +149,8 @@ public:
         const auto r = motion_.rates(a, u, p);
         return {r.angular_velocity, r.momentum, r.modes, r.modal_momentum, r.loss};
     }
-    /// \{
     /// H = T + V at momenta a, p and modes u.
+    /// \{
     double energy(const Eigen::Vector3d& a, const Modes& u, const Modes& p) const { return motion_.energy(a, u, p); }
     double energy(const State& x) const { return energy(x.momentum, x.modes, modal_momentum(x)); }
     /// \}

@@ -19,6 +19,7 @@ namespace equilibria {
 class AnyConfiguration {
 public:
     AnyConfiguration() = default;
+    /// Made of a configuration of the type Q.
     template <class Q>
     static AnyConfiguration of(Q q) {
         AnyConfiguration y;
@@ -45,13 +46,13 @@ std::vector<AnyConfiguration> erased_configurations(const std::vector<Q>& all) {
 
 /// What a problem promises, and which of the optional functions it has.
 struct ProblemProperties {
-    bool symmetric = true;
-    bool control = false;
-    bool transport = false;
-    bool multipliers = false;
-    bool tangent_derivative = false;
-    bool parameter_derivative_along = false;
-    bool second_parameter_derivative = false;
+    bool symmetric = true;                     ///< K is symmetric
+    bool control = false;                      ///< it has control(q, p)
+    bool transport = false;                    ///< transport(q, increment, v)
+    bool multipliers = false;                  ///< multipliers()
+    bool tangent_derivative = false;           ///< tangent_derivative(q, p, v)
+    bool parameter_derivative_along = false;   ///< parameter_derivative_along(q, p, v)
+    bool second_parameter_derivative = false;  ///< second_parameter_derivative(q, p)
 };
 
 namespace detail {
@@ -180,8 +181,8 @@ ProblemProperties properties_of() {
 template <class Matrix>
 class AnyProblem {
 public:
-    using Vector = Eigen::VectorXd;
-    using Q = AnyConfiguration;
+    using Vector = Eigen::VectorXd;  ///< residuals and increments, n entries
+    using Q = AnyConfiguration;      ///< a configuration
 
     /// The problem must outlive it.
     template <ContinuationProblem P>
@@ -191,10 +192,13 @@ public:
           properties_(detail::properties_of<P>()), multipliers_(equilibria::multipliers(problem)),
           symmetric_factors_(equilibria::symmetric_factors(problem)) {}
 
-    const ProblemProperties& properties() const { return properties_; }
-    int multipliers() const { return multipliers_; }
+    const ProblemProperties& properties() const { return properties_; }  ///< what the problem's type promises
+    int multipliers() const { return multipliers_; }  ///< how many of the last unknowns are Lagrange multipliers
+    /// What factors a sparse symmetric K; null: SparseLDLT.
     MakeSymmetricFactors symmetric_factors() const { return symmetric_factors_; }
 
+    /// A function of the problem, see problem.hpp: its own, or the default where it has none.
+    /// \{
     Vector residual(const Q& q, double p) const { return functions_->residual(q, p); }
     Matrix tangent(const Q& q, double p) const { return functions_->tangent(q, p); }
     Vector parameter_derivative(const Q& q, double p) const { return functions_->parameter_derivative(q, p); }
@@ -219,6 +223,7 @@ public:
     Direction control_gradient(const Q& q, double p, Eigen::Index size) const {
         return functions_->control_gradient(q, p, size);
     }
+    /// \}
     /// None where the problem declares no symmetry.
     std::vector<Q> images(const Q& q) const { return functions_->images(q); }
     /// Number k of them.
@@ -237,7 +242,7 @@ using AnyProblemOf = AnyProblem<TangentMatrix<P>>;
 
 /// In place of a problem's type: BranchPoint<Erased> is a point of a branch of a problem of any type.
 struct Erased {
-    using Configuration = AnyConfiguration;
+    using Configuration = AnyConfiguration;  ///< what configurations are
 };
 
 }  // namespace equilibria

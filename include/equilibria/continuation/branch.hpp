@@ -17,15 +17,17 @@
 
 namespace equilibria {
 
+/// How far a branch is followed, and how.
 struct ContinuationOptions {
-    BranchOptions branch{};
-    CriticalPointOptions critical{};
+    BranchOptions branch{};           ///< steps along the branch
+    CriticalPointOptions critical{};  ///< Newton's method at critical points
     /// Of p, in its own unit: the branch ends at the first point outside.
     Interval range{-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
-    int most_steps = 1000;
+    int most_steps = 1000;  ///< the branch ends after as many
     /// The branch ends with the step on which it has as many.
     int most_critical_points = std::numeric_limits<int>::max();
 
+    /// Throws InvalidArgument for an option out of range.
     void validate() const {
         branch.validate();
         require(range.low < range.high, "range.low", range.low, "must be below range.high");
@@ -42,6 +44,7 @@ enum class BranchEnd {
     stopped,   ///< the smallest step did not converge
     critical,  ///< as many critical points as allowed
 };
+/// One word: "steps", "window", "closed", "stopped" or "critical".
 constexpr const char* to_string(BranchEnd end) {
     constexpr const char* names[] = {"steps", "window", "closed", "stopped", "critical"};
     return names[static_cast<int>(end)];
@@ -49,31 +52,35 @@ constexpr const char* to_string(BranchEnd end) {
 
 /// A step whose changes of sign the events do not account for.
 struct UnexplainedStep {
-    std::size_t step;
-    std::string reason;
+    std::size_t step;    ///< between points step and step + 1
+    std::string reason;  ///< what is not accounted for, in words
 };
 
+/// A branch in one direction: its points in order, and what happens between them.
 template <class P>
 struct Branch {
+    /// A critical point that was met.
     struct Event {
-        std::size_t step;  ///< between points step and step + 1
-        CriticalPoint<P> point;
+        std::size_t step;        ///< between points step and step + 1
+        CriticalPoint<P> point;  ///< where it is exactly
     };
+    /// A zero of an event function.
     struct Crossing {
-        std::size_t step;
+        std::size_t step;      ///< between points step and step + 1
         std::size_t function;  ///< number of the event function
         BranchPoint<P> point;  ///< where it is 0
     };
-    using Unexplained = UnexplainedStep;
+    using Unexplained = UnexplainedStep;  ///< a step with changes of sign that are left over
 
-    std::vector<BranchPoint<P>> points;
-    std::vector<Event> events;
-    std::vector<Crossing> crossings;  ///< zeros of event functions
-    std::vector<Unexplained> unexplained;
-    BranchEnd end = BranchEnd::steps;
+    std::vector<BranchPoint<P>> points;    ///< from the start on; empty where there was none
+    std::vector<Event> events;             ///< critical points, in the order in which they were met
+    std::vector<Crossing> crossings;       ///< zeros of event functions
+    std::vector<Unexplained> unexplained;  ///< steps that hide something; none: the branch is complete
+    BranchEnd end = BranchEnd::steps;      ///< why there are no more points
 };
 
 /// The same branch, its configurations of any type, and back.
+/// \{
 template <ContinuationProblem P>
 Branch<Erased> erased(const Branch<P>& branch) {
     Branch<Erased> y;
@@ -95,6 +102,7 @@ Branch<P> typed(const Branch<Erased>& branch) {
     y.end = branch.end;
     return y;
 }
+/// \}
 
 /// The points of a branch, one after the other, for a driver of its own:
 ///
@@ -103,15 +111,24 @@ Branch<P> typed(const Branch<Erased>& branch) {
 template <ContinuationProblem P>
 class BranchPoints {
 public:
+    /// The stepper must outlive it; start: a point of the branch with a tangent that leads onwards.
     BranchPoints(BranchStepper<P>& stepper, BranchPoint<P> start) : stepper_(&stepper), start_(std::move(start)) {}
 
+    /// An input iterator, which makes a step for each increment.
     class Iterator {
     public:
+        /// As an iterator of the standard library has it.
+        /// \{
         using value_type = BranchPoint<P>;
         using difference_type = std::ptrdiff_t;
+        /// \}
+        /// At the point `start`.
         Iterator(BranchStepper<P>* stepper, const BranchPoint<P>& start) : stepper_(stepper), point_(start) {}
+        /// The point of the branch at which it is.
         const BranchPoint<P>& operator*() const { return *point_; }
-        const BranchPoint<P>* operator->() const { return &*point_; }
+        const BranchPoint<P>* operator->() const { return &*point_; }  ///< the same, for its members
+        /// A step onwards, which may lead to the end.
+        /// \{
         Iterator& operator++() {
             auto next = stepper_->advance(*point_, before_ ? &*before_ : nullptr);
             before_ = std::move(point_);
@@ -119,6 +136,8 @@ public:
             return *this;
         }
         void operator++(int) { ++*this; }
+        /// \}
+        /// Whether the branch has ended.
         friend bool operator==(const Iterator& i, std::default_sentinel_t) { return !i.point_; }
 
     private:
@@ -126,16 +145,19 @@ public:
         std::optional<BranchPoint<P>> point_, before_;
     };
 
+    /// From the start, to where the stepper gives no point any more.
+    /// \{
     Iterator begin() const { return {stepper_, start_}; }
     std::default_sentinel_t end() const { return {}; }
+    /// \}
 
 private:
     BranchStepper<P>* stepper_;
     BranchPoint<P> start_;
 };
 
-// Of problems of any type; see below.
-
+/// Of problems of any type; see below.
+/// \{
 template <class Matrix>
 Branch<Erased> follow(AnyBranchStepper<Matrix>& stepper, const BranchPoint<Erased>& start,
                       const ContinuationOptions& options, const std::vector<EventFunction<Erased>>& functions);
@@ -154,6 +176,7 @@ std::optional<Branch<Erased>> known_image(AnyBranchStepper<Matrix>& stepper, con
 template <class Matrix>
 std::vector<BranchPoint<Erased>> switch_branch(AnyBranchStepper<Matrix>& stepper, const CriticalPoint<Erased>& point,
                                                const Direction& incoming, double amplitude);
+/// \}
 
 /// Follows the branch from one of its points, in the direction of its tangent. functions: located where they change
 /// sign. Of a problem with `images(q)` a branch that passes a bifurcation along its null vector, and is the image of

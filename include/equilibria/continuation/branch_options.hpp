@@ -19,9 +19,10 @@ enum class StepConstraint {
     scalar,         ///< where problem.control(q, p) has changed by the predicted amount
 };
 
+/// How the next point is guessed.
 enum class Predictor {
-    tangent,
-    secant,
+    tangent,    ///< along the tangent at the last point
+    secant,     ///< along the chord from the point before the last
     quadratic,  ///< the parabola through the last two points with the tangent at the last
     cubic,      ///< the cubic with the tangents at both, of an error of fourth order
 };
@@ -29,20 +30,21 @@ enum class Predictor {
 /// Lengths of steps are by the norm of branch_stepper.hpp: unknowns in their own units (angles in radians), weighted by
 /// the problem, and the parameter in its unit, weighted by parameter_weight.
 struct BranchOptions {
-    double first_step = 0.05;
-    double smallest_step = 1e-9;
-    double largest_step = 0.2;
+    double first_step = 0.05;     ///< length of the first step
+    double smallest_step = 1e-9;  ///< the branch ends where this one does not converge either
+    double largest_step = 0.2;    ///< no step is longer
     double largest_angle = 0.35;  ///< between neighbouring tangents, radians
-    int most_corrections = 8;
-    double tolerance = 1e-11;  ///< of the last correction, over the size of the unknowns
-    StepConstraint constraint = StepConstraint::normal_plane;
-    Predictor predictor = Predictor::cubic;
-    Eigen::Index controlled = 0;  ///< the unknown of StepConstraint::unknown
+    int most_corrections = 8;     ///< of Newton's method in a step, before the step is shortened
+    double tolerance = 1e-11;     ///< of the last correction, over the size of the unknowns
+    StepConstraint constraint = StepConstraint::normal_plane;  ///< what fixes the length of a step
+    Predictor predictor = Predictor::cubic;                    ///< where the corrector starts
+    Eigen::Index controlled = 0;                               ///< the unknown of StepConstraint::unknown
     double parameter_weight = 0;  ///< theta; 0: so that the parameter makes half of the first tangent's square
     int most_sign_changes = 1;    ///< of eigenvalues in a step, before it is halved
     double resolution = 1e-4;  ///< a step is not halved below this, nor below 1e-4 of the way from the start, for the
                                ///< sake of eigenvalues
 
+    /// Throws InvalidArgument for an option out of range.
     void validate() const {
         require(smallest_step > 0, "smallest_step", smallest_step, "must be positive");
         require(first_step >= smallest_step, "first_step", first_step, "must be at least smallest_step");

@@ -15,18 +15,19 @@ namespace equilibria {
 
 /// What is known of a converged point of a branch, whatever its configuration is.
 struct BranchPointEvidence {
-    double p = 0;
+    double p = 0;                    ///< the parameter
     Direction tangent;               ///< of length 1, along the direction of travel
     Eigen::VectorXd weak_direction;  ///< of length 1: nearly the eigenvector of the smallest eigenvalue
     Eigen::VectorXd weak_left;       ///< the same of K^T where K is not symmetric, else empty
     double weak_eigenvalue = 0;      ///< of K against the weights
-    /// Further weak directions of a sparse symmetric K, a column each, and their eigenvalues; see WeakDirection::next.
+    /// Further weak directions of a sparse symmetric K, a column each; see WeakDirection::next.
     Eigen::MatrixXd next_directions;
-    Eigen::VectorXd next_eigenvalues;
+    Eigen::VectorXd next_eigenvalues;  ///< the eigenvalues of these, Rayleigh quotients
     /// Of the weak eigenvalue and the next ones along the branch, once somebody has asked for them: the search for
     /// events does.
     mutable Eigen::VectorXd weak_slopes;
-    double sigma = 0, mu = 0;      ///< test functions, see bordered.hpp
+    double sigma = 0;              ///< test function: 0 at every singular point, see bordered.hpp
+    double mu = 0;                 ///< test function: 0 at bifurcations alone
     Border border;                 ///< where the weak directions are large
     std::optional<int> negative;   ///< negative eigenvalues of K; under constraints, of the energy on their set
     EigenvalueCounts eigenvalues;  ///< of a dense symmetric K; else empty
@@ -56,10 +57,11 @@ struct BranchPointEvidence {
 /// A converged point of a branch.
 template <class P>
 struct BranchPoint : BranchPointEvidence {
-    Configuration<P> q{};
+    Configuration<P> q{};  ///< the configuration
 };
 
 /// The same point, its configuration of any type, and back.
+/// \{
 template <ContinuationProblem P>
 BranchPoint<Erased> erased(const BranchPoint<P>& at) {
     return {at, AnyConfiguration::of(at.q)};
@@ -73,5 +75,6 @@ std::optional<BranchPoint<P>> typed(const std::optional<BranchPoint<Erased>>& at
     if (!at) return std::nullopt;
     return typed<P>(*at);
 }
+/// \}
 
 }  // namespace equilibria

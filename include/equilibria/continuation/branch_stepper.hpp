@@ -27,10 +27,13 @@ namespace equilibria {
 template <class Matrix>
 class AnyBranchStepper {
 public:
-    using Point = BranchPoint<Erased>;
+    using Point = BranchPoint<Erased>;  ///< of a branch
 
+    /// Throws InvalidArgument for options out of range.
     AnyBranchStepper(AnyProblem<Matrix> problem, const BranchOptions& options);
 
+    /// As in BranchStepper.
+    /// \{
     const AnyProblem<Matrix>& problem() const { return problem_; }
     const BranchOptions& options() const { return options_; }
     double parameter_weight() const { return theta_; }
@@ -40,12 +43,15 @@ public:
     std::optional<Point> advance(const Point& from, const Point* before = nullptr);
     std::optional<Point> step(const Point& from, double h, const Point* before = nullptr);
     Direction predict(const Point& from, double h, const Point* before) const;
+    /// \}
     /// The cubic curve with both points' tangents from one point through the other, where it is h away along the
     /// tangent: Hermite's interpolation.
     Direction through(const Point& from, const Point& other, double h) const;
     /// The point of the branch between two of its points, a share of the step from a to b away from a, from 0 to 1;
     /// nothing where the corrector does not converge.
     std::optional<Point> between(const Point& a, const Point& b, double share);
+    /// As in BranchStepper.
+    /// \{
     std::optional<Point> onto(const AnyConfiguration& q, double p, const Direction& increment, const Direction& normal,
                               const Direction& along);
     std::optional<Point> assess(const AnyConfiguration& q, double p, const std::optional<Direction>& along);
@@ -64,6 +70,7 @@ public:
         d.q *= by;
         d.p *= by;
     }
+    /// \}
 
     /// Where a direction is largest: a border for a K that is weak in it.
     Border border_of(const Eigen::VectorXd& direction) const {
@@ -114,19 +121,21 @@ private:
     Border border_;
 };
 
+/// Makes the steps along branches of a problem, one at a time.
 template <ContinuationProblem P>
 class BranchStepper {
 public:
-    using Matrix = TangentMatrix<P>;
-    using Point = BranchPoint<P>;
+    using Matrix = TangentMatrix<P>;  ///< of K, dense or sparse
+    using Point = BranchPoint<P>;     ///< of a branch
 
     /// The problem must outlive the stepper. Throws InvalidArgument for options out of range.
     BranchStepper(const P& problem, const BranchOptions& options)
         : problem_(&problem), any_(AnyProblem<Matrix>(problem), options) {}
     BranchStepper(P&&, const BranchOptions&) = delete;
 
-    const P& problem() const { return *problem_; }
-    const BranchOptions& options() const { return any_.options(); }
+    const P& problem() const { return *problem_; }                   ///< the problem whose branches it follows
+    const BranchOptions& options() const { return any_.options(); }  ///< as they were given
+    /// Theta; 0 until the first point where it is to be chosen.
     double parameter_weight() const { return any_.parameter_weight(); }
 
     /// The equilibrium near q at the parameter p, with the tangent along which the parameter grows (direction 1) or
@@ -178,11 +187,13 @@ public:
     Direction difference(const Point& from, const Configuration<P>& q, double p) const {
         return {equilibria::difference(*problem_, from.q, q), p - from.p};
     }
+    /// The scalar product of lengths: sum w_i a_i b_i + theta^2 a_p b_p.
     double dot(const Direction& a, const Direction& b) const { return any_.dot(a, b); }
-    double length(const Direction& a) const { return any_.length(a); }
-    const Eigen::VectorXd& metric() const { return any_.metric(); }
+    double length(const Direction& a) const { return any_.length(a); }  ///< of a direction, by this product
+    const Eigen::VectorXd& metric() const { return any_.metric(); }     ///< w, the weights of the unknowns
 
-    static void flip(Direction& d) { AnyBranchStepper<Matrix>::flip(d); }
+    static void flip(Direction& d) { AnyBranchStepper<Matrix>::flip(d); }  ///< turns a direction round
+    /// Multiplies a direction by a number.
     static void scale(Direction& d, double by) { AnyBranchStepper<Matrix>::scale(d, by); }
 
     /// What it does all of it with.

@@ -18,9 +18,10 @@
 
 namespace equilibria {
 
+/// The columns of a sparse matrix in groups without a row in common.
 struct ColumnColouring {
     std::vector<int> colour;  ///< of each column, from 0
-    int colours = 0;
+    int colours = 0;          ///< how many there are
 };
 
 /// Colours the columns of a matrix by its pattern: stored zeros count as entries.

@@ -24,13 +24,15 @@ enum class CorrectionStatus {
     not_finite,  ///< the tangent is singular, or the iterates ran away
     steps,       ///< as many as allowed
 };
+/// In words: "converged", "not finite" or "steps".
 constexpr const char* to_string(CorrectionStatus status) {
     constexpr const char* names[] = {"converged", "not finite", "steps"};
     return names[static_cast<int>(status)];
 }
 
+/// When Newton's method ends.
 struct CorrectionOptions {
-    int most_steps = 30;
+    int most_steps = 30;       ///< most corrections
     double tolerance = 1e-11;  ///< of the last correction's length, by the problem's weights
     /// A correction that is no longer shorter than the one before counts as the last one where it is below so many
     /// tolerances: rounding.
@@ -46,9 +48,9 @@ struct CorrectionOptions {
 
 /// How Newton's method went.
 struct Correction {
-    CorrectionStatus status = CorrectionStatus::steps;
-    int steps = 0;  ///< corrections that were made
-    bool converged() const { return status == CorrectionStatus::converged; }
+    CorrectionStatus status = CorrectionStatus::steps;                        ///< why it ended
+    int steps = 0;                                                            ///< corrections that were made
+    bool converged() const { return status == CorrectionStatus::converged; }  ///< the last iterate is a solution
 };
 
 namespace detail {

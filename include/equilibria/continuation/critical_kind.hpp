@@ -4,6 +4,7 @@
 
 namespace equilibria {
 
+/// What a critical point of a branch is.
 enum class CriticalKind {
     fold,           ///< limit point: the branch turns back in p
     transcritical,  ///< two branches cross, both transversal to p = const
@@ -14,11 +15,13 @@ enum class CriticalKind {
     multiple,       ///< more than one null vector
     kinematic,      ///< dead point: the constraints lose rank, the null vector is one of multipliers alone
 };
+/// In words, as the names above; isola_center is "isola centre".
 constexpr const char* to_string(CriticalKind kind) {
     constexpr const char* names[] = {"fold",    "transcritical", "pitchfork", "isola centre",
                                      "hilltop", "cusp",          "multiple",  "kinematic"};
     return names[static_cast<int>(kind)];
 }
+/// Whether other branches may leave there: all but folds and cusps.
 constexpr bool is_bifurcation(CriticalKind kind) { return kind != CriticalKind::fold && kind != CriticalKind::cusp; }
 
 }  // namespace equilibria

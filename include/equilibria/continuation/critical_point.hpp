@@ -27,8 +27,9 @@
 
 namespace equilibria {
 
+/// How critical points are solved for.
 struct CriticalPointOptions {
-    int most_iterations = 30;
+    int most_iterations = 30;         ///< of Newton's method on one system
     double tolerance = 1e-13;         ///< of the last step, over the size of the unknowns and of p
     double bifurcation_start = 1e-2;  ///< the second system is tried where |phi^T dg/dp| / (|phi| |dg/dp|) is below
     double bifurcation = 1e-7;        ///< and its point is a bifurcation where the quotient is below this
@@ -38,39 +39,45 @@ struct CriticalPointOptions {
 
 /// One step of Newton's method on an extended system.
 struct CriticalIteration {
-    double step;  ///< its length: unknowns by the problem's weights, and p over its size
-    double sigma, residual;
-    bool bifurcation_system;
+    double step;              ///< its length: unknowns by the problem's weights, and p over its size
+    double sigma;             ///< of bordered.hpp at the iterate, 0 at a singular K
+    double residual;          ///< |g|, the largest entry
+    bool bifurcation_system;  ///< whether the second system was being solved
 };
 
 /// What is known of a critical point, whatever its configuration is.
 struct CriticalPointEvidence {
-    CriticalKind kind = CriticalKind::fold;
-    double p = 0;
-    Eigen::VectorXd null_vector;       ///< phi, its largest entry 1
-    Eigen::VectorXd left_null_vector;  ///< the same where K is symmetric
-    Eigen::MatrixXd null_vectors;      ///< of multiple points: a basis, a column each
-    Eigen::VectorXd slope;             ///< w: K w = -dg/dp; of bifurcations
-    int nullity = 1;
-    double residual = 0;              ///< |g|, the largest entry
-    double sigma = 0;                 ///< left of the singularity
-    double transversality = 0;        ///< |phi^T dg/dp| / (|phi| |dg/dp|): 0 at bifurcations
-    double unfolding = 0;             ///< gamma
-    double a = 0, b = 0, c = 0;       ///< of the bifurcation equation; a of folds too
-    double curvature = 0;             ///< p = p_c + curvature x^2 / 2 along phi: of pitchforks and folds
-    std::vector<Direction> tangents;  ///< of the branches through the point, up to their lengths
-    std::vector<CriticalIteration> history;
-    std::optional<int> negative_before, negative_after;  ///< along the branch on which it was met
+    CriticalKind kind = CriticalKind::fold;  ///< what the point is
+    double p = 0;                            ///< the parameter
+    Eigen::VectorXd null_vector;             ///< phi, its largest entry 1
+    Eigen::VectorXd left_null_vector;        ///< the same where K is symmetric
+    Eigen::MatrixXd null_vectors;            ///< of multiple points: a basis, a column each
+    Eigen::VectorXd slope;                   ///< w: K w = -dg/dp; of bifurcations
+    int nullity = 1;                         ///< null vectors of K: 1, or 2 and more
+    double residual = 0;                     ///< |g|, the largest entry
+    double sigma = 0;                        ///< left of the singularity
+    double transversality = 0;               ///< |phi^T dg/dp| / (|phi| |dg/dp|): 0 at bifurcations
+    double unfolding = 0;                    ///< gamma
+    double a = 0;                            ///< coefficient of x^2; of folds too
+    double b = 0;                            ///< half the coefficient of x y
+    double c = 0;                            ///< coefficient of y^2
+    double curvature = 0;                    ///< p = p_c + curvature x^2 / 2 along phi: of pitchforks and folds
+    std::vector<Direction> tangents;         ///< of the branches through the point, up to their lengths
+    std::vector<CriticalIteration> history;  ///< every step of Newton's method
+    std::optional<int> negative_before;      ///< eigenvalues below 0 before it, on the branch on which it was met
+    std::optional<int> negative_after;       ///< and behind it
 
-    int iterations() const { return static_cast<int>(history.size()); }
+    int iterations() const { return static_cast<int>(history.size()); }  ///< of Newton's method
 };
 
+/// A critical point, with its configuration.
 template <class P>
 struct CriticalPoint : CriticalPointEvidence {
-    Configuration<P> q{};
+    Configuration<P> q{};  ///< the configuration
 };
 
 /// The same point, its configuration of any type, and back.
+/// \{
 template <ContinuationProblem P>
 CriticalPoint<Erased> erased(const CriticalPoint<P>& point) {
     return {point, AnyConfiguration::of(point.q)};
@@ -79,6 +86,7 @@ template <ContinuationProblem P>
 CriticalPoint<P> typed(const CriticalPoint<Erased>& point) {
     return {point, point.q.as<Configuration<P>>()};
 }
+/// \}
 
 /// Of a problem of any type, see CriticalPointSolver. solver: of this problem's tangents, whose factors are no longer
 /// needed; null: one of its own, which analyses their pattern first. weak: nearly the null vector; empty where it is
@@ -93,7 +101,7 @@ std::optional<CriticalPoint<Erased>> critical_point_near(const AnyProblem<Matrix
 template <ContinuationProblem P>
 class CriticalPointSolver {
 public:
-    using Matrix = TangentMatrix<P>;
+    using Matrix = TangentMatrix<P>;  ///< of K, dense or sparse
 
     /// The problem must outlive the solver.
     explicit CriticalPointSolver(const P& problem, const CriticalPointOptions& options = {})

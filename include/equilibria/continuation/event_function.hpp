@@ -14,10 +14,12 @@ namespace equilibria {
 /// A scalar of the points of a branch whose zeros are located: where a node passes a height, where a reaction vanishes.
 template <class P>
 struct EventFunction {
-    std::string name;
-    std::function<double(const BranchPoint<P>&)> value;
+    std::string name;                                    ///< what reports call it
+    std::function<double(const BranchPoint<P>&)> value;  ///< the scalar at a point; continuous along the branch
 };
 
+/// The same function or functions, of points of any type.
+/// \{
 template <ContinuationProblem P>
 EventFunction<Erased> erased(const EventFunction<P>& function) {
     return {function.name, [value = function.value](const BranchPoint<Erased>& at) { return value(typed<P>(at)); }};
@@ -28,6 +30,7 @@ std::vector<EventFunction<Erased>> erased(const std::vector<EventFunction<P>>& f
     for (const auto& function : functions) y.push_back(erased(function));
     return y;
 }
+/// \}
 
 /// Of a problem of any type, see below.
 template <class Matrix>

@@ -24,11 +24,12 @@ namespace equilibria {
 /// The critical points between two neighbouring points of a branch, in order.
 template <class P>
 struct StepEvents {
-    std::vector<CriticalPoint<P>> points;
-    bool explained = true;  ///< they account for every change of sign
-    std::string reason;     ///< what is not accounted for, in words
+    std::vector<CriticalPoint<P>> points;  ///< folds and bifurcations, in the order of travel
+    bool explained = true;                 ///< they account for every change of sign
+    std::string reason;                    ///< what is not accounted for, in words
 };
 
+/// The same events, with the configurations of the problem's own type.
 template <ContinuationProblem P>
 StepEvents<P> typed(const StepEvents<Erased>& events) {
     StepEvents<P> y;
@@ -43,14 +44,17 @@ template <class Matrix>
 StepEvents<Erased> events_between(AnyBranchStepper<Matrix>& stepper, const CriticalPointOptions& options,
                                   const BranchPoint<Erased>& a, const BranchPoint<Erased>& b);
 
+/// Finds what happens between two neighbouring points of a branch.
 template <ContinuationProblem P>
 class EventFinder {
 public:
-    using Point = BranchPoint<P>;
+    using Point = BranchPoint<P>;  ///< of a branch
 
+    /// The stepper must outlive it.
     explicit EventFinder(BranchStepper<P>& stepper, const CriticalPointOptions& options = {})
         : stepper_(&stepper), options_(options) {}
 
+    /// Between the points a and b, next to each other and in the order of travel.
     StepEvents<P> between(const Point& a, const Point& b) {
         return typed<P>(events_between(stepper_->any(), options_, erased(a), erased(b)));
     }

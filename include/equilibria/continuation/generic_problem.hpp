@@ -154,11 +154,14 @@ public:
     static_assert(GenericEnergy<M>,
                   "An energy is a function of any number: template <class T> T energy(const Eigen::VectorX<T>& q, "
                   "const T& p) const.");
-    static constexpr bool symmetric = true;
+    static constexpr bool symmetric = true;  ///< K is a Hessian
 
+    /// model: with a template `energy`, as above.
     explicit EnergyProblem(M model) : detail::GenericProblem<M>(std::move(model)) {}
 
-    double energy(const Eigen::VectorXd& q, double p) const { return derivative(q, p); }
+    double energy(const Eigen::VectorXd& q, double p) const { return derivative(q, p); }  ///< E, the model's own
+    /// A function of a continuation problem (problem.hpp), exact.
+    /// \{
     Eigen::VectorXd residual(const Eigen::VectorXd& q, double p) const { return gradient(q, p); }
     Eigen::MatrixXd tangent(const Eigen::VectorXd& q, double p) const { return hessian(q, p); }
     Eigen::VectorXd parameter_derivative(const Eigen::VectorXd& q, double p) const {
@@ -173,6 +176,7 @@ public:
     Eigen::VectorXd second_parameter_derivative(const Eigen::VectorXd& q, double p) const {
         return gradient(q, p, Along::parameter(), Along::parameter());
     }
+    /// \}
 
 private:
     using Along = detail::GenericDirection;
@@ -209,6 +213,7 @@ public:
     static_assert(GenericResidual<M>,
                   "Equations are functions of any number: template <class T> Eigen::VectorX<T> residual(const "
                   "Eigen::VectorX<T>& q, const T& p) const.");
+    /// As the model promises; false where it says nothing.
     static constexpr bool symmetric = [] {
         if constexpr (requires { M::symmetric; })
             return M::symmetric;
@@ -216,8 +221,11 @@ public:
             return false;
     }();
 
+    /// model: with a template `residual`, as above.
     explicit ResidualProblem(M model) : detail::GenericProblem<M>(std::move(model)) {}
 
+    /// A function of a continuation problem (problem.hpp), exact.
+    /// \{
     Eigen::VectorXd residual(const Eigen::VectorXd& q, double p) const { return derivative(q, p); }
     Eigen::MatrixXd tangent(const Eigen::VectorXd& q, double p) const { return jacobian(q, p); }
     Eigen::VectorXd parameter_derivative(const Eigen::VectorXd& q, double p) const {
@@ -232,6 +240,7 @@ public:
     Eigen::VectorXd second_parameter_derivative(const Eigen::VectorXd& q, double p) const {
         return derivative(q, p, Along::parameter(), Along::parameter());
     }
+    /// \}
 
 private:
     using Along = detail::GenericDirection;

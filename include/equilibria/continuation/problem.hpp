@@ -55,13 +55,14 @@ struct ConfigurationOf<P> {
 };
 }  // namespace detail
 
+/// What q is: P::Configuration, or Eigen::VectorXd where P has none.
 template <class P>
 using Configuration = typename detail::ConfigurationOf<P>::type;
 
 /// A direction of (q, p) space: an increment of q, and one of p.
 struct Direction {
-    Eigen::VectorXd q;
-    double p = 0;
+    Eigen::VectorXd q;  ///< n entries
+    double p = 0;       ///< of the parameter
 };
 
 /// A problem that can be continued; see the file.
@@ -164,10 +165,11 @@ MakeSymmetricFactors symmetric_factors(const P& problem) {
 /// g, K and dg/dp at one place.
 template <class Matrix>
 struct Linearization {
-    Eigen::VectorXd residual;
-    Matrix tangent;
-    Eigen::VectorXd parameter_derivative;
+    Eigen::VectorXd residual;              ///< g, n entries
+    Matrix tangent;                        ///< K, n x n
+    Eigen::VectorXd parameter_derivative;  ///< dg/dp, n entries
 };
+/// g, K and dg/dp of a problem, by its own `linearization` where it has one.
 template <ContinuationProblem P>
 Linearization<TangentMatrix<P>> linearization(const P& problem, const Configuration<P>& q, double p) {
     if constexpr (requires { problem.linearization(q, p); })

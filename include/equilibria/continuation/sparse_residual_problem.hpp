@@ -54,7 +54,7 @@ namespace equilibria {
 template <class M, int Directions = 4>
 class SparseResidualProblem : public ResidualProblem<M> {
 public:
-    using Matrix = Eigen::SparseMatrix<double>;
+    using Matrix = Eigen::SparseMatrix<double>;  ///< of K, compressed
     static_assert(Directions >= 1);
     static_assert(
         requires(const M& m, const Eigen::VectorX<Dependence>& q, const Dependence& p) {
@@ -74,12 +74,14 @@ public:
         }
     }
 
-    Eigen::Index unknowns() const { return unknowns_; }
+    Eigen::Index unknowns() const { return unknowns_; }  ///< n
     /// The entries that K can have, and the whole diagonal; all zeros.
     const Matrix& pattern() const { return pattern_; }
     /// Sets of columns that are found together.
     int colours() const { return colours_; }
 
+    /// A function of a continuation problem (problem.hpp), exact; throws InvalidArgument for vectors of other sizes.
+    /// \{
     Eigen::VectorXd residual(const Eigen::VectorXd& q, double p) const {
         check(q);
         Eigen::VectorXd g = this->model_.residual(q, p);
@@ -113,6 +115,7 @@ public:
         check(q);
         return ResidualProblem<M>::second_parameter_derivative(q, p);
     }
+    /// \}
 
 private:
     struct Column {

@@ -22,23 +22,27 @@ namespace equilibria {
 /// One solution from time 0, a step at a time. It can be moved and not copied.
 class AdaptiveIntegrator {
 public:
-    using State = std::vector<double>;
+    using State = std::vector<double>;  ///< as many numbers as the start has
     /// f: the rates of a state at a time, written to its second argument, which has the state's size.
     using Rates = std::function<void(const State& y, State& rate, double t)>;
 
     /// first_step: a guess, in units of time. Throws InvalidArgument where an option is none. Of a start whose numbers
     /// are not finite the first step says so.
     AdaptiveIntegrator(Rates rates, State start, double first_step, const MotionOptions& options);
+    /// Moved with its state.
+    /// \{
     AdaptiveIntegrator(AdaptiveIntegrator&&) noexcept;
     AdaptiveIntegrator& operator=(AdaptiveIntegrator&&) noexcept;
+    /// \}
     ~AdaptiveIntegrator();
 
-    /// The end of the last step, and the state there.
+    /// The end of the last step.
     double time() const { return time_; }
-    const State& state() const { return y_; }
+    const State& state() const { return y_; }  ///< at the end of the last step
+    /// Why there is no further step; `finished` as long as there is one.
     MotionStatus status() const { return status_; }
-    std::uint64_t steps() const { return steps_; }  ///< that were tried
-    std::uint64_t evaluations() const { return evaluations_; }
+    std::uint64_t steps() const { return steps_; }              ///< that were tried
+    std::uint64_t evaluations() const { return evaluations_; }  ///< of the rates
 
     /// One step, of the size that the tolerances allow, that ends at `until` or before. False where there is none:
     /// `status` says why. At most most_steps of the options are tried in all.

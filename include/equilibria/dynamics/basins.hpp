@@ -18,9 +18,10 @@
 
 namespace equilibria {
 
+/// How motions are followed to the equilibria where they settle.
 struct BasinOptions {
-    MotionOptions motion{1e-9, 1e-9, 0, 10'000'000};
-    double longest_time = 1000;  ///< in the model's unit of time
+    MotionOptions motion{1e-9, 1e-9, 0, 10'000'000};  ///< tolerances, and steps of one motion
+    double longest_time = 1000;                       ///< in the model's unit of time
     /// A motion has settled when the energy that it has left above an equilibrium is below this share of the barrier:
     /// the height of the lowest unstable equilibrium above it.
     double settled_share = 1e-8;
@@ -31,13 +32,13 @@ struct BasinOptions {
 template <DynamicModel M>
 struct Settled {
     std::optional<std::size_t> equilibrium;  ///< its place in the given list; nothing where the motion did not settle
-    MotionStatus status = MotionStatus::finished;
-    double time = 0;  ///< when it had settled, or how far it came
+    MotionStatus status = MotionStatus::finished;  ///< why the integration ended
+    double time = 0;                               ///< when it had settled, or how far it came
     /// Since when its energy is below the barrier around that equilibrium. From then on it could not leave, whatever
     /// the integration's errors below the barrier: energy falls, and below the barrier the well has no way out.
     double trapped_time = std::numeric_limits<double>::quiet_NaN();
     double energy_rise = 0;  ///< the most that the energy rose in a step, over what it lost in all: 0 but for errors
-    MotionPoint<M> last;
+    MotionPoint<M> last;     ///< the last point of the motion
 };
 
 /// Follows the motion from each start until it has settled at one of the equilibria. `equilibria`: all of them, as of

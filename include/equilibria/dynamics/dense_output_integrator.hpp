@@ -21,16 +21,19 @@ namespace equilibria {
 /// One solution, from where it was last told to begin. The rates are handed to each step, so that copies share nothing.
 class DenseOutputIntegrator {
 public:
-    using State = std::vector<double>;
+    using State = std::vector<double>;  ///< as many numbers as the start has
     /// f: the rates of a state at a time, written to its second argument, which has the state's size.
     using Rates = std::function<void(const State& y, State& rate, double t)>;
 
     /// Throws InvalidArgument where an option is none. How many steps there are is the caller's to count.
     explicit DenseOutputIntegrator(const MotionOptions& options);
+    /// Copied or moved with its state.
+    /// \{
     DenseOutputIntegrator(const DenseOutputIntegrator&);
     DenseOutputIntegrator(DenseOutputIntegrator&&) noexcept;
     DenseOutputIntegrator& operator=(const DenseOutputIntegrator&);
     DenseOutputIntegrator& operator=(DenseOutputIntegrator&&) noexcept;
+    /// \}
     ~DenseOutputIntegrator();
 
     /// From y at the time t, the first step being tried with `step`, in units of time. All states that follow must have
@@ -41,10 +44,10 @@ public:
     /// was. A state that is not finite may end a step.
     bool step(const Rates& rates);
 
-    /// The end of the last step, the state there, and the step to be tried next.
+    /// The end of the last step.
     double time() const;
-    const State& state() const;
-    double time_step() const;
+    const State& state() const;  ///< at the end of the last step
+    double time_step() const;    ///< the step to be tried next
 
     /// Writes the state at a time between the ends of the last step to y, which has its size.
     void interpolate(double t, State& y) const;

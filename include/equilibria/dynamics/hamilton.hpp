@@ -20,8 +20,11 @@ public:
     static_assert(n_constraints<M> == 0,
                   "equilibria: Hamilton's equations are for models without constraints; LagrangeFirstKind takes them");
 
+    /// Throws InvalidArgument for a parameter that is not finite.
     explicit HamiltonEquations(const Parameters<M>& p) : Base(p) {}
 
+    /// A function of a formulation, see MotionFormulation; the state is q, then p.
+    /// \{
     State start(const MotionState<M>& at) const {
         this->validate(at);
         return Base::joined(at.q, momenta<M>(at.q, at.velocity, this->p_));
@@ -50,6 +53,7 @@ public:
         return point;
     }
     MotionStatus project(State&) const { return MotionStatus::finished; }
+    /// \}
 };
 
 }  // namespace equilibria

@@ -37,6 +37,7 @@ class LagrangeFirstKind : public detail::ModelMotion<M> {
 public:
     using typename Base::State;
 
+    /// Throws InvalidArgument for a parameter that is not finite.
     explicit LagrangeFirstKind(const Parameters<M>& p, Stabilisation stabilisation = Stabilisation::projection)
         : Base(p), stabilisation_(stabilisation) {}
 
@@ -60,6 +61,8 @@ public:
         return y;
     }
 
+    /// A function of a formulation, see MotionFormulation; the state is q, then v.
+    /// \{
     MotionRates<Base::n_states> rates(double t, const State& y) const {
         const auto q = Base::first_half(y), v = Base::second_half(y);
         const auto solved = solve(t, q, v);
@@ -83,6 +86,7 @@ public:
     MotionStatus project(State& y) const {
         return stabilisation_ == Stabilisation::projection ? projected(y) : MotionStatus::finished;
     }
+    /// \}
 
 private:
     struct Solved {

@@ -12,6 +12,7 @@
 
 namespace equilibria {
 
+/// How the equations are written; the motion is the same.
 enum class LagrangeForm {
     covariant,      ///< M_kj a_j + Gamma_ij,k v_i v_j = Q_k, solved for a
     contravariant,  ///< a_k + Gamma^k_ij v_i v_j = Q^k, with the forces' indices raised
@@ -30,9 +31,12 @@ public:
         "equilibria: Lagrange's equations of the second kind are for models without constraints; those of the "
         "first kind, LagrangeFirstKind, take them");
 
+    /// Throws InvalidArgument for a parameter that is not finite.
     explicit LagrangeSecondKind(const Parameters<M>& p, LagrangeForm form = LagrangeForm::covariant)
         : Base(p), form_(form) {}
 
+    /// A function of a formulation, see MotionFormulation; the state is q, then v.
+    /// \{
     State start(const MotionState<M>& at) const {
         this->validate(at);
         return Base::joined(at.q, at.velocity);
@@ -50,6 +54,7 @@ public:
         return this->point_at(t, Base::first_half(y), Base::second_half(y));
     }
     MotionStatus project(State&) const { return MotionStatus::finished; }
+    /// \}
 
 private:
     std::optional<Vector> acceleration(const Unknowns<M>& q, const Vector& v, const Vector& force) const {

@@ -23,8 +23,10 @@ public:
         : Base(p), equilibrium_(equilibrium), system_(linearise<M>(equilibrium, p)), mass_(system_.mass) {
         system_.validate();
     }
-    const SecondOrderSystem<UnknownMatrix<M>>& system() const { return system_; }
+    const SecondOrderSystem<UnknownMatrix<M>>& system() const { return system_; }  ///< M, D and C at the equilibrium
 
+    /// A function of a formulation, see MotionFormulation; the state is q, then v.
+    /// \{
     State start(const MotionState<M>& at) const {
         this->validate(at);
         return Base::joined(at.q, at.velocity);
@@ -47,6 +49,7 @@ public:
         return point;
     }
     MotionStatus project(State&) const { return MotionStatus::finished; }
+    /// \}
 
 private:
     Vector deviation(const State& y) const {

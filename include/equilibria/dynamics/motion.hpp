@@ -74,7 +74,7 @@ private:
 template <MotionFormulation F>
 class MotionStepper {
 public:
-    using Model = typename F::Model;
+    using Model = typename F::Model;  ///< that is in motion
 
     /// Throws InvalidArgument where the start or an option is none.
     MotionStepper(const F& formulation, const MotionState<Model>& start, double start_time = 0,
@@ -85,13 +85,15 @@ public:
 
     /// The end of the last step.
     double time() const { return integration_.time(); }
+    /// Why there is no further step; `finished` as long as there is one.
     MotionStatus status() const { return integration_.status(); }
-    std::uint64_t steps() const { return integration_.steps(); }
-    std::uint64_t evaluations() const { return integration_.evaluations(); }
+    std::uint64_t steps() const { return integration_.steps(); }              ///< that were tried
+    std::uint64_t evaluations() const { return integration_.evaluations(); }  ///< of the rates
     /// The largest |balance| at the ends of the steps, over the largest of the energies that it is made of.
     double largest_balance() const { return integration_.largest_balance(); }
     /// The constraints' largest errors at the ends of the steps, before they were put right.
     double largest_drift() const { return integration_.largest_drift(); }
+    /// Of the constraints' derivative, likewise.
     double largest_velocity_drift() const { return integration_.largest_velocity_drift(); }
 
     /// One step of the size that the tolerances allow. False where there is none: `status` says why.
@@ -115,12 +117,14 @@ private:
 /// A motion at given times, with its evidence.
 template <DynamicModel M>
 struct Motion {
-    MotionStatus status = MotionStatus::finished;
-    double time = 0;                     ///< how far it came
-    std::vector<MotionPoint<M>> points;  ///< at the given times, as far as it came
-    std::uint64_t steps = 0, evaluations = 0;
-    double largest_balance = 0;  ///< see MotionStepper
-    double largest_drift = 0, largest_velocity_drift = 0;
+    MotionStatus status = MotionStatus::finished;  ///< why it ended
+    double time = 0;                               ///< how far it came
+    std::vector<MotionPoint<M>> points;            ///< at the given times, as far as it came
+    std::uint64_t steps = 0;                       ///< that were tried
+    std::uint64_t evaluations = 0;                 ///< of the rates
+    double largest_balance = 0;                    ///< see MotionStepper
+    double largest_drift = 0;                      ///< see MotionStepper
+    double largest_velocity_drift = 0;             ///< see MotionStepper
 };
 
 /// The motion from `start` at start_time, at `times`: none below start_time, none below the one before it. Throws

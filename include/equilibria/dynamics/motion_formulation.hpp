@@ -17,8 +17,9 @@ namespace equilibria {
 template <std::size_t N>
 struct MotionRates {
     MotionStatus status = MotionStatus::finished;  ///< anything else: no rates
-    std::array<double, N> state{};
-    double power = 0, loss = 0;  ///< of the generalised forces; to damping
+    std::array<double, N> state{};                 ///< of each number of the state
+    double power = 0;                              ///< of the generalised forces
+    double loss = 0;                               ///< to damping
 };
 
 /// A formulation F of the motion of F::Model in F::n_states numbers:

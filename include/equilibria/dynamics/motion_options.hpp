@@ -14,9 +14,10 @@ namespace equilibria {
 
 /// Of an integration: what a step may err by, and how far it may go.
 struct MotionOptions {
-    double relative_tolerance = 1e-12, absolute_tolerance = 1e-12;  ///< of a step, for each number of the state
-    double largest_step = 0;                                        ///< in the model's unit of time; 0: no bound
-    std::uint64_t most_steps = 10'000'000;
+    double relative_tolerance = 1e-12;      ///< of a step, for each number of the state
+    double absolute_tolerance = 1e-12;      ///< the same where a number is near 0
+    double largest_step = 0;                ///< in the model's unit of time; 0: no bound
+    std::uint64_t most_steps = 10'000'000;  ///< tried in all
 
     /// Throws InvalidArgument.
     void validate() const {

@@ -12,10 +12,12 @@ namespace equilibria {
 /// A model in motion at one time. For linearised motion the energies are those of the quadratic forms.
 template <DynamicModel M>
 struct MotionPoint {
-    double time = 0;
-    Unknowns<M> q, velocity;
-    Unknowns<M> momentum;  ///< dT/dv
-    double kinetic = 0, potential = 0;
+    double time = 0;        ///< in the model's unit
+    Unknowns<M> q;          ///< angles in radians, then coordinates
+    Unknowns<M> velocity;   ///< their rates
+    Unknowns<M> momentum;   ///< dT/dv
+    double kinetic = 0;     ///< kinetic energy
+    double potential = 0;   ///< potential energy
     double work = 0;        ///< of the generalised forces since the start
     double dissipated = 0;  ///< lost by damping since the start
     /// kinetic + potential + dissipated - work, less its value at the start: 0 but for the integration's errors.

@@ -14,6 +14,7 @@ enum class MotionStatus {
     too_many_steps,        ///< `most_steps` were not enough
 };
 
+/// In words.
 inline const char* to_string(MotionStatus status) {
     switch (status) {
         case MotionStatus::finished: return "finished";

@@ -30,6 +30,7 @@ struct Alarms {
     /// The largest relative second difference of the sums of z_i and of 1/z_i along a line of torques.
     Alarm trace;
 
+    /// Whether any test raises its alarm.
     bool raised() const {
         return poincare_hopf.raised() || conjugates.raised() || mirror.raised() || duplicates.raised() ||
                trace.raised();

@@ -13,13 +13,14 @@ namespace equilibria {
 
 /// What the verdict rests on.
 struct CountVerdict {
-    const PathCounts* paths;
-    const Alarms* alarms;
-    std::uint64_t distinct, degenerate;  ///< roots, and real ones whose Hessian is singular
+    const PathCounts* paths;             ///< how the paths ended
+    const Alarms* alarms;                ///< tests that betray lost or doubled roots
+    std::uint64_t distinct;              ///< roots
+    std::uint64_t degenerate;            ///< real ones whose Hessian is singular
     std::vector<std::int64_t> by_index;  ///< nondegenerate equilibria of each index 0 .. n
     bool potential_on_torus;             ///< the unknowns are angles alone, and there is a potential
 
-    bool cancelled() const { return paths->cancelled > 0; }
+    bool cancelled() const { return paths->cancelled > 0; }  ///< some paths were not tracked
     /// Whether the Morse relations of the n-torus apply: only angles, a potential, nothing degenerate, a finished run.
     /// (Singular endpoints that are not real may lie on curves of equilibria.)
     bool morse_applies() const { return potential_on_torus && degenerate == 0 && paths->singular == 0 && !cancelled(); }

@@ -138,6 +138,7 @@ RootSet<RuntimeUnknowns> enumerate_from(const T& model, const RuntimeArray<doubl
     set.seconds = begin.seconds();
     return set;
 }
+/// From the start of the least predicted cost.
 template <RuntimeModel T>
 RootSet<RuntimeUnknowns> enumerate(const T& model, const RuntimeArray<double>& p, const RunOptions& run = {},
                                    const TrackerOptions& options = {}, MoreDigits<> resort = nullptr) {

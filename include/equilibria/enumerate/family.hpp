@@ -18,7 +18,7 @@ namespace equilibria {
 /// An endpoint of paths that lies on a family, and what shows it.
 template <class M>
 struct FamilyPoint {
-    using Vector = UnknownArray<M, std::complex<double>>;
+    using Vector = UnknownArray<M, std::complex<double>>;  ///< of complex unknowns
 
     Vector q;                     ///< complex angles, radians, then the plain coordinates
     int nullity = 0;              ///< of the Jacobian there; more than the dimension where families cross, say
@@ -42,6 +42,7 @@ struct Family {
 
     /// Real equilibria form a family of the same (real) dimension.
     bool real() const { return real_point.has_value(); }
+    /// How many paths ended on it.
     std::uint64_t paths() const {
         std::uint64_t sum = 0;
         for (const auto& point : points) sum += static_cast<std::uint64_t>(point.paths);

@@ -8,17 +8,19 @@
 
 namespace equilibria {
 
-/// M: the model, or RuntimeUnknowns.
+/// What an enumeration tells of its model. M: the model, or RuntimeUnknowns.
 template <class M>
 struct ModelProperties {
-    static constexpr Sizes<M> sizes{};
-    static constexpr bool has_potential = PotentialModel<M>;
+    static constexpr Sizes<M> sizes{};                        ///< numbers of angles and of coordinates
+    static constexpr bool has_potential = PotentialModel<M>;  ///< the equations are its gradient
     static constexpr bool reflection_symmetric = Formulation<M>::reflection_symmetric;  ///< under theta -> -theta
 };
+/// Of a model whose numbers are known at run time.
 template <>
 struct ModelProperties<RuntimeUnknowns> {
-    RuntimeSizes sizes;
-    bool has_potential = false, reflection_symmetric = false;
+    RuntimeSizes sizes;                 ///< numbers of angles and of coordinates
+    bool has_potential = false;         ///< the equations are its gradient
+    bool reflection_symmetric = false;  ///< under theta -> -theta
 };
 
 }  // namespace equilibria

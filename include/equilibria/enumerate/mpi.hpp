@@ -115,6 +115,7 @@ inline Ranks mpi_ranks(MPI_Comm comm = MPI_COMM_WORLD) {
 /// would keep the others waiting.
 class MpiSession {
 public:
+    /// Initialises MPI with the arguments of `main`, at MPI_THREAD_FUNNELED.
     MpiSession(int* argc, char*** argv) : exceptions_(std::uncaught_exceptions()) {
         int level = MPI_THREAD_SINGLE;
         MPI_Init_thread(argc, argv, MPI_THREAD_FUNNELED, &level);
@@ -126,7 +127,7 @@ public:
         ranks_ = {};
         MPI_Finalize();
     }
-    const Ranks& ranks() const { return ranks_; }
+    const Ranks& ranks() const { return ranks_; }  ///< all processes that mpirun started
 
 private:
     int exceptions_;

@@ -16,14 +16,15 @@ namespace equilibria {
 
 /// Any generator of points: `at(k)` for k < size gives all parameters of the model, and the same ones each time.
 struct ParameterPoints {
-    std::uint64_t size = 0;
-    std::function<RuntimeArray<double>(std::uint64_t k)> at;
+    std::uint64_t size = 0;                                   ///< how many points
+    std::function<RuntimeArray<double>(std::uint64_t k)> at;  ///< the parameters of point k, from 0
 };
 
 /// A parameter that is varied, by its number in the model, from `low` to `high`.
 struct VariedParameter {
-    int parameter = 0;
-    double low = 0, high = 1;
+    int parameter = 0;        ///< its number in the model
+    double low = 0;           ///< first value, or the box's edge
+    double high = 1;          ///< last value, or the box's other edge
     std::uint64_t count = 2;  ///< of a grid: values, both ends among them; 1: low alone
 };
 

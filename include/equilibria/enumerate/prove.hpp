@@ -27,9 +27,11 @@
 
 namespace equilibria {
 
+/// How far proofs go.
 struct ProveOptions {
     int most_digits = 68;  ///< the most decimal digits that a proof may take: 15 (doubles), 34 or 68
 
+    /// Throws InvalidArgument unless the digits are among these.
     void validate() const {
         require(most_digits == 15 || most_digits == 34 || most_digits == 68, "most_digits", most_digits,
                 "must be 15, 34 or 68");
@@ -40,7 +42,8 @@ struct ProveOptions {
 struct ProofOfRoots {
     std::vector<Certificate> certificates;  ///< of set.roots, in their order
     std::uint64_t distinct = 0;             ///< roots proved to exist and to differ from each other
-    std::uint64_t real = 0, non_real = 0;   ///< among those
+    std::uint64_t real = 0;                 ///< among those
+    std::uint64_t non_real = 0;             ///< among those
     std::uint64_t undecided = 0;         ///< roots of the set of which neither is proved; real + non_real + undecided
                                          ///< + duplicates is the number of roots in the set
     std::uint64_t duplicates = 0;        ///< proved roots that could not be told from an earlier one
@@ -51,10 +54,12 @@ struct ProofOfRoots {
     std::optional<ProvedBound> bound;    ///< of the number of isolated complex roots
     bool complete = false;               ///< no root is missing: `distinct` is the bound
     std::string reason;                  ///< why, or why not, in words
-    double seconds = 0;
+    double seconds = 0;                  ///< of the whole proof
 };
+/// The counts and the reason, in words.
 std::ostream& operator<<(std::ostream& out, const ProofOfRoots& p);
 
+/// A proof about a root set of the model M.
 template <Model M>
 struct Proof : ProofOfRoots {};
 

@@ -30,14 +30,14 @@ struct Equilibrium {
     /// part: those with which dq/dt = -F(q) departs. Where F are polynomials in any order and sign, that is no number
     /// of theirs.
     int index = 0;
-    int nullity = 0;       ///< eigenvalues that count as zero: above 0 the equilibrium is degenerate
-    double margin = 0;     ///< the smallest |eigenvalue| over the largest
-    double residual = 0;   ///< as of the root
-    double condition = 0;  ///< as of the root
-    std::uint64_t path = 0;
-    std::int32_t multiplicity = 1;
+    int nullity = 0;                ///< eigenvalues that count as zero: above 0 the equilibrium is degenerate
+    double margin = 0;              ///< the smallest |eigenvalue| over the largest
+    double residual = 0;            ///< as of the root
+    double condition = 0;           ///< as of the root
+    std::uint64_t path = 0;         ///< number of the path that ends there
+    std::int32_t multiplicity = 1;  ///< as of the root
 
-    bool degenerate() const { return nullity > 0; }
+    bool degenerate() const { return nullity > 0; }  ///< the Hessian is singular
     /// A strict minimum of the potential (Lagrange-Dirichlet); without one, a point that dq/dt = -F(q) comes back to.
     bool stable() const { return index == 0 && nullity == 0; }
 };
@@ -61,26 +61,27 @@ struct RootSetSummary {
 std::ostream& write(std::ostream& out, const RootSetSummary& set);
 }  // namespace detail
 
-/// M: the model, or RuntimeUnknowns.
+/// All isolated roots of a model at one point of its parameters. M: the model, or RuntimeUnknowns.
 template <class M>
 struct RootSet {
-    ParameterArray<M, double> parameters;
-    std::uint64_t seed = 0;
-    PathCounts paths;
+    ParameterArray<M, double> parameters;    ///< at which the roots were sought
+    std::uint64_t seed = 0;                  ///< of the start's random numbers
+    PathCounts paths;                        ///< how all paths ended
     std::vector<Root<M>> roots;              ///< distinct and isolated, by path number
     std::vector<Equilibrium<M>> equilibria;  ///< the real ones, by index, then nullity, then path
     std::vector<Family<M>> families;         ///< curves and surfaces of solutions: none of `roots` lies on one
-    std::vector<FailedPath<M>> failures;
-    Alarms alarms;  ///< tests that betray lost or doubled roots where no bound is sharp
-    /// The imaginary parts that separated real from not: the largest among the real roots, the smallest among the
-    /// others (infinity where there are none).
-    double largest_real_imaginary = 0, smallest_nonreal_imaginary = 0;
-    double tracking_seconds = 0, seconds = 0;
-    StartReport start{};
-    [[no_unique_address]] ModelProperties<M> model{};
+    std::vector<FailedPath<M>> failures;     ///< paths that were not finished, and why
+    Alarms alarms;                           ///< tests that betray lost or doubled roots where no bound is sharp
+    double largest_real_imaginary = 0;       ///< the largest imaginary part among the real roots
+    double smallest_nonreal_imaginary = 0;   ///< the smallest among the others; infinity: there are none
+    double tracking_seconds = 0;             ///< for the paths alone
+    double seconds = 0;                      ///< for everything
+    StartReport start{};                     ///< which start it was, and why
+    [[no_unique_address]] ModelProperties<M> model{};  ///< sizes and symmetries
 
-    std::uint64_t distinct() const { return roots.size(); }
-    std::uint64_t real() const { return equilibria.size(); }
+    std::uint64_t distinct() const { return roots.size(); }   ///< complex and real roots
+    std::uint64_t real() const { return equilibria.size(); }  ///< equilibria
+    /// Equilibria with a singular Hessian.
     std::uint64_t degenerate() const {
         return static_cast<std::uint64_t>(
             std::count_if(equilibria.begin(), equilibria.end(), [](const auto& e) { return e.degenerate(); }));
@@ -88,6 +89,7 @@ struct RootSet {
     /// Whether the run was cancelled before all paths were finished. What is here is what was found until then; paths
     /// that ran into each other are not told apart.
     bool cancelled() const { return paths.cancelled > 0; }
+    /// What is to be said of the count of equilibria.
     CountVerdict verdict() const {
         return {&paths,       &alarms,    distinct(),
                 degenerate(), by_index(), model.sizes.coordinates == 0 && model.has_potential};
@@ -103,9 +105,12 @@ struct RootSet {
         return counts;
     }
     /// Whether the Morse relations of the n-torus apply, and whether they do and hold.
+    /// \{
     bool morse_applies() const { return verdict().morse_applies(); }
     bool morse() const { return verdict().morse(); }
+    /// \}
 
+    /// Paths, roots and equilibria by their numbers, and all that speaks against these, in one sentence.
     [[gnu::cold]] friend std::ostream& operator<<(std::ostream& out, const RootSet& set) {
         std::uint64_t on_families = 0;
         for (const auto& family : set.families) on_families += family.paths();

@@ -8,9 +8,10 @@
 
 namespace equilibria {
 
+/// The start that an enumeration took.
 struct StartReport {
     std::string name;  ///< total degree, reflected, polyhedral, a solved instance
-    std::string why;
+    std::string why;   ///< why it was taken, in words
     /// Of the Laurent system (of affine_supports), where the choice needed it.
     std::optional<std::uint64_t> mixed_volume;
 };

@@ -25,25 +25,29 @@ namespace equilibria {
 /// RuntimeUnknowns.
 template <class M>
 struct StreamedRoots {
-    ParameterArray<M, double> parameters;
-    std::uint64_t seed = 0;
-    PathCounts paths;
-    std::vector<FailedPath<M>> failures;
-    std::uint64_t distinct = 0, real = 0, degenerate = 0;
-    std::vector<std::int64_t> by_index;  ///< nondegenerate equilibria of each index 0 .. n
-    double largest_real_imaginary = 0;   ///< as of RootSet
-    double smallest_nonreal_imaginary = std::numeric_limits<double>::infinity();
+    ParameterArray<M, double> parameters;  ///< at which the roots were sought
+    std::uint64_t seed = 0;                ///< of the start's random numbers
+    PathCounts paths;                      ///< how all paths ended
+    std::vector<FailedPath<M>> failures;   ///< paths that were not finished, and why
+    std::uint64_t distinct = 0;            ///< complex and real roots
+    std::uint64_t real = 0;                ///< equilibria
+    std::uint64_t degenerate = 0;          ///< of them with a singular Hessian
+    std::vector<std::int64_t> by_index;    ///< nondegenerate equilibria of each index 0 .. n
+    double largest_real_imaginary = 0;     ///< as of RootSet
+    double smallest_nonreal_imaginary = std::numeric_limits<double>::infinity();  ///< as of RootSet
     /// Poincare-Hopf's alone; the others look at all roots at once, which are not kept.
     Alarms alarms;
-    double tracking_seconds = 0, seconds = 0;
-    [[no_unique_address]] ModelProperties<M> model{};
+    double tracking_seconds = 0;                       ///< for the paths alone
+    double seconds = 0;                                ///< for everything
+    [[no_unique_address]] ModelProperties<M> model{};  ///< sizes and symmetries
 
+    /// What is to be said of the count of equilibria.
     CountVerdict verdict() const {
         return {&paths, &alarms, distinct, degenerate, by_index, model.sizes.coordinates == 0 && model.has_potential};
     }
-    bool cancelled() const { return verdict().cancelled(); }
-    bool morse_applies() const { return verdict().morse_applies(); }
-    bool morse() const { return verdict().morse(); }
+    bool cancelled() const { return verdict().cancelled(); }          ///< as of RootSet
+    bool morse_applies() const { return verdict().morse_applies(); }  ///< as of RootSet
+    bool morse() const { return verdict().morse(); }                  ///< as of RootSet
     /// As RootSet::clean.
     bool clean() const { return verdict().clean(); }
 };

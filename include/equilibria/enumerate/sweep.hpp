@@ -33,11 +33,15 @@ namespace equilibria {
 
 /// What is known of one point.
 struct SweptPoint {
-    std::uint64_t number = 0;
-    RuntimeArray<double> parameters;
+    std::uint64_t number = 0;         ///< of the point, from 0
+    RuntimeArray<double> parameters;  ///< all of the model's
     /// An equation vanishes there, whatever the unknowns: nothing was tracked.
     bool vanishing_equation = false;
-    std::uint32_t paths = 0, finite = 0, at_infinity = 0, singular = 0, failed = 0;
+    std::uint32_t paths = 0;             ///< that were tracked
+    std::uint32_t finite = 0;            ///< ended at a regular root
+    std::uint32_t at_infinity = 0;       ///< ended at infinity
+    std::uint32_t singular = 0;          ///< ended at a singular root
+    std::uint32_t failed = 0;            ///< were not finished
     std::uint32_t distinct = 0;          ///< regular or multiple roots, of any kind
     std::uint32_t real = 0;              ///< equilibria
     std::uint32_t degenerate = 0;        ///< of them
@@ -49,23 +53,31 @@ struct SweptPoint {
     std::uint32_t proved_real = 0;       ///< with their index, if there is one
 };
 
+/// What is done at each point.
 struct SweepOptions {
-    bool prove = false;  ///< each root, by Krawczyk's test (prove.hpp)
-    TrackerOptions tracker{};
+    bool prove = false;             ///< each root, by Krawczyk's test (prove.hpp)
+    TrackerOptions tracker{};       ///< how paths are followed
     MoreDigits<> resort = nullptr;  ///< for paths that fail in double: more_digits of more_digits.hpp
 };
 
 /// What is known of all.
 struct SweepCounts {
-    std::uint64_t points = 0, done = 0;  ///< done is less where the run was cancelled
-    std::uint64_t paths = 0, failed = 0, singular_points = 0, alarms = 0, unclean = 0, again = 0;
-    std::uint64_t vanishing = 0;                     ///< points at which an equation vanishes: none of the others
-    std::uint64_t proved = 0;                        ///< points all of whose roots are proved
-    std::map<std::uint64_t, std::uint64_t> by_real;  ///< points by how many equilibria they have
-    std::uint64_t mixed_volume = 0;                  ///< paths a point
-    double seconds = 0;
-    bool cancelled() const { return done < points; }
+    std::uint64_t points = 0;                         ///< that there are
+    std::uint64_t done = 0;                           ///< finished; less where the run was cancelled
+    std::uint64_t paths = 0;                          ///< of all points
+    std::uint64_t failed = 0;                         ///< paths that were not finished
+    std::uint64_t singular_points = 0;                ///< points with multiple roots
+    std::uint64_t alarms = 0;                         ///< points with an alarm
+    std::uint64_t unclean = 0;                        ///< points that are not clean
+    std::uint64_t again = 0;                          ///< points that were done from another instance too
+    std::uint64_t vanishing = 0;                      ///< points at which an equation vanishes: none of the others
+    std::uint64_t proved = 0;                         ///< points all of whose roots are proved
+    std::map<std::uint64_t, std::uint64_t> by_real;   ///< points by how many equilibria they have
+    std::uint64_t mixed_volume = 0;                   ///< paths a point
+    double seconds = 0;                               ///< of the whole sweep
+    bool cancelled() const { return done < points; }  ///< before all points were finished
 };
+/// The counts in words.
 std::ostream& operator<<(std::ostream& out, const SweepCounts& counts);
 
 namespace detail {

@@ -18,7 +18,8 @@ struct Arc {
     Eigen::Vector3d normal;   ///< of the plane: the arc turns to the left about it
     Eigen::Vector3d tangent;  ///< at the first end
     Eigen::Vector3d inwards;  ///< there, towards the center
-    double radius, angle;
+    double radius;            ///< of the circle
+    double angle;             ///< of the arc from its first end to its last, radians
 
     /// From a to b, by way of m; nothing where they are on a line.
     static std::optional<Arc> through(const Eigen::Vector3d& a, const Eigen::Vector3d& m, const Eigen::Vector3d& b) {
@@ -35,10 +36,12 @@ struct Arc {
         y.inwards = y.normal.cross(y.tangent);
         return y;
     }
+    /// The point at t.
     Eigen::Vector3d at(double t) const {
         const double half = std::sin(angle * t / 2);
         return first + radius * (std::sin(angle * t) * tangent + 2 * half * half * inwards);
     }
+    /// Unit tangent at t.
     Eigen::Vector3d direction(double t) const { return std::cos(angle * t) * tangent + std::sin(angle * t) * inwards; }
     /// The least angle between v, or -v, and the arc's directions: from 0 to pi / 2.
     double clearance(const Eigen::Vector3d& v) const {

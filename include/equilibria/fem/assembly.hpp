@@ -22,9 +22,11 @@ public:
     GroupAssembly(const ElementGroup& group, std::vector<int> unknowns)
         : group_(&group), unknowns_(std::move(unknowns)), size_(static_cast<std::size_t>(group.unknowns())) {}
 
-    const ElementGroup& group() const { return *group_; }
+    const ElementGroup& group() const { return *group_; }  ///< the elements
+    /// Of element e: group().unknowns() numbers, -1 where there is none.
     const int* unknowns(std::size_t e) const { return unknowns_.data() + e * size_; }
 
+    /// Adds an entry for each pair of unknowns that an element joins.
     void add_pattern(std::vector<Eigen::Triplet<double>>& entries) const {
         for (std::size_t e = 0; e < group_->size(); ++e)
             for (std::size_t i = 0; i < size_; ++i)
@@ -66,6 +68,8 @@ public:
             for (std::size_t k = 0; k < count; ++k) add(begin + k, out[k]);
         }
     }
+    /// Adds what element e gives; the matrix has the pattern of `find_places`.
+    /// \{
     void add(std::size_t e, const Eigen::VectorXd& values, Eigen::VectorXd& to) const {
         for (std::size_t i = 0; i < size_; ++i)
             if (unknowns(e)[i] >= 0) to(unknowns(e)[i]) += values(static_cast<Eigen::Index>(i));
@@ -76,6 +80,7 @@ public:
         for (std::size_t k = 0; k < size_ * size_; ++k)
             if (place[k] >= 0) to.valuePtr()[place[k]] += from[k];
     }
+    /// \}
 
 private:
     const ElementGroup* group_;

@@ -172,12 +172,16 @@ private:
 
 }  // namespace detail
 
+/// A beam in space, of 2, 3 or 4 nodes.
 template <int Nodes>
 using Beam = detail::BeamElement<BeamGeometry<Nodes>, Section>;
+/// A beam in the x-y plane, of 2, 3 or 4 nodes.
 template <int Nodes>
 using PlanarBeam = detail::BeamElement<PlanarGeometry<Nodes>, PlanarSection>;
+/// A beam in space with forces and moments as unknowns.
 template <int Nodes>
 using MixedBeam = detail::MixedBeamElement<BeamGeometry<Nodes>, Section>;
+/// A beam in the x-y plane with forces and moment as unknowns.
 template <int Nodes>
 using PlanarMixedBeam = detail::MixedBeamElement<PlanarGeometry<Nodes>, PlanarSection>;
 

@@ -33,8 +33,8 @@ namespace equilibria::fem {
 
 /// Where a beam's node is without load, and the frame of its cross-section there: axis 1 along the beam.
 struct SectionFrame {
-    Eigen::Vector3d x;
-    Eigen::Quaterniond orientation;
+    Eigen::Vector3d x;               ///< its place
+    Eigen::Quaterniond orientation;  ///< turns the fixed axes to those of the cross-section
 };
 
 /// The frame at x with axis 1 along `axis` and axis 2 as near to `second` as that allows. Throws InvalidArgument where
@@ -61,31 +61,34 @@ class BeamGeometry {
     using Four = Eigen::Vector4d;  // quaternions as (x, y, z, w)
 
 public:
-    static constexpr int gauss_points = Nodes - 1;
-    static constexpr int n_strains = 6;
-    using Frames = std::array<Frame<double>, count>;
-    using InitialFrame = SectionFrame;
-    using Strains = Eigen::Matrix<double, 6, 1>;
+    static constexpr int gauss_points = Nodes - 1;         ///< one less than nodes
+    static constexpr int n_strains = 6;                    ///< Gamma in the axes of the cross-section, then kappa
+    using Frames = std::array<Frame<double>, count>;       ///< of the nodes, moved
+    using InitialFrame = SectionFrame;                     ///< of a node without load
+    using Strains = Eigen::Matrix<double, 6, 1>;           ///< (Gamma, kappa)
     using StrainDerivative = Eigen::Matrix<double, 6, 6>;  ///< by a node's dx and dPsi
 
     /// What the moved nodes are to all Gauss points.
     struct MovedNodes {
-        std::array<Eigen::Vector3d, count> x;
+        std::array<Eigen::Vector3d, count> x;                 ///< places
         std::array<Four, count> p;                            ///< quaternions of the cross-sections
         std::array<Eigen::Matrix<double, 4, 3>, count> turn;  ///< of p exp(dPsi): dp = turn dPsi - |dPsi|^2 p / 8
     };
     /// A Gauss point of the moved element.
     struct Point {
-        Strains strain;
+        Strains strain;                         ///< Gamma and kappa, without their initial values
         std::array<StrainDerivative, count> b;  ///< of the strains, by each node
         double weight = 0;                      ///< of the point: its share of the element's length
 
-        std::array<double, count> n, d;  // shape functions, and slopes by arc length
-        Four q = Four::Zero(), dq = Four::Zero();
-        Eigen::Vector3d dx = Eigen::Vector3d::Zero();
-        Strains total;
-        Eigen::Matrix<double, 6, 4> by_q, by_dq = Eigen::Matrix<double, 6, 4>::Zero();  // of the strains
-        Eigen::Matrix3d by_dx;                                                          // of Gamma: A^T
+        std::array<double, count> n;                   ///< shape functions
+        std::array<double, count> d;                   ///< their slopes by arc length
+        Four q = Four::Zero();                         ///< Q
+        Four dq = Four::Zero();                        ///< Q'
+        Eigen::Vector3d dx = Eigen::Vector3d::Zero();  ///< x'
+        Strains total;                                 ///< the strains with their initial values
+        Eigen::Matrix<double, 6, 4> by_q;              ///< derivative of the strains by Q
+        Eigen::Matrix<double, 6, 4> by_dq = Eigen::Matrix<double, 6, 4>::Zero();  ///< by Q'
+        Eigen::Matrix3d by_dx;                                                    ///< of Gamma by x': A^T
     };
 
     /// at: the nodes from one end to the other, equally spaced along the beam. Throws InvalidArgument for nodes at one
@@ -110,8 +113,9 @@ public:
         interpolate(nodes(at), g, y);
         return y.total - initial_strain_[place(g)];
     }
-    const GaussLine<Nodes>& line() const { return line_; }
+    const GaussLine<Nodes>& line() const { return line_; }  ///< the nodes' places without load, and the Gauss points
 
+    /// The nodes at these frames.
     MovedNodes nodes(const Frames& at) const {
         MovedNodes y;
         for (std::size_t k = 0; k < count; ++k) {
@@ -123,6 +127,7 @@ public:
         return y;
     }
 
+    /// Strains and their derivatives at Gauss point g.
     Point point(const MovedNodes& at, int g) const {
         Point y;
         interpolate(at, g, y);

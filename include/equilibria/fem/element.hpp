@@ -66,9 +66,9 @@ struct ConstraintScale {
 /// What is asked of an element at the frames of its nodes.
 struct ElementQuery {
     const double* multipliers;  ///< its own, lambda
-    double p;
-    ConstraintScale scale;
-    Need need;
+    double p;                   ///< the load parameter
+    ConstraintScale scale;      ///< of the augmented Lagrangian
+    Need need;                  ///< which of its values are computed
 };
 
 namespace detail {
@@ -281,33 +281,34 @@ void evaluate(const E& element, const Frames<E, double>& at, const ElementQuery&
 class ElementGroup {
 public:
     virtual ~ElementGroup() = default;
-    virtual std::unique_ptr<ElementGroup> clone() const = 0;
-    virtual std::size_t size() const = 0;
+    virtual std::unique_ptr<ElementGroup> clone() const = 0;  ///< a copy
+    virtual std::size_t size() const = 0;                     ///< how many elements
     /// The nodes of element e.
     virtual const int* nodes(std::size_t e) const = 0;
-    virtual int n_nodes() const = 0;
-    virtual int n_components() const = 0;
-    virtual const Component* components() const = 0;
-    virtual int multipliers() const = 0;
-    virtual bool conservative() const = 0;
-    virtual bool depends_on_parameter() const = 0;
+    virtual int n_nodes() const = 0;                  ///< of each element
+    virtual int n_components() const = 0;             ///< of each node that the elements use
+    virtual const Component* components() const = 0;  ///< n_components() of them, in the order of the unknowns
+    virtual int multipliers() const = 0;              ///< of each element
+    virtual bool conservative() const = 0;            ///< every tangent is symmetric
+    virtual bool depends_on_parameter() const = 0;    ///< a residual may change with p
     /// Of element e, whose nodes are taken from `frames`, all of the structure's.
     virtual void evaluate(std::size_t e, const Frame<double>* frames, const ElementQuery& query,
                           ElementValues& out) const = 0;
-    int unknowns() const { return n_nodes() * n_components() + multipliers(); }
+    int unknowns() const { return n_nodes() * n_components() + multipliers(); }  ///< of each element
 };
 
 /// The elements of type E of a model.
 template <Element E>
 class ElementGroupOf final : public ElementGroup {
 public:
-    static constexpr std::size_t count = static_cast<std::size_t>(E::n_nodes);
+    static constexpr std::size_t count = static_cast<std::size_t>(E::n_nodes);  ///< nodes of an element
 
+    /// Adds an element with its nodes.
     void add(E element, const std::array<int, count>& nodes) {
         elements_.push_back(std::move(element));
         nodes_.push_back(nodes);
     }
-    const E& operator[](std::size_t e) const { return elements_[e]; }
+    const E& operator[](std::size_t e) const { return elements_[e]; }  ///< the e-th of them
 
     std::unique_ptr<ElementGroup> clone() const override { return std::make_unique<ElementGroupOf>(*this); }
     std::size_t size() const override { return elements_.size(); }

@@ -10,18 +10,19 @@ namespace equilibria::fem {
 
 /// A node's unknowns: its position in fixed axes, and right (material) increments of its rotation, radians.
 enum Component { ux, uy, uz, rx, ry, rz };
+/// "ux", "uy", "uz", "rx", "ry" or "rz".
 constexpr const char* to_string(Component c) {
     constexpr const char* names[] = {"ux", "uy", "uz", "rx", "ry", "rz"};
     return names[c];
 }
 
-/// What elements use of their nodes.
+/// What elements use of their nodes: all in space.
 inline constexpr std::array spatial{ux, uy, uz, rx, ry, rz};
-inline constexpr std::array positions{ux, uy, uz};
-inline constexpr std::array planar{ux, uy, rz};
-inline constexpr std::array planar_positions{ux, uy};
+inline constexpr std::array positions{ux, uy, uz};     ///< in space, without rotations
+inline constexpr std::array planar{ux, uy, rz};        ///< in the x-y plane
+inline constexpr std::array planar_positions{ux, uy};  ///< in the x-y plane, without rotations
 
-/// The same by the dimension, 3 or 2.
+/// `spatial` or `planar`, by the dimension, 3 or 2.
 template <int Dimension>
 constexpr auto motion_components() {
     static_assert(Dimension == 2 || Dimension == 3);
@@ -30,6 +31,7 @@ constexpr auto motion_components() {
     else
         return planar;
 }
+/// `positions` or `planar_positions`, by the dimension, 3 or 2.
 template <int Dimension>
 constexpr auto position_components() {
     static_assert(Dimension == 2 || Dimension == 3);
@@ -42,7 +44,7 @@ constexpr auto position_components() {
 /// A node: its position, and the rotation from its initial orientation, which is that of the fixed axes.
 template <class T>
 struct Frame {
-    Vector3<T> x = Vector3<T>::Zero();
+    Vector3<T> x = Vector3<T>::Zero();                                              ///< position, in fixed axes
     Eigen::Quaternion<T> q = Eigen::Quaternion<T>(T(1.0), T(0.0), T(0.0), T(0.0));  ///< of unit length
 
     /// The rotation matrix: material components to spatial ones.

@@ -18,10 +18,12 @@ namespace equilibria::fem {
 template <int Nodes>
 struct ShapeFunctions {
     static_assert(Nodes >= 2 && Nodes <= 4);
-    std::array<double, static_cast<std::size_t>(Nodes)> value{}, slope{};
+    std::array<double, static_cast<std::size_t>(Nodes)> value{};  ///< of each polynomial
+    std::array<double, static_cast<std::size_t>(Nodes)> slope{};  ///< its derivative by xi
 
-    static constexpr double node(int k) { return -1 + 2.0 * k / (Nodes - 1); }
+    static constexpr double node(int k) { return -1 + 2.0 * k / (Nodes - 1); }  ///< where polynomial k is 1, k from 0
 
+    /// At xi.
     constexpr explicit ShapeFunctions(double xi) {
         for (int k = 0; k < Nodes; ++k) {
             double n = 1, d = 0;
@@ -40,8 +42,10 @@ struct ShapeFunctions {
 /// Gauss-Legendre points and weights on [-1, 1].
 template <int Points>
 struct GaussRule {
-    std::array<double, static_cast<std::size_t>(Points)> point{}, weight{};
+    std::array<double, static_cast<std::size_t>(Points)> point{};   ///< places
+    std::array<double, static_cast<std::size_t>(Points)> weight{};  ///< positive, of sum 2
 };
+/// The rule that integrates polynomials of degree 2 Points - 1 exactly; Points is 1, 2 or 3.
 template <int Points>
 const GaussRule<Points>& gauss_rule() {
     static_assert(Points >= 1 && Points <= 3);
@@ -65,7 +69,7 @@ const GaussRule<Points>& gauss_rule() {
 template <int Nodes>
 class GaussLine {
 public:
-    static constexpr int points = Nodes - 1;
+    static constexpr int points = Nodes - 1;  ///< Gauss points
 
     /// Throws InvalidArgument where the line through the nodes x has no length at a Gauss point.
     explicit GaussLine(const std::array<Eigen::Vector3d, static_cast<std::size_t>(Nodes)>& x) {
@@ -81,6 +85,7 @@ public:
             jacobian_[static_cast<std::size_t>(g)] = jacobian;
         }
     }
+    /// Of the nodes, at Gauss point g.
     ShapeFunctions<Nodes> shape(int g) const {
         return ShapeFunctions<Nodes>(gauss_rule<points>().point[static_cast<std::size_t>(g)]);
     }
@@ -88,6 +93,7 @@ public:
     double jacobian(int g) const { return jacobian_[static_cast<std::size_t>(g)]; }
     /// The share of the length that Gauss point g stands for.
     double weight(int g) const { return gauss_rule<points>().weight[static_cast<std::size_t>(g)] * jacobian(g); }
+    /// Of the line without load, by its Gauss points.
     double length() const {
         double y = 0;
         for (int g = 0; g < points; ++g) y += weight(g);

@@ -36,11 +36,16 @@ Vector3<T> turned(const Frame<T>& at, const Eigen::Vector3d& v) {
 
 /// A point of each body is the same: x_A + R_A a = x_B + R_B b.
 struct SphericalJoint {
+    /// As of every element, see element.hpp.
+    /// \{
     static constexpr int n_nodes = 2, n_constraints = 3;
     static constexpr auto components = spatial;
     static constexpr bool depends_on_parameter = false;
-    Eigen::Vector3d a = Eigen::Vector3d::Zero(), b = Eigen::Vector3d::Zero();  ///< from the nodes to the joint
+    /// \}
+    Eigen::Vector3d a = Eigen::Vector3d::Zero();  ///< from node A to the joint
+    Eigen::Vector3d b = Eigen::Vector3d::Zero();  ///< from node B to it
 
+    /// The gap between the two points.
     template <class T>
     Vector3<T> constraints(const std::array<Frame<T>, 2>& at, const T&) const {
         return at[0].x + detail::turned(at[0], a) - at[1].x - detail::turned(at[1], b);
@@ -49,11 +54,16 @@ struct SphericalJoint {
 
 /// The same in the x-y plane, a hinge about z.
 struct PlanarHinge {
+    /// As of every element, see element.hpp.
+    /// \{
     static constexpr int n_nodes = 2, n_constraints = 2;
     static constexpr auto components = planar;
     static constexpr bool depends_on_parameter = false;
-    Eigen::Vector3d a = Eigen::Vector3d::Zero(), b = Eigen::Vector3d::Zero();  ///< from the nodes to the joint
+    /// \}
+    Eigen::Vector3d a = Eigen::Vector3d::Zero();  ///< from node A to the joint
+    Eigen::Vector3d b = Eigen::Vector3d::Zero();  ///< from node B to it
 
+    /// The gap between the two points, in x and y.
     template <class T>
     Eigen::Matrix<T, 2, 1> constraints(const std::array<Frame<T>, 2>& at, const T& p) const {
         return SphericalJoint{a, b}.constraints(at, p).template head<2>();
@@ -63,14 +73,19 @@ struct PlanarHinge {
 /// A spherical joint whose bodies also share an axis.
 class RevoluteJoint {
 public:
+    /// As of every element, see element.hpp.
+    /// \{
     static constexpr int n_nodes = 2, n_constraints = 5;
     static constexpr auto components = spatial;
     static constexpr bool depends_on_parameter = false;
+    /// \}
 
+    /// a and b: from the nodes to the joint. Throws InvalidArgument unless the axis is finite and not 0.
     explicit RevoluteJoint(const Eigen::Vector3d& axis, const Eigen::Vector3d& a = Eigen::Vector3d::Zero(),
                            const Eigen::Vector3d& b = Eigen::Vector3d::Zero())
         : point_{a, b}, frame_(detail::frame_along(axis)) {}
 
+    /// The gap between the two points, and what A's axis has along two vectors of B that were normal to it.
     template <class T>
     Eigen::Matrix<T, 5, 1> constraints(const std::array<Frame<T>, 2>& at, const T& p) const {
         const Vector3<T> axis = detail::turned(at[0], frame_[0]);
@@ -88,14 +103,18 @@ private:
 /// Node B slides along an axis of node A, and turns as A does.
 class PrismaticJoint {
 public:
+    /// As of every element, see element.hpp.
+    /// \{
     static constexpr int n_nodes = 2, n_constraints = 5;
     static constexpr auto components = spatial;
     static constexpr bool depends_on_parameter = false;
+    /// \}
 
-    /// offset: from A to B without load.
+    /// offset: from A to B without load. Throws InvalidArgument unless the axis is finite and not 0.
     PrismaticJoint(const Eigen::Vector3d& axis, const Eigen::Vector3d& offset)
         : frame_(detail::frame_along(axis)), offset_(offset) {}
 
+    /// B's distances from the axis in two directions, and its rotation against A.
     template <class T>
     Eigen::Matrix<T, 5, 1> constraints(const std::array<Frame<T>, 2>& at, const T&) const {
         const Vector3<T> d = at[1].x - at[0].x, n = detail::turned(at[0], frame_[0]),
@@ -115,11 +134,17 @@ private:
 /// The node moves along a fixed direction: direction . (x - origin) = rate p + offset. Its multiplier is minus the
 /// force.
 struct PrescribedDisplacement {
+    /// As of every element, see element.hpp.
+    /// \{
     static constexpr int n_nodes = 1, n_constraints = 1;
     static constexpr auto components = positions;
-    Eigen::Vector3d direction, origin;
-    double rate = 1, offset = 0;
+    /// \}
+    Eigen::Vector3d direction;  ///< in fixed axes, of length 1 where p is a distance
+    Eigen::Vector3d origin;     ///< from which x is measured
+    double rate = 1;            ///< of the displacement by p
+    double offset = 0;          ///< at p = 0
 
+    /// direction . (x - origin) - rate p - offset.
     template <class T>
     Eigen::Matrix<T, 1, 1> constraints(const std::array<Frame<T>, 1>& at, const T& p) const {
         const Vector3<T> d = direction.cast<T>();
@@ -131,12 +156,17 @@ struct PrescribedDisplacement {
 /// minus the moment, in the axes of the node.
 class PrescribedRotation {
 public:
+    /// As of every element, see element.hpp.
+    /// \{
     static constexpr int n_nodes = 1, n_constraints = 3;
     static constexpr std::array components{rx, ry, rz};
+    /// \}
 
+    /// rate: by p, radians. Throws InvalidArgument unless the axis is finite and not 0.
     explicit PrescribedRotation(const Eigen::Vector3d& axis, double rate = 1)
         : axis_(detail::frame_along(axis)[0]), rate_(rate) {}
 
+    /// Twice the vector of the quaternion that is left of the rotation.
     template <class T>
     Vector3<T> constraints(const std::array<Frame<T>, 1>& at, const T& p) const {
         using std::cos, std::sin;
@@ -155,12 +185,17 @@ private:
 /// joint. Its multiplier is minus the moment.
 class RotationDrive {
 public:
+    /// As of every element, see element.hpp.
+    /// \{
     static constexpr int n_nodes = 2, n_constraints = 1;
     static constexpr std::array components{rx, ry, rz};
+    /// \}
 
+    /// rate: by p, radians; offset: at p = 0. Throws InvalidArgument unless the axis is finite and not 0.
     explicit RotationDrive(const Eigen::Vector3d& axis, double rate = 1, double offset = 0)
         : axis_(detail::frame_along(axis)[0]), rate_(rate), offset_(offset) {}
 
+    /// Twice the sine of half the angle by which B has turned too far.
     template <class T>
     Eigen::Matrix<T, 1, 1> constraints(const std::array<Frame<T>, 2>& at, const T& p) const {
         using std::cos, std::sin;
@@ -179,11 +214,16 @@ private:
 /// The same in the x-y plane, about z.
 class PlanarRotationDrive {
 public:
+    /// As of every element, see element.hpp.
+    /// \{
     static constexpr int n_nodes = 2, n_constraints = 1;
     static constexpr std::array components{rz};
+    /// \}
 
+    /// rate: by p, radians; offset: at p = 0.
     explicit PlanarRotationDrive(double rate = 1, double offset = 0) : drive_(Eigen::Vector3d::UnitZ(), rate, offset) {}
 
+    /// Twice the sine of half the angle by which B has turned too far.
     template <class T>
     Eigen::Matrix<T, 1, 1> constraints(const std::array<Frame<T>, 2>& at, const T& p) const {
         return drive_.constraints(at, p);

@@ -12,10 +12,15 @@ namespace equilibria::fem {
 
 /// p times a force and a moment that turn with their node. They have no energy: NonconservativeStructure.
 struct FollowerLoad {
+    /// As of every element, see element.hpp.
+    /// \{
     static constexpr int n_nodes = 1;
     static constexpr auto components = spatial;
-    Eigen::Vector3d force = Eigen::Vector3d::Zero(), moment = Eigen::Vector3d::Zero();  ///< without rotation
+    /// \}
+    Eigen::Vector3d force = Eigen::Vector3d::Zero();   ///< in the node's axes, for p = 1
+    Eigen::Vector3d moment = Eigen::Vector3d::Zero();  ///< in the node's axes, for p = 1
 
+    /// Minus the force in fixed axes, and minus the moment in those of the node.
     template <class T>
     Eigen::Matrix<T, 6, 1> residual(const std::array<Frame<T>, 1>& at, const T& p) const {
         const Vector3<T> f = force.cast<T>(), m = moment.cast<T>();
@@ -29,11 +34,15 @@ struct FollowerLoad {
 /// p force |x - center|.
 template <int Dimension>
 struct CentralLoad {
+    /// As of every element, see element.hpp.
+    /// \{
     static constexpr int n_nodes = 1;
     static constexpr auto components = position_components<Dimension>();
-    double force;
-    Eigen::Vector3d center;
+    /// \}
+    double force;            ///< for p = 1, towards the centre where positive
+    Eigen::Vector3d center;  ///< in fixed axes
 
+    /// p force |x - center|.
     template <class T>
     T energy(const std::array<Frame<T>, 1>& at, const T& p) const {
         using std::sqrt;
@@ -47,10 +56,14 @@ struct CentralLoad {
 /// where the line is closed, or its ends are fixed or move towards the origin.
 template <int Nodes>
 struct PlanarPressure {
+    /// As of every element, see element.hpp.
+    /// \{
     static constexpr int n_nodes = Nodes;
     static constexpr auto components = planar_positions;
-    double pressure;
+    /// \}
+    double pressure;  ///< for p = 1, per length
 
+    /// p pressure times the area.
     template <class T>
     T energy(const std::array<Frame<T>, static_cast<std::size_t>(Nodes)>& at, const T& p) const {
         // x cross x' is a polynomial of degree 2 Nodes - 3: Nodes - 1 Gauss points integrate it exactly

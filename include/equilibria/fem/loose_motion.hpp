@@ -11,8 +11,8 @@ namespace equilibria::fem {
 
 /// A motion that meets no stiffness, by the component that takes most part in it.
 struct LooseMotion {
-    int node = 0;
-    Component component = ux;
+    int node = 0;              ///< number of the node
+    Component component = ux;  ///< of this node
 };
 
 /// A motion along which K is 0 to rounding, one of several if there are; nothing where all meet a stiffness. No branch

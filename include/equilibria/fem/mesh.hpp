@@ -98,6 +98,7 @@ std::vector<int> add_straight_planar_beam(Model& model, const PlanarSection& sec
 }
 
 #ifdef EQUILIBRIA_COMPILED
+/// \cond
 extern template std::vector<int> add_beam<2>(Model&, const Section&, const std::function<SectionFrame(double)>&, int,
                                              int, int);
 extern template std::vector<int> add_beam<3>(Model&, const Section&, const std::function<SectionFrame(double)>&, int,
@@ -110,6 +111,7 @@ extern template std::vector<int> add_planar_beam<3>(Model&, const PlanarSection&
                                                     const std::function<PlanarSectionFrame(double)>&, int, int, int);
 extern template std::vector<int> add_planar_beam<4>(Model&, const PlanarSection&,
                                                     const std::function<PlanarSectionFrame(double)>&, int, int, int);
+/// \endcond
 #endif
 
 }  // namespace equilibria::fem

@@ -21,8 +21,8 @@ namespace equilibria::fem {
 
 /// Where a planar beam's node is without load, and the direction of the beam there.
 struct PlanarSectionFrame {
-    Eigen::Vector3d x;
-    double angle;  ///< from the x axis to the beam's, radians
+    Eigen::Vector3d x;  ///< its place
+    double angle;       ///< from the x axis to the beam's, radians
 };
 
 /// The strains (Gamma_1, Gamma_2, kappa) of a planar beam element of equally spaced nodes at its Gauss points, one less
@@ -33,28 +33,29 @@ class PlanarGeometry {
     static constexpr std::size_t place(int k) { return static_cast<std::size_t>(k); }
 
 public:
-    static constexpr int gauss_points = Nodes - 1;
-    static constexpr int n_strains = 3;
-    using Frames = std::array<Frame<double>, count>;
-    using InitialFrame = PlanarSectionFrame;
-    using Strains = Eigen::Vector3d;
-    using StrainDerivative = Eigen::Matrix3d;  ///< by a node's dx, dy and dtheta
+    static constexpr int gauss_points = Nodes - 1;    ///< one less than nodes
+    static constexpr int n_strains = 3;               ///< Gamma_1, Gamma_2, kappa
+    using Frames = std::array<Frame<double>, count>;  ///< of the nodes, moved
+    using InitialFrame = PlanarSectionFrame;          ///< of a node without load
+    using Strains = Eigen::Vector3d;                  ///< (Gamma_1, Gamma_2, kappa)
+    using StrainDerivative = Eigen::Matrix3d;         ///< by a node's dx, dy and dtheta
 
     /// What the moved nodes are to all Gauss points.
     struct MovedNodes {
-        std::array<Eigen::Vector2d, count> x;
-        double turned = 0;                ///< of the first node, radians
-        std::array<double, count> angle;  ///< of the cross-sections, against the first node's turn
+        std::array<Eigen::Vector2d, count> x;  ///< places
+        double turned = 0;                     ///< of the first node, radians
+        std::array<double, count> angle;       ///< of the cross-sections, against the first node's turn
     };
     /// A Gauss point of the moved element.
     struct Point {
-        Strains strain;
+        Strains strain;                         ///< Gamma and kappa, without their initial values
         std::array<StrainDerivative, count> b;  ///< of the strains, by each node
         double weight = 0;                      ///< of the point: its share of the element's length
 
-        std::array<double, count> n, d;  // shape functions, and slopes by arc length
-        Eigen::Matrix2d axes;            // A
-        Strains total;
+        std::array<double, count> n;  ///< shape functions
+        std::array<double, count> d;  ///< their slopes by arc length
+        Eigen::Matrix2d axes;         ///< A
+        Strains total;                ///< the strains with their initial values
     };
 
     /// at: the nodes from one end to the other, equally spaced along the beam; angles of neighbours within pi of each
@@ -79,8 +80,9 @@ public:
         interpolate(nodes(at), g, y);
         return y.total - initial_strain_[place(g)];
     }
-    const GaussLine<Nodes>& line() const { return line_; }
+    const GaussLine<Nodes>& line() const { return line_; }  ///< the nodes' places without load, and the Gauss points
 
+    /// The nodes at these frames.
     MovedNodes nodes(const Frames& at) const {
         MovedNodes y;
         y.turned = 2 * std::atan2(at[0].q.z(), at[0].q.w());
@@ -94,6 +96,7 @@ public:
         return y;
     }
 
+    /// Strains and their derivatives at Gauss point g.
     Point point(const MovedNodes& at, int g) const {
         Point y;
         interpolate(at, g, y);

@@ -17,11 +17,15 @@ namespace equilibria::fem {
 /// rotation of its own: then it is a joint of the body. Its multipliers are minus the force on B.
 template <int Dimension>
 struct RigidLink {
+    /// As of every element, see element.hpp.
+    /// \{
     static constexpr int n_nodes = 2, n_constraints = Dimension, n_multipliers = Dimension;
     static constexpr auto components = motion_components<Dimension>();
     static constexpr bool depends_on_parameter = false;
+    /// \}
     Eigen::Vector3d offset;  ///< X, from A to B without load
 
+    /// Phi of (19).
     template <class T>
     Eigen::Matrix<T, Dimension, 1> constraints(const std::array<Frame<T>, 2>& at, const T&) const {
         const Vector3<T> x = offset.cast<T>(), gap = at[1].x - at[0].x - at[0].q * x;

@@ -11,11 +11,15 @@ namespace equilibria::fem {
 
 /// Resists the rotation between two nodes: stiffness |Psi|^2 / 2, exp(Psi) = R_A^T R_B, |Psi| below 2 pi.
 struct RotationSpring {
+    /// As of every element, see element.hpp.
+    /// \{
     static constexpr int n_nodes = 2;
     static constexpr std::array components{rx, ry, rz};
     static constexpr bool depends_on_parameter = false;
-    double stiffness;
+    /// \}
+    double stiffness;  ///< moment by angle, per radian
 
+    /// stiffness |Psi|^2 / 2.
     template <class T>
     T energy(const std::array<Frame<T>, 2>& at, const T&) const {
         const Vector3<T> psi = rotation_vector(Eigen::Quaternion<T>(at[0].q.conjugate() * at[1].q));
@@ -25,11 +29,15 @@ struct RotationSpring {
 
 /// The same in the plane, about z: the rotation may go through any number of turns of both together.
 struct PlanarRotationSpring {
+    /// As of every element, see element.hpp.
+    /// \{
     static constexpr int n_nodes = 2;
     static constexpr std::array components{rz};
     static constexpr bool depends_on_parameter = false;
-    double stiffness;
+    /// \}
+    double stiffness;  ///< moment by angle, per radian
 
+    /// stiffness angle^2 / 2.
     template <class T>
     T energy(const std::array<Frame<T>, 2>& at, const T&) const {
         using std::atan2;
@@ -42,11 +50,16 @@ struct PlanarRotationSpring {
 /// Holds a node at a place by a spring along each fixed axis, in space (Dimension 3) or in the plane (2).
 template <int Dimension>
 struct PointSpring {
+    /// As of every element, see element.hpp.
+    /// \{
     static constexpr int n_nodes = 1;
     static constexpr auto components = position_components<Dimension>();
     static constexpr bool depends_on_parameter = false;
-    Eigen::Vector3d stiffness, origin;
+    /// \}
+    Eigen::Vector3d stiffness;  ///< along each axis
+    Eigen::Vector3d origin;     ///< where no spring has a force
 
+    /// sum stiffness_c (x_c - origin_c)^2 / 2.
     template <class T>
     T energy(const std::array<Frame<T>, 1>& at, const T&) const {
         T y(0.0);

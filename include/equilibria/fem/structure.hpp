@@ -32,10 +32,11 @@ namespace equilibria::fem {
 
 /// The frames of all nodes, and the multipliers.
 struct StructureState {
-    std::vector<Frame<double>> frames;
-    Eigen::VectorXd multipliers;
+    std::vector<Frame<double>> frames;  ///< of each node
+    Eigen::VectorXd multipliers;        ///< lambda, of each element in turn
 };
 
+/// How a model is made a problem.
 struct StructureOptions {
     double length = 0;            ///< of weights; 0: the diagonal of the box around all nodes
     ConstraintScale scale{0, 0};  ///< of the augmented Lagrangian; 0: the largest stiffness of the other elements
@@ -48,42 +49,51 @@ struct StructureOptions {
 template <bool Conservative>
 class BasicStructure {
 public:
-    using Configuration = StructureState;
-    static constexpr bool symmetric = Conservative;
+    using Configuration = StructureState;            ///< frames and multipliers
+    static constexpr bool symmetric = Conservative;  ///< whether K is taken for symmetric
 
     /// Throws InvalidArgument where nothing can move, where a node may turn about two axes alone, where a load acts on
     /// a component that no element uses, and, for a conservative structure, where an element has no energy or a moment
     /// acts on a node that turns about several axes.
     explicit BasicStructure(Model model, const StructureOptions& options = {});
 
-    const Model& model() const { return *model_; }
-    int size() const { return size_; }
+    const Model& model() const { return *model_; }  ///< as it was given
+    int size() const { return size_; }              ///< number of unknowns, multipliers among them
     /// Of the last unknowns.
     int multipliers() const { return multipliers_; }
+    /// Of a sparse symmetric K; null: SparseLDLT.
     MakeSymmetricFactors symmetric_factors() const { return options_.factors; }
     /// The number of a component of a node among the unknowns; -1 where it is fixed or no element uses it.
     int unknown(int node, Component c) const { return unknowns_[static_cast<std::size_t>(node)][c]; }
+    /// Of the augmented Lagrangian; chosen where the options left a 0.
     const ConstraintScale& scale() const { return options_.scale; }
-    double length() const { return options_.length; }
+    double length() const { return options_.length; }  ///< of the weights, chosen where the options left it 0
 
     /// Without load, as the model was put together.
     Configuration initial() const;
 
+    /// A function of a continuation problem, see problem.hpp and above.
+    /// \{
     Eigen::VectorXd residual(const Configuration& q, double p) const;
     Eigen::SparseMatrix<double> tangent(const Configuration& q, double p) const;
     Eigen::VectorXd parameter_derivative(const Configuration& q, double p) const;
+    /// \}
     /// 0 where K does not change with p; central differences otherwise.
     Eigen::VectorXd parameter_derivative_along(const Configuration& q, double p, const Eigen::VectorXd& v) const;
 
+    /// A function of a continuation problem, see problem.hpp and above.
+    /// \{
     Configuration retract(const Configuration& q, const Eigen::VectorXd& increment) const;
     /// Increments of the frame R exp(Psi) are T(Psi) times those of Psi.
     Eigen::VectorXd transport(const Configuration&, const Eigen::VectorXd& increment, const Eigen::VectorXd& v) const;
     Eigen::VectorXd difference(const Configuration& q, const Configuration& near) const;
     Eigen::VectorXd weights(const Configuration&) const { return weights_; }
+    /// \}
 
     /// Those of symmetries_of the nodes, apart from the identity, that map residuals in generic states onto each other
     /// to 1e-10: elements, supports and loads, at every p. Found at the first call.
     const std::vector<Symmetry>& symmetries() const;
+    /// What the symmetry makes of q.
     Configuration image(const Symmetry& symmetry, const Configuration& q) const;
     /// By symmetry k.
     Configuration image(const Configuration& q, std::size_t k) const { return image(symmetries()[k], q); }

@@ -30,15 +30,18 @@ enum class LoadKind { proportional, constant };
 
 /// A dead force (spatial) and moment (spatial) on a node.
 struct NodalLoad {
-    int node = 0;
-    Eigen::Vector3d force = Eigen::Vector3d::Zero();
-    Eigen::Vector3d moment = Eigen::Vector3d::Zero();
-    LoadKind kind = LoadKind::proportional;
+    int node = 0;                                      ///< number of the node
+    Eigen::Vector3d force = Eigen::Vector3d::Zero();   ///< in fixed axes
+    Eigen::Vector3d moment = Eigen::Vector3d::Zero();  ///< in fixed axes
+    LoadKind kind = LoadKind::proportional;            ///< whether p multiplies it
 };
 
+/// Nodes, elements, supports and loads, see the file.
 class Model {
 public:
     Model() = default;
+    /// Moved, or copied with its elements.
+    /// \{
     Model(Model&&) = default;
     Model& operator=(Model&&) = default;
     Model(const Model& other)
@@ -47,6 +50,7 @@ public:
         for (const auto& group : other.groups_) groups_.push_back(group->clone());
     }
     Model& operator=(const Model& other) { return *this = Model(other); }
+    /// \}
 
     /// A new node at x; its number.
     int add_node(const Eigen::Vector3d& x) {
@@ -56,7 +60,7 @@ public:
         rotates_with_.push_back(nodes() - 1);
         return nodes() - 1;
     }
-    int nodes() const { return static_cast<int>(x_.size()); }
+    int nodes() const { return static_cast<int>(x_.size()); }  ///< how many there are
     /// Where a node is without load.
     const Eigen::Vector3d& at(int node) const { return x_[checked(node, "node")]; }
 
@@ -77,12 +81,15 @@ public:
     }
 
     /// Fixes components of a node where they are: positions, and right increments of its rotation.
+    /// \{
     void fix(int node, std::span<const Component> components) {
         for (const Component c : components) fixed_[checked(node, "node")][c] = true;
     }
     void fix(int node, std::initializer_list<Component> components) {
         fix(node, std::span(components.begin(), components.size()));
     }
+    /// \}
+    /// Whether a component is fixed.
     bool fixed(int node, Component c) const { return fixed_[checked(node, "node")][c]; }
 
     /// The node turns as another one does, as points of one rigid body do: Boolean assignment of rotations (18). So do
@@ -112,7 +119,7 @@ public:
         loads_.push_back({node, force, moment, kind});
     }
 
-    const std::vector<NodalLoad>& loads() const { return loads_; }
+    const std::vector<NodalLoad>& loads() const { return loads_; }  ///< in the order in which they were given
     /// Elements by their types, in the order in which the types were first added.
     const std::vector<std::unique_ptr<ElementGroup>>& groups() const { return groups_; }
     /// Which components of each node elements use; a rotation that several nodes share counts for the one that has it.

@@ -14,9 +14,9 @@ namespace equilibria::fem {
 /// x goes to center + turn (x - center), and the rotation R of a node to turn R turn^T.
 struct Symmetry {
     Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();  ///< orthogonal; of determinant -1: a reflection
-    Eigen::Vector3d center = Eigen::Vector3d::Zero();
-    std::vector<int> node{};                    ///< node k goes to where node[k] is without load
-    Eigen::SparseMatrix<double> multipliers{};  ///< what those of the structure become
+    Eigen::Vector3d center = Eigen::Vector3d::Zero();    ///< a point that stays where it is
+    std::vector<int> node{};                             ///< node k goes to where node[k] is without load
+    Eigen::SparseMatrix<double> multipliers{};           ///< what those of the structure become
 
     /// What `turn` makes of rotation vectors.
     Eigen::Matrix3d axial() const { return turn.determinant() < 0 ? Eigen::Matrix3d(-turn) : turn; }

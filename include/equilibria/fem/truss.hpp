@@ -18,13 +18,17 @@ enum class Strain { green, engineering };
 template <int Dimension>
 class Truss {
 public:
+    /// As of every element, see element.hpp.
+    /// \{
     static constexpr int n_nodes = 2;
     static constexpr auto components = position_components<Dimension>();
     static constexpr bool depends_on_parameter = false;
+    /// \}
 
     /// ea: axial stiffness; a and b: its ends, where it has no force.
     Truss(double ea, const Eigen::Vector3d& a, const Eigen::Vector3d& b, Strain strain = Strain::green)
         : Truss(ea, (b - a).norm(), strain) {}
+    /// length: without force. Throws InvalidArgument for numbers that are not positive and finite.
     Truss(double ea, double length, Strain strain = Strain::green) : ea_(ea), length_(length), strain_(strain) {
         require(ea > 0 && std::isfinite(ea), "ea", ea, "must be positive and finite");
         require(length > 0 && std::isfinite(length), "length", length, "must be positive and finite");
@@ -36,6 +40,7 @@ public:
         return strain_ == Strain::green ? (l2 / (length_ * length_) - 1) / 2 : std::sqrt(l2) / length_ - 1;
     }
 
+    /// By hand, see element.hpp.
     void evaluate(const std::array<Frame<double>, 2>& at, double, Need need, ElementValues& out) const {
         using Vector = Eigen::Matrix<double, Dimension, 1>;
         using Matrix = Eigen::Matrix<double, Dimension, Dimension>;

@@ -17,7 +17,8 @@ namespace equilibria {
 /// of the paths failed at first for want of it.
 class ArcHomotopy : public PolynomialHomotopy {
 public:
-    static constexpr int law_order = CoefficientPath::law_order;
+    static constexpr int law_order = CoefficientPath::law_order;  ///< the highest order in t of a term's coefficient
+    /// What a tracker evaluates, in numbers R at times Time.
     template <class R, class Time>
     using Evaluation = detail::TableEvaluation<ArcHomotopy, R, Time>;
 
@@ -33,11 +34,13 @@ public:
                                    .laurent = path.to()}),
           path_(&path) {}
 
-    static constexpr bool moving() { return true; }
+    static constexpr bool moving() { return true; }  ///< coefficients change with t
+    /// The Taylor coefficient of order `Order` in t, at the time t, of a term's coefficient.
     template <int Order, class R, class Time>
     Complex<R> law(int term, const Time& t) const {
         return path_->law<Order, R>(term, t);
     }
+    /// Calls take(number) for each number that a path depends on beside its start point.
     void for_each_number(const auto& take) const {
         PolynomialHomotopy::for_each_number(take);
         for (const auto& number : path_->numbers()) take(number);

@@ -25,19 +25,21 @@ enum class Precision : std::uint8_t {
 
 /// What became of a path, with the evidence.
 struct Endpoint {
-    RuntimePoint<double> q;
-    double t = 0;            ///< where the lane tracker left it
-    std::int32_t steps = 0;  ///< predictor-corrector steps, refused ones included
-    Arrival arrival = Arrival::stuck;
-    PathStatus status = PathStatus::failed;
-    FailureReason reason = FailureReason::none;
-    Precision precision = Precision::as_begun;
-    std::int16_t winding_number = 1;  ///< of the path at t = 1; more than 1 only at a singular endpoint
-    PolishedEvidence evidence;
+    RuntimePoint<double> q;                      ///< the endpoint, angles by cosine and sine
+    double t = 0;                                ///< where the lane tracker left it
+    std::int32_t steps = 0;                      ///< predictor-corrector steps, refused ones included
+    Arrival arrival = Arrival::stuck;            ///< where the tracker left it
+    PathStatus status = PathStatus::failed;      ///< what the endpoint is
+    FailureReason reason = FailureReason::none;  ///< why it failed, where it did
+    Precision precision = Precision::as_begun;   ///< of the numbers at last
+    std::int16_t winding_number = 1;             ///< of the path at t = 1; more than 1 only at a singular endpoint
+    PolishedEvidence evidence;                   ///< of the last correction
 };
 
 /// An endpoint without its point.
 struct EndpointRecord {
+    /// As of Endpoint.
+    /// \{
     double t = 0;
     PolishedEvidence evidence;
     std::int32_t steps = 0;
@@ -46,8 +48,10 @@ struct EndpointRecord {
     PathStatus status = PathStatus::failed;
     FailureReason reason = FailureReason::none;
     Precision precision = Precision::as_begun;
+    /// \}
 
     EndpointRecord() = default;
+    /// All but the point.
     EndpointRecord(const Endpoint& end) {
         const auto& [q, t_, steps_, arrival_, status_, reason_, precision_, winding_, evidence_] = end;
         t = t_, evidence = evidence_, steps = steps_, winding_number = winding_;

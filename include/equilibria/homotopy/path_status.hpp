@@ -7,6 +7,7 @@
 
 namespace equilibria {
 
+/// What became of a path.
 enum class PathStatus : std::uint8_t {
     finite,       ///< a regular solution
     at_infinity,  ///< a coordinate, or the imaginary part of an angle, diverges: no equilibrium
@@ -14,10 +15,11 @@ enum class PathStatus : std::uint8_t {
     failed        ///< not finished; the reason says why
 };
 
+/// Why a path failed.
 enum class FailureReason : std::uint8_t {
-    none,
-    step_too_small,  ///< the step control refused every step
-    too_many_steps,
+    none,              ///< the path did not fail
+    step_too_small,    ///< the step control refused every step
+    too_many_steps,    ///< as many as TrackerOptions::most_steps
     endgame_undecided  ///< near t = 1, neither finite, nor at infinity, nor singular could be shown
 };
 
@@ -28,6 +30,8 @@ struct PolishedEvidence {
     double correction = 0;  ///< the last Newton correction, largest change of an unknown
 };
 
+/// In words.
+/// \{
 constexpr std::string_view to_string(PathStatus status) {
     switch (status) {
         case PathStatus::finite: return "finite";
@@ -44,5 +48,6 @@ constexpr std::string_view to_string(FailureReason reason) {
         default: return "endgame undecided";
     }
 }
+/// \}
 
 }  // namespace equilibria

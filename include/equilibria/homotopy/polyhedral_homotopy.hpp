@@ -18,7 +18,8 @@ namespace equilibria {
 /// H_i = sum_a c_ia exp(i a.theta + w_ia s(t)), w of the path's cell.
 class PolyhedralHomotopy {
 public:
-    using System = RuntimeUnknowns;
+    using System = RuntimeUnknowns;  ///< sizes are known at run time
+    /// What a tracker evaluates, in numbers R at times Time.
     template <class R, class Time>
     using Evaluation = detail::PolyhedralEvaluation<PolyhedralHomotopy, R, Time>;
 
@@ -33,18 +34,19 @@ public:
         }
     }
 
-    RuntimeSizes sizes() const { return {tables_.unknowns(), 0}; }
-    static constexpr bool symmetric() { return false; }
+    RuntimeSizes sizes() const { return {tables_.unknowns(), 0}; }  ///< angles alone
+    static constexpr bool symmetric() { return false; }             ///< its Jacobian is no Hessian
     /// No path ends at infinity, however far out it begins.
     static constexpr double far_away2() { return 1e280; }
-    const LaurentTables& tables() const { return tables_; }
+    const LaurentTables& tables() const { return tables_; }  ///< the terms of each equation
+    /// The weights w of the path's cell.
     std::span<const float> weights(std::uint64_t path) const { return start_->weights(path); }
-    double rate(std::uint64_t path) const { return start_->rate(path); }
+    double rate(std::uint64_t path) const { return start_->rate(path); }  ///< of s(t), see PolyhedralStart::rate
 
     /// What polishing asks for: the largest coefficient of each equation; there is no other form of them.
     const std::vector<double>& scale() const { return scale_; }
-    static constexpr bool has_own_equations() { return false; }
-    void residual(const auto&, auto&) const {}
+    static constexpr bool has_own_equations() { return false; }  ///< F is what is polished
+    void residual(const auto&, auto&) const {}                   ///< nothing, as there is no other form
 
 private:
     const PolyhedralStart* start_;

@@ -41,25 +41,28 @@ public:
 ///     t F(q) + (1 - t) G(q),  or, where coefficients move,  sum_k ((1-t) b_k + t a_k) m_k(q) + (1 - t) G(q).
 class PolynomialHomotopy {
 public:
-    using System = RuntimeUnknowns;
+    using System = RuntimeUnknowns;      ///< sizes are known at run time
     static constexpr int law_order = 1;  ///< the highest order in t of a term's coefficient
+    /// What a tracker evaluates, in numbers R at times Time.
     template <class R, class Time>
     using Evaluation = detail::TableEvaluation<PolynomialHomotopy, R, Time>;
 
+    /// What a homotopy is made of.
     struct Parts {
-        RuntimeSizes sizes;
+        RuntimeSizes sizes;                      ///< numbers of angles and of coordinates
         std::vector<SparseTerm> terms;           ///< of F, in order, and with coefficient 0 what only b has
         std::vector<std::complex<double>> from;  ///< b, a number for each term, or none: the coefficients do not move
         StartForms forms;                        ///< G
         std::vector<double> scale;               ///< the largest coefficient of each equation of F
         bool symmetric = false;                  ///< the Jacobian is: F is a gradient
-        std::shared_ptr<const OwnEquations> own = nullptr;
-        std::vector<int> degrees = {};  ///< of each unknown in G, where it is more than 1
+        std::shared_ptr<const OwnEquations> own = nullptr;  ///< what is polished; null: F
+        std::vector<int> degrees = {};                      ///< of each unknown in G, where it is more than 1
         /// The coefficients of F, where it is given as a Laurent system: codes of angles are powers of exp(i theta),
         /// the coefficients move, and those of the terms are not read. Far off the real axis exponentials keep their
         /// digits, which products of cosines and sines lose.
         std::vector<std::complex<double>> laurent = {};
     };
+    /// The parts must fit each other.
     explicit PolynomialHomotopy(Parts parts);
     /// start: what SolvedInstance and LinearProduct have.
     template <class StartSystem>
@@ -70,17 +73,18 @@ public:
                                    .forms = start.forms(),
                                    .scale = target.scale()}) {}
 
-    const RuntimeSizes& sizes() const { return sizes_; }
-    const detail::TermTables& tables() const { return *tables_; }
-    const StartForms& forms() const { return forms_; }
-    bool moving() const { return !from_.empty(); }
-    bool symmetric() const { return symmetric_; }
+    const RuntimeSizes& sizes() const { return sizes_; }           ///< numbers of angles and of coordinates
+    const detail::TermTables& tables() const { return *tables_; }  ///< the terms that are evaluated
+    const StartForms& forms() const { return forms_; }             ///< G
+    bool moving() const { return !from_.empty(); }                 ///< whether coefficients change with t
+    bool symmetric() const { return symmetric_; }                  ///< whether the Jacobian is symmetric
     /// The square of the size beyond which a path is left to the endgame. Exponentials have their digits there still,
     /// and on a line of generic coefficients paths come back from farther out.
     double far_away2() const { return laurent_.empty() ? equilibria::far_away2 : 1e60; }
 
     /// The coefficient of a term at t = 1.
     double target(int term) const { return target_[static_cast<std::size_t>(term)]; }
+    /// The same of a Laurent system, where it is complex.
     std::complex<double> complex_target(int term) const {
         return laurent_.empty() ? target(term) : laurent_[static_cast<std::size_t>(term)];
     }
@@ -95,7 +99,7 @@ public:
             return difference;
     }
 
-    const std::vector<double>& scale() const { return scale_; }
+    const std::vector<double>& scale() const { return scale_; }  ///< the largest coefficient of each equation of F
     /// The same paths in numbers of a size that single precision can work with: each equation divided by a power of
     /// two near its largest coefficient, all by the same one where the Jacobian is symmetric.
     PolynomialHomotopy scaled() const;

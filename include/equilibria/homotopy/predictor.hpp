@@ -17,9 +17,9 @@ namespace equilibria {
 /// for polynomial homotopy continuation, SIAM J. Sci. Comput. 42 (2020).
 template <class R>
 struct PadePredictor {
-    using Z = Complex<R>;
-    static constexpr int order = 3;
-    static constexpr int local_order = 4;
+    using Z = Complex<R>;                  ///< numbers of the path
+    static constexpr int order = 3;        ///< Taylor coefficients that are needed
+    static constexpr int local_order = 4;  ///< power of the step that the error grows with
 
     /// q_1 h + q_2 h^2 / (1 - h q_3 / q_2), and the cubic where that is ill-conditioned.
     static Z change(const auto& taylor, int u, const R& h) {

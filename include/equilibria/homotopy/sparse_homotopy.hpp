@@ -12,7 +12,8 @@ namespace equilibria {
 template <class StartSystem>
 class SparseHomotopy : public PolynomialHomotopy {
 public:
-    static constexpr int law_order = StartSystem::law_order;
+    static constexpr int law_order = StartSystem::law_order;  ///< the highest order in t of a term's coefficient
+    /// What a tracker evaluates, in numbers R at times Time.
     template <class R, class Time>
     using Evaluation = detail::TableEvaluation<SparseHomotopy, R, Time>;
 
@@ -20,7 +21,8 @@ public:
     SparseHomotopy(const SparseSystem& target, const StartSystem& start)
         : PolynomialHomotopy(target, start), start_(&start) {}
 
-    static constexpr bool moving() { return true; }
+    static constexpr bool moving() { return true; }  ///< coefficients change with t
+    /// The Taylor coefficient of order `Order` in t, at the time t, of a term's coefficient.
     template <int Order, class R, class Time>
     auto law(int term, const Time& t) const {
         return start_->template law<Order, R>(term, target(term), t);

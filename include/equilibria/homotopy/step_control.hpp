@@ -16,7 +16,7 @@ namespace equilibria {
 /// 1 + |x| of coordinates.
 template <class R>
 struct Trial {
-    R step;
+    R step;     ///< that was made
     R asked;    ///< for: `step` may be shorter
     R turn2;    ///< the largest predicted change of an angle
     R first2;   ///< of Newton's step from the prediction
@@ -24,10 +24,11 @@ struct Trial {
     R noise2;   ///< corrections up to this size may be rounding
 };
 
+/// What the step control makes of a trial, in each lane.
 template <class R>
 struct Verdict {
-    typename LaneTraits<R>::Mask accepted;
-    R next_step;  ///< from the new point if accepted, else again from the old one
+    typename LaneTraits<R>::Mask accepted;  ///< the new point is on the path
+    R next_step;                            ///< from the new point if accepted, else again from the old one
 };
 
 /// Theta = |second| / |first| correction, half of Newton's Lipschitz figure times the error of the prediction, is far
@@ -37,13 +38,16 @@ struct Verdict {
 template <class R, int local_order>
 class ContractionControl {
 public:
-    using Mask = typename LaneTraits<R>::Mask;
+    using Mask = typename LaneTraits<R>::Mask;  ///< a truth value for each lane
 
+    /// Of the contraction, the turn and the share of the pole's distance that the options allow.
     explicit ContractionControl(const TrackerOptions& options) : options_(options) {}
 
+    /// The longest step at this distance from the nearest pole.
     R longest(const R& pole) const { return options_.pole_fraction * pole; }
-    R first(const R& pole) const { return lane_min(R{} + 0.4, longest(pole)); }
+    R first(const R& pole) const { return lane_min(R{} + 0.4, longest(pole)); }  ///< the step to begin with
 
+    /// Whether the new point is accepted, and the next step.
     Verdict<R> judge(const Trial<R>& trial) const {
         const R &h = trial.step, &turn2 = trial.turn2;
         // a first correction below the noise is no cause for concern, and its quotient may be rounding

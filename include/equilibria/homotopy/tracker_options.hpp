@@ -8,6 +8,7 @@
 
 namespace equilibria {
 
+/// How exactly paths are followed, and when one is given up.
 struct TrackerOptions {
     double contraction = 2e-3;          ///< target of Theta, in (0, 0.05]; smaller: shorter, safer steps
     double largest_contraction = 0.05;  ///< a step with a larger Theta is refused
@@ -18,6 +19,7 @@ struct TrackerOptions {
     int most_steps = 3000;              ///< steps of one path, refused ones included
     bool single_precision = true;       ///< where it pays; false: doubles alone
 
+    /// Throws InvalidArgument for an option out of range.
     void validate() const {
         require(contraction > 0 && contraction <= 0.05, "contraction", contraction, "must be in (0, 0.05]");
         require(largest_contraction >= contraction && largest_contraction <= 0.1, "largest_contraction",

@@ -7,9 +7,12 @@
 
 namespace equilibria {
 
+/// Pade approximants and control of the contraction: how paths are tracked where nothing else is asked for.
 struct PadeTracking {
+    /// Where the path goes.
     template <class R>
     using Predictor = PadePredictor<R>;
+    /// How far a step may go.
     template <class R, int local_order>
     using StepControl = ContractionControl<R, local_order>;
 };
@@ -18,8 +21,8 @@ struct PadeTracking {
 /// class derived from that may bring one of them alone.
 template <class T, class H>
 struct TrackedBy : H {
-    using Tracking = T;
-    explicit TrackedBy(const H& homotopy) : H(homotopy) {}
+    using Tracking = T;                                     ///< with a Predictor and a StepControl
+    explicit TrackedBy(const H& homotopy) : H(homotopy) {}  ///< the same homotopy
 };
 
 namespace detail {

@@ -56,7 +56,9 @@ public:
         text_ += gnuplot_block(name, rows.empty() ? nothing + "\n" : rows);
         return *this;
     }
+    /// A variable; x with every digit.
     GnuplotData& value(const std::string& name, double x) { return assign(name, number(x)); }
+    /// An integer variable.
     GnuplotData& integer(const std::string& name, long long n) { return assign(name, std::to_string(n)); }
     /// In single quotes: markup is markup, a backslash is one.
     GnuplotData& string(const std::string& name, std::string_view value) { return assign(name, quoted(value)); }
@@ -64,10 +66,11 @@ public:
     GnuplotData& values(const std::string& name, const std::vector<double>& list) {
         return array(name, list, [](double x) { return number(x); }, "0");
     }
+    /// An array of texts, in single quotes.
     GnuplotData& strings(const std::string& name, const std::vector<std::string>& list) {
         return array(name, list, [](const std::string& text) { return quoted(text); }, "''");
     }
-    const std::string& text() const { return text_; }
+    const std::string& text() const { return text_; }  ///< everything so far, as lines of a script
 
 private:
     static std::string number(double x) {

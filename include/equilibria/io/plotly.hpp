@@ -26,12 +26,14 @@ struct PlotlyAxis {
     bool angle = false;  ///< whether the values are in radians: ticks at multiples of pi, or of pi over a power of two
 };
 
-/// What a view shows. Titles are in UTF-8 and in Plotly's markup: <i>, <b>, <sub>, <sup>, <br>, and &lt; for a <. Those
-/// of axes are drawn upright whatever the markup, and a long line is cut where the window ends.
+/// What a view shows. Titles are in UTF-8 and in Plotly's markup: `<i>`, `<b>`, `<sub>`, `<sup>`, `<br>`, and `&lt;`
+/// for a `<`. Those of axes are drawn upright whatever the markup, and a long line is cut where the window ends.
 struct PlotlyView {
-    std::string title;
-    std::string subtitle = {};
-    PlotlyAxis x, y, z;
+    std::string title;          ///< above the view
+    std::string subtitle = {};  ///< below it, smaller
+    PlotlyAxis x;               ///< first axis
+    PlotlyAxis y;               ///< second axis
+    PlotlyAxis z;               ///< third axis, upwards
     /// A JSON array of Plotly's traces (scatter3d, surface, mesh3d, ...); null is a gap. Each may set its "name", and
     /// "showlegend" for a surface to be in the legend. Light, and what is shown under the pointer, are set where a
     /// trace does not.

@@ -33,6 +33,7 @@
 
 namespace equilibria {
 
+/// A polynomial system, with the groups of its variables.
 struct BertiniSystem {
     PolynomialSystem<std::complex<double>> polynomials;  ///< variables and functions in the order of their declaration
     /// The group of each variable, from 0, as solve_multihomogeneous takes it: a group each variable_group; those

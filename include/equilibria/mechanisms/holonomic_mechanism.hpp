@@ -34,7 +34,7 @@ struct HolonomicMechanismParameters {
         decay,
         n_parameters
     };
-    using Values = Array<double, n_parameters>;
+    using Values = Array<double, n_parameters>;  ///< one of each, by `Parameter`
 
     /// What the paper computed with: g = 9.80665 and c2 = 1100/3 give its printed digits. A force in N (100 in Tables 1
     /// to 5) that stays constant, unless a decay is given (0.7 in section 1).
@@ -80,8 +80,9 @@ struct HolonomicMechanismParameters {
 /// The reflection x -> -x takes (F, q1, q2) to (-F, pi - q1, -q2) and leaves V as it is, but not T: the slider stays on
 /// its side.
 struct HolonomicMechanism : HolonomicMechanismParameters {
-    static constexpr int n_angles = 2;
+    static constexpr int n_angles = 2;  ///< q1 and q2
 
+    /// V = Pi - F x2, in J.
     constexpr auto potential(const auto& q, const auto& p) const {
         return potential_without_force(q, p) - p[force] * (p[length] * (cos(q[0]) - sin(q[1])));
     }
@@ -98,6 +99,7 @@ struct HolonomicMechanism : HolonomicMechanismParameters {
                     p[mass_2] * (v[0] * v[0] + 2 * sin(q[0] + q[1]) * v[0] * v[1] + v[1] * v[1])) +
                0.5 * p[mass_3] * x3 * x3;
     }
+    /// Half the damping force times the slider's velocity, in W.
     constexpr auto dissipation(const auto& q, const auto& v, const auto& p) const {
         const auto x3 = slider_velocity(q, v, p);
         return 0.5 * p[damping] * x3 * x3;
@@ -132,8 +134,12 @@ private:
 /// The same mechanism in the six coordinates x1, y1, x2, y2, x3, y3 of its points, in m, with the constraints (1.2) to
 /// (1.5): three rods and the guide of the slider. For Lagrange's equations of the first kind, (1.8).
 struct HolonomicMechanismPoints : HolonomicMechanismParameters {
-    static constexpr int n_angles = 0, n_coordinates = 6, n_constraints = 4;
+    static constexpr int n_angles = 0;       ///< points instead of angles
+    static constexpr int n_coordinates = 6;  ///< x1, y1, x2, y2, x3, y3
+    static constexpr int n_constraints = 4;  ///< three rods and the guide
 
+    /// As of HolonomicMechanism, in the coordinates of the points.
+    /// \{
     constexpr auto potential(const auto&, const auto& x, const auto& p) const {
         return p[gravity] * (p[mass_1] * x[1] + p[mass_2] * x[3] + p[mass_3] * x[5]) +
                0.5 * p[stiffness_1] * (x[2] * x[2] + x[3] * x[3]) +
@@ -150,6 +156,8 @@ struct HolonomicMechanismPoints : HolonomicMechanismParameters {
         const auto none = 0.0 * x[0];
         return std::array{none, none, none + HolonomicMechanism::changing_force(t, p), none, none, none};
     }
+    /// \}
+    /// Squares of the rods' lengths less what they should be, and y3: 0 in every motion.
     constexpr auto constraints(const auto&, const auto& x, const auto& p) const {
         const auto squared = [](const auto& a, const auto& b) { return a * a + b * b; };
         const auto rod = p[length] * p[length];

@@ -30,9 +30,14 @@ constexpr auto rotating_chain_potential(int links, const auto& theta, const auto
 template <int N>
 struct RotatingChain {
     static_assert(N >= 1);
-    static constexpr int n_angles = N;
-    static constexpr int length = 0, mass = N, omega = 2 * N, gravity = 2 * N + 1, n_parameters = 2 * N + 2;
+    static constexpr int n_angles = N;              ///< one of each link
+    static constexpr int length = 0;                ///< place of the first length
+    static constexpr int mass = N;                  ///< place of the first mass
+    static constexpr int omega = 2 * N;             ///< place of the angular speed
+    static constexpr int gravity = 2 * N + 1;       ///< place of gravity
+    static constexpr int n_parameters = 2 * N + 2;  ///< two for each link, and two
 
+    /// V, see above.
     constexpr auto potential(const auto& theta, const auto& p) const {
         return detail::rotating_chain_potential(N, theta, p);
     }
@@ -40,19 +45,22 @@ struct RotatingChain {
 
 /// The same of a number of links that is known at run time, with the same parameters.
 struct RuntimeRotatingChain {
-    int links;
+    int links;  ///< N, at least 1
 
-    int angles() const { return links; }
-    int parameters() const { return 2 * links + 2; }
+    int angles() const { return links; }              ///< one of each link
+    int parameters() const { return 2 * links + 2; }  ///< number of parameters
+    /// V of RotatingChain.
     auto potential(const auto& theta, const auto& p) const { return detail::rotating_chain_potential(links, theta, p); }
 };
 
 /// Two links, l_1 = g = 1, in the normal form (3.2): alpha = m_2 / (m_1 + m_2), ratio = l_2 / l_1, omega. The potential
 /// is divided by m_1 + m_2.
 struct TwoLinkChain {
-    static constexpr int n_angles = 2;
+    static constexpr int n_angles = 2;  ///< theta_1 and theta_2
+    /// Share of the second mass, ratio of the lengths, angular speed.
     enum Parameter { alpha, ratio, omega, n_parameters };
 
+    /// V over m_1 + m_2.
     constexpr auto potential(const auto& theta, const auto& p) const {
         const auto x1 = sin(theta[0]);
         const auto x2 = x1 + p[ratio] * sin(theta[1]);

@@ -19,10 +19,13 @@
 
 namespace equilibria {
 
+/// Vectors and matrices of space, of any scalar.
+/// \{
 template <class T>
 using Vector3 = Eigen::Matrix<T, 3, 1>;
 template <class T>
 using Matrix3 = Eigen::Matrix<T, 3, 3>;
+/// \}
 
 /// Psi~, the skew matrix with Psi~ v = Psi x v (3).
 template <class T>

@@ -17,13 +17,16 @@ namespace equilibria {
 /// I + f Psi~ + g Psi~^2, with f and g functions of psi^2 and their derivatives (2 d/d(psi^2), once and twice).
 template <class T>
 struct AxialMap {
-    Vector3<T> psi;
-    Array<T, 3> f, g;
+    Vector3<T> psi;  ///< Psi
+    Array<T, 3> f;   ///< f and its derivatives
+    Array<T, 3> g;   ///< g and its derivatives
 
+    /// The matrix.
     Matrix3<T> value() const {
         const Matrix3<T> s = skew(psi);
         return Matrix3<T>::Identity() + f[0] * s + g[0] * s * s;
     }
+    /// The map whose matrix is the transpose.
     AxialMap transposed() const {
         AxialMap y = *this;
         for (T& a : y.f) a = -a;

@@ -30,6 +30,7 @@ public:
     };
 
     Executor() = default;
+    /// With a backend of one's own; null: serial.
     explicit Executor(std::shared_ptr<const Backend> backend) : backend_(std::move(backend)) {}
 
     /// How many blocks run at the same time: what a block's size is chosen for.

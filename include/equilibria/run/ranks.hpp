@@ -30,12 +30,12 @@ public:
 /// Ranks are copied freely, and are numbered from 0. By default there is one.
 class Ranks {
 public:
-    using Bytes = std::vector<std::uint8_t>;
-    using BytesView = std::span<const std::uint8_t>;
+    using Bytes = std::vector<std::uint8_t>;          ///< what a block gave
+    using BytesView = std::span<const std::uint8_t>;  ///< bytes that are read, not owned
 
     /// A loop over the blocks 0 .. size - 1.
     struct Loop {
-        std::size_t size = 0;
+        std::size_t size = 0;  ///< how many blocks
         /// Asked at rank 0, of all blocks before any begins: whether it has the block already.
         std::function<bool(std::size_t block)> done;
         std::function<Bytes(std::size_t block)> work;                  ///< at any rank, from any thread
@@ -47,8 +47,8 @@ public:
     class Backend {
     public:
         virtual ~Backend() = default;
-        virtual int rank() const = 0;
-        virtual int size() const = 0;
+        virtual int rank() const = 0;  ///< this one, from 0
+        virtual int size() const = 0;  ///< how many there are
         /// Does the blocks that are not done, each once. `executor` does those of this rank. The first exception is
         /// thrown by the rank where it arose, and as a RankError by the others.
         virtual void for_blocks(const Loop& loop, const Executor& executor) const = 0;
@@ -59,10 +59,11 @@ public:
     };
 
     Ranks() = default;
+    /// With a backend of one's own; null: one rank.
     explicit Ranks(std::shared_ptr<const Backend> backend) : backend_(std::move(backend)) {}
 
-    int rank() const { return backend_ ? backend_->rank() : 0; }
-    int size() const { return backend_ ? backend_->size() : 1; }
+    int rank() const { return backend_ ? backend_->rank() : 0; }  ///< this one, from 0
+    int size() const { return backend_ ? backend_->size() : 1; }  ///< how many there are
     /// Whether this is rank 0: the one that writes files, and tells what was found.
     bool first() const { return rank() == 0; }
     /// Whether there are others.

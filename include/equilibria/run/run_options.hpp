@@ -14,6 +14,7 @@
 
 namespace equilibria {
 
+/// Random numbers, threads and ranks, progress, checkpoint and cancel of a run.
 struct RunOptions {
     std::uint64_t seed = 1;  ///< of all random numbers; the same seed gives the same result
     Executor executor{};     ///< serial, or threads(n); does not change the result
@@ -33,7 +34,7 @@ struct RunOptions {
     /// set from a signal handler.
     const std::atomic<bool>* cancel = nullptr;
 
-    bool cancelled() const { return cancel && cancel->load(std::memory_order_relaxed); }
+    bool cancelled() const { return cancel && cancel->load(std::memory_order_relaxed); }  ///< `cancel` is set and true
 
     /// Whether the run must be told from others: by its file, or by other ranks.
     bool is_told_apart() const { return !checkpoint.empty() || ranks.several(); }
@@ -41,6 +42,7 @@ struct RunOptions {
     /// Whether any rank is: collective.
     bool cancelled_anywhere() const { return ranks.any(cancelled()); }
 
+    /// The same options with another seed.
     RunOptions with_seed(std::uint64_t other) const {
         RunOptions run = *this;
         run.seed = other;

@@ -17,12 +17,13 @@ namespace equilibria {
 /// For a polynomial a_0 s^n + ... + a_n: the n x n matrix with entries a_(2j - i), i and j from 1, and its minors.
 template <class Polynomial>
 struct HurwitzCriterion {
-    using Scalar = typename Polynomial::Scalar;
+    using Scalar = typename Polynomial::Scalar;  ///< of the coefficients
+    /// n; dynamic where the polynomial's size is.
     static constexpr int degree =
         Polynomial::RowsAtCompileTime == Eigen::Dynamic ? Eigen::Dynamic : Polynomial::RowsAtCompileTime - 1;
 
-    Eigen::Matrix<Scalar, degree, degree> matrix;
-    Eigen::Vector<Scalar, degree> minors;  ///< Delta_1 .. Delta_n; 0 where rounding hides the sign
+    Eigen::Matrix<Scalar, degree, degree> matrix;  ///< Hurwitz's, n x n
+    Eigen::Vector<Scalar, degree> minors;          ///< Delta_1 .. Delta_n; 0 where rounding hides the sign
     /// Roots with a positive real part. Nothing where the last minors are zero: then there are roots s and -s.
     std::optional<int> right_half_plane;
 
@@ -91,6 +92,8 @@ HurwitzCriterion<Polynomial> hurwitz_criterion(const Polynomial& coefficients) {
 
 #ifdef EQUILIBRIA_COMPILED
 namespace equilibria {
+/// \cond
 extern template HurwitzCriterion<Eigen::VectorXd> hurwitz_criterion(const Eigen::VectorXd&);
-}
+/// \endcond
+}  // namespace equilibria
 #endif

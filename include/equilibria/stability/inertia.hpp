@@ -12,7 +12,9 @@ namespace equilibria {
 
 /// Numbers of negative, zero and positive eigenvalues, and how safe they are.
 struct Inertia {
-    int negative = 0, zero = 0, positive = 0;
+    int negative = 0;  ///< negative eigenvalues
+    int zero = 0;      ///< those that count as zero, see zero_eigenvalue
+    int positive = 0;  ///< positive ones
     /// The smallest |eigenvalue| over the largest: what decided. 0 for the zero matrix.
     double margin = 0;
 };

@@ -38,10 +38,11 @@ enum class PotentialVerdict {
 /// Both ways to read a Hessian of the potential, n x n.
 template <class Matrix>
 struct LagrangeDirichlet {
-    Matrix hessian;
+    Matrix hessian;                                                               ///< symmetric, n x n
     Eigen::Matrix<typename Matrix::Scalar, Matrix::RowsAtCompileTime, 1> minors;  ///< Delta_1 .. Delta_n
-    Inertia inertia;
+    Inertia inertia;                                                              ///< by its eigenvalues
 
+    /// By the inertia.
     PotentialVerdict verdict() const {
         if (inertia.negative > 0) return PotentialVerdict::unstable;
         return inertia.zero > 0 ? PotentialVerdict::undecided : PotentialVerdict::stable;

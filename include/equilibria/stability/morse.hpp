@@ -13,7 +13,7 @@ struct MorseRelations {
     bool euler = false;   ///< sum (-1)^k N_k = 0 (Poincare-Hopf; for n >= 1)
     bool weak = false;    ///< N_k >= binomial(n, k)
     bool strong = false;  ///< N_k - N_{k-1} + ... >= binomial(n, k) - binomial(n, k-1) + ... for each k
-    constexpr bool all() const { return euler && weak && strong; }
+    constexpr bool all() const { return euler && weak && strong; }  ///< every relation holds
 };
 
 /// by_index: N_0 .. N_n.

@@ -17,12 +17,14 @@ namespace equilibria {
 /// A pole counts as on the imaginary axis when its real part is below this share of the largest pole.
 inline constexpr double imaginary_pole = 1e-9;
 
+/// What the poles say of a linear motion.
 enum class StabilityVerdict {
     asymptotically_stable,  ///< all poles left of the imaginary axis
     marginal,  ///< poles on the axis, or so near that the criteria do not agree; none right of it for certain
     unstable,  ///< poles right of it
 };
 
+/// "stable", "marginal" or "unstable".
 inline const char* to_string(StabilityVerdict verdict) {
     switch (verdict) {
         case StabilityVerdict::asymptotically_stable: return "stable";
@@ -32,15 +34,17 @@ inline const char* to_string(StabilityVerdict verdict) {
     return "unstable";
 }
 
+/// The poles of a linear motion, and what each criterion says of them.
 template <class Matrix>
 struct PoleCount {
-    using System = SecondOrderSystem<Matrix>;
+    using System = SecondOrderSystem<Matrix>;  ///< M, D and C
 
-    typename System::Polynomial polynomial;  ///< from s^2n, whose coefficient is 1, to the constant
-    typename System::Poles poles;            ///< by real parts, the largest last
-    RouthTable<typename System::Polynomial> routh;
-    HurwitzCriterion<typename System::Polynomial> hurwitz;
-    int right_of_axis = 0, on_axis = 0;  ///< poles, counted one by one
+    typename System::Polynomial polynomial;                 ///< from s^2n, whose coefficient is 1, to the constant
+    typename System::Poles poles;                           ///< by real parts, the largest last
+    RouthTable<typename System::Polynomial> routh;          ///< of the polynomial
+    HurwitzCriterion<typename System::Polynomial> hurwitz;  ///< of the polynomial
+    int right_of_axis = 0;                                  ///< poles right of the imaginary axis
+    int on_axis = 0;                                        ///< poles on it, see imaginary_pole
 
     /// Poles right of the imaginary axis; nothing where the criteria do not agree. Of Hurwitz's minors nothing is asked
     /// where the last ones are zero.
@@ -54,6 +58,7 @@ struct PoleCount {
     bool marginal() const {
         return !right_half_plane() || on_axis > 0 || routh.imaginary_axis > 0 || !hurwitz.right_half_plane;
     }
+    /// By all criteria; marginal where they do not agree.
     StabilityVerdict verdict() const {
         if (right_half_plane().value_or(0) > 0) return StabilityVerdict::unstable;
         return marginal() ? StabilityVerdict::marginal : StabilityVerdict::asymptotically_stable;

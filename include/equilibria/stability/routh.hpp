@@ -21,6 +21,7 @@ enum class RouthSpecialCase {
     zero_row,  ///< a row of zeros: the derivative of the row above, the auxiliary polynomial, takes its place
 };
 
+/// In words.
 inline const char* to_string(RouthSpecialCase special) {
     return special == RouthSpecialCase::zero_row ? "zero row" : "zero in the first column";
 }
@@ -28,12 +29,14 @@ inline const char* to_string(RouthSpecialCase special) {
 /// The table of a polynomial of degree n: n + 1 rows, of which row k belongs to the power n - k.
 template <class Polynomial>
 struct RouthTable {
-    using Scalar = typename Polynomial::Scalar;
-    static constexpr int n_rows = Polynomial::RowsAtCompileTime;
+    using Scalar = typename Polynomial::Scalar;                   ///< of the coefficients
+    static constexpr int n_rows = Polynomial::RowsAtCompileTime;  ///< n + 1
+    /// As many as the first row needs.
     static constexpr int n_columns = n_rows == Eigen::Dynamic ? Eigen::Dynamic : (n_rows + 1) / 2;
+    /// A row that was completed.
     struct Special {
-        int row = 0;
-        RouthSpecialCase kind{};
+        int row = 0;              ///< its number, from 0
+        RouthSpecialCase kind{};  ///< why it had to be
     };
 
     Eigen::Matrix<Scalar, n_rows, n_columns> rows;  ///< as completed in the special cases
@@ -43,7 +46,8 @@ struct RouthTable {
     /// How near the table came to a special case: the smallest first entry of a row over what it was the difference of.
     double margin = 1;
 
-    auto first_column() const { return rows.col(0); }
+    auto first_column() const { return rows.col(0); }  ///< whose changes of sign are counted
+    /// Roots with a negative real part.
     int left_half_plane() const { return static_cast<int>(rows.rows()) - 1 - right_half_plane - imaginary_axis; }
 };
 
@@ -113,6 +117,8 @@ RouthTable<Polynomial> routh_table(const Polynomial& coefficients) {
 
 #ifdef EQUILIBRIA_COMPILED
 namespace equilibria {
+/// \cond
 extern template RouthTable<Eigen::VectorXd> routh_table(const Eigen::VectorXd&);
-}
+/// \endcond
+}  // namespace equilibria
 #endif

@@ -29,15 +29,18 @@ constexpr int size_from(int n, auto f) { return n == Eigen::Dynamic ? Eigen::Dyn
 /// M, D, C, square matrices of one size n, fixed or dynamic. M is symmetric and positive definite.
 template <class Matrix>
 struct SecondOrderSystem {
-    using Scalar = typename Matrix::Scalar;
-    static constexpr int size = Matrix::RowsAtCompileTime;
-    static constexpr int states = detail::size_from(size, [](int n) { return 2 * n; });
+    using Scalar = typename Matrix::Scalar;                                              ///< of the entries
+    static constexpr int size = Matrix::RowsAtCompileTime;                               ///< n
+    static constexpr int states = detail::size_from(size, [](int n) { return 2 * n; });  ///< 2 n: x and x'
+    /// 2 n + 1: of the characteristic polynomial.
     static constexpr int coefficients = detail::size_from(size, [](int n) { return 2 * n + 1; });
-    using StateMatrix = Eigen::Matrix<Scalar, states, states>;
-    using Polynomial = Eigen::Vector<Scalar, coefficients>;
-    using Poles = Eigen::Vector<std::complex<Scalar>, states>;
+    using StateMatrix = Eigen::Matrix<Scalar, states, states>;  ///< of the equations of first order
+    using Polynomial = Eigen::Vector<Scalar, coefficients>;     ///< coefficients, from the highest power
+    using Poles = Eigen::Vector<std::complex<Scalar>, states>;  ///< one for each state, with their multiplicities
 
-    Matrix mass, damping, stiffness;
+    Matrix mass;       ///< M
+    Matrix damping;    ///< D
+    Matrix stiffness;  ///< C
 
     /// The same of a size known at run time, by which all of this is computed: of doubles the library has it compiled.
     SecondOrderSystem<Eigen::MatrixX<Scalar>> of_any_size() const { return {mass, damping, stiffness}; }
@@ -170,7 +173,9 @@ typename SecondOrderSystem<Matrix>::Polynomial characteristic_polynomial(const S
 #ifdef EQUILIBRIA_COMPILED
 namespace equilibria {
 extern template struct SecondOrderSystem<Eigen::MatrixXd>;
+/// \cond
 extern template Eigen::VectorXcd poles(const SecondOrderSystem<Eigen::MatrixXd>&);
 extern template Eigen::VectorXd characteristic_polynomial(const SecondOrderSystem<Eigen::MatrixXd>&);
+/// \endcond
 }  // namespace equilibria
 #endif

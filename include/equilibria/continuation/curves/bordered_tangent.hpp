@@ -14,16 +14,17 @@ namespace equilibria {
 /// A point of a curve of critical points; Q: the configuration of the member.
 template <class Q>
 struct CriticalConfiguration {
-    Q q{};
-    double p = 0;
+    Q q{};             ///< the configuration of the member
+    double p = 0;      ///< the parameter
     double gamma = 0;  ///< of bifurcation points: 0 where the bifurcation is perfect
-    Border border;
-    double sign = 1;  ///< of sigma and mu, so that a change of border leaves no jump of the determinant's sign
+    Border border;     ///< with which the tangent is regular
+    double sign = 1;   ///< of sigma and mu, so that a change of border leaves no jump of the determinant's sign
 };
 
 /// sigma, mu and the vectors of bordered.hpp, of a problem at one configuration.
 template <ContinuationProblem P>
 struct BorderedTangent {
+    /// Factors the tangent of `problem` at y with the border of y.
     BorderedTangent(const P& problem, const CriticalConfiguration<Configuration<P>>& y)
         : g(problem.residual(y.q, y.p)), g_p(problem.parameter_derivative(y.q, y.p)),
           solver(symmetric_tangent<P>, equilibria::multipliers(problem), symmetric_factors(problem)),
@@ -36,14 +37,17 @@ struct BorderedTangent {
         slope = solutions[1];
         left = symmetric_tangent<P> ? null : solver.solve_transposed(Eigen::VectorXd::Zero(g.size()), 1);
     }
-    double sigma() const { return null.tau; }
-    double mu() const { return -slope.tau; }
-    const TangentMatrix<P>& k() const { return solver.matrix(); }
+    double sigma() const { return null.tau; }                      ///< 0 where K is singular
+    double mu() const { return -slope.tau; }                       ///< 0 at bifurcations, where sigma is
+    const TangentMatrix<P>& k() const { return solver.matrix(); }  ///< K
 
-    Eigen::VectorXd g, g_p;
-    BorderedSolver<TangentMatrix<P>> solver;
-    bool regular;
-    BorderedSolution null, left, slope;  ///< [r; sigma], the same of B^T, [s; -mu]; empty where not regular
+    Eigen::VectorXd g;                        ///< the residual
+    Eigen::VectorXd g_p;                      ///< dg/dp
+    BorderedSolver<TangentMatrix<P>> solver;  ///< with K's factors
+    bool regular;                             ///< the bordered matrix is regular, and g finite
+    BorderedSolution null;                    ///< [r; sigma]; empty where not regular
+    BorderedSolution left;                    ///< the same of B^T
+    BorderedSolution slope;                   ///< [s; -mu]
 };
 
 /// The same point with the border where the null vectors are largest.

@@ -79,10 +79,10 @@ concept DifferentiableFamily =
 template <ParametricProblem F, int extra>
 class CriticalCurve {
 public:
-    using Problem = detail::MemberOf<F>;
-    using Configuration = CriticalConfiguration<equilibria::Configuration<Problem>>;
-    using Matrix = TangentMatrix<Problem>;
-    static constexpr bool symmetric = false;
+    using Problem = detail::MemberOf<F>;                                              ///< a member of the family
+    using Configuration = CriticalConfiguration<equilibria::Configuration<Problem>>;  ///< p, gamma and the member's q
+    using Matrix = TangentMatrix<Problem>;    ///< dense or sparse, as the member's
+    static constexpr bool symmetric = false;  ///< its tangent is not symmetric
 
     /// r: a value at which a problem is defined; p_scale: a change of p that counts as much as one of 1 in the
     /// unknowns.
@@ -91,9 +91,10 @@ public:
         require(p_scale > 0 && std::isfinite(p_scale), "p_scale", p_scale, "must be positive and finite");
     }
 
-    Problem problem(double r) const { return problems_(r); }
-    double p_scale() const { return p_scale_; }
+    Problem problem(double r) const { return problems_(r); }  ///< the member at r
+    double p_scale() const { return p_scale_; }               ///< a change of p that counts as one of 1 in the unknowns
 
+    /// As the member's, the extra unknowns in front of q.
     Configuration retract(const Configuration& y, const Eigen::VectorXd& d) const {
         Configuration moved = y;
         moved.q = equilibria::retract(any_, y.q, Eigen::VectorXd(d.tail(d.size() - extra)));
@@ -101,6 +102,7 @@ public:
         if constexpr (extra == 2) moved.gamma += d(1);
         return moved;
     }
+    /// As the member's, the extra unknowns in front of q.
     Eigen::VectorXd difference(const Configuration& y, const Configuration& near) const {
         Eigen::VectorXd dq = equilibria::difference(any_, y.q, near.q), d(dq.size() + extra);
         d(0) = near.p - y.p;
@@ -108,13 +110,15 @@ public:
         d.tail(dq.size()) = dq;
         return d;
     }
+    /// As the member's; the extra unknowns stay as they are.
     Eigen::VectorXd transport(const Configuration& y, const Eigen::VectorXd& d, const Eigen::VectorXd& v) const {
         const Eigen::Index n = v.size() - extra;
         Eigen::VectorXd moved = v;
         moved.tail(n) = equilibria::transport(any_, y.q, Eigen::VectorXd(d.tail(n)), Eigen::VectorXd(v.tail(n)));
         return moved;
     }
-    int multipliers() const { return equilibria::multipliers(any_); }
+    int multipliers() const { return equilibria::multipliers(any_); }  ///< as the member's
+    /// As the member's, with 1 / p_scale^2 for the extra unknowns.
     Eigen::VectorXd weights(const Configuration& y) const {
         const Eigen::VectorXd own = equilibria::weights(any_, y.q, any_.residual(y.q, y.p).size());
         Eigen::VectorXd w(own.size() + extra);
@@ -123,9 +127,11 @@ public:
         return w;
     }
 
+    /// With the border chosen anew, where the null vectors are largest.
     Configuration rebase(const Configuration& y, double r) const { return with_best_border(problems_(r), y); }
 
 protected:
+    /// `size` times NaN: the residual where the bordered tangent is singular.
     static Eigen::VectorXd not_a_number(Eigen::Index size) {
         return Eigen::VectorXd::Constant(size, std::numeric_limits<double>::quiet_NaN());
     }
@@ -152,15 +158,16 @@ protected:
             return y;
         }
     }
+    /// The derivative of the curve's equations by r, from five-point differences.
     template <class Curve>
     static Eigen::VectorXd by_second_parameter(const Curve& curve, const Configuration& y, double r) {
         return detail::five_point_difference([&](double t) -> Eigen::VectorXd { return curve.residual(y, r + t); },
                                              1 / std::max(1e-3, std::abs(r)));
     }
 
-    F problems_;
-    Problem any_;  ///< for what does not depend on r
-    double p_scale_;
+    F problems_;      ///< gives the member at r
+    Problem any_;     ///< for what does not depend on r
+    double p_scale_;  ///< see p_scale()
 };
 
 /// The folds of a parametric problem; parameter r, unknowns (p, q).
@@ -174,6 +181,8 @@ public:
     using typename Base::Problem;
     using Base::Base;
 
+    /// A function of a continuation problem (problem.hpp); NaN where the bordered tangent is singular.
+    /// \{
     Eigen::VectorXd residual(const Configuration& y, double r) const {
         return residual(y, BorderedTangent<Problem>(this->problems_(r), y));
     }
@@ -197,6 +206,7 @@ public:
             all.parameter_derivative = parameter_derivative(y, r);
         return all;
     }
+    /// \}
 
 private:
     static Eigen::VectorXd residual(const Configuration& y, const BorderedTangent<Problem>& b) {
@@ -226,6 +236,7 @@ private:
         return f;
     }
 };
+/// Of a function object or a lambda.
 template <class F>
 FoldCurve(F, double, double) -> FoldCurve<F>;
 
@@ -241,6 +252,8 @@ public:
     using typename Base::Problem;
     using Base::Base;
 
+    /// A function of a continuation problem (problem.hpp); NaN where the bordered tangent is singular.
+    /// \{
     Eigen::VectorXd residual(const Configuration& y, double r) const {
         const Problem problem = this->problems_(r);
         const BorderedTangent<Problem> b(problem, y);
@@ -277,7 +290,9 @@ public:
     Eigen::VectorXd parameter_derivative(const Configuration& y, double r) const {
         return Base::by_second_parameter(*this, y, r);
     }
+    /// \}
 };
+/// Of a function object or a lambda.
 template <class F>
 BifurcationCurve(F, double, double) -> BifurcationCurve<F>;
 

@@ -24,17 +24,17 @@ struct CriticalCurvePoint {
     /// member, the kind of that. On a curve of bifurcations: hilltop, where the bifurcation equation degenerates and r
     /// turns back, or a second null vector joins; or, where gamma passes 0, the kind of the perfect bifurcation.
     CriticalKind kind;
-    std::size_t step;  ///< between points step and step + 1
-    Configuration<Curve> at;
-    double r;
-    double residual;  ///< of the curve's equations, the largest entry
+    std::size_t step;         ///< between points step and step + 1
+    Configuration<Curve> at;  ///< its configuration: p and q
+    double r;                 ///< the second parameter there
+    double residual;          ///< of the curve's equations, the largest entry
 };
 
 /// A curve of critical points: branch.points[k].p is r, and branch.points[k].q holds p and q.
 template <class Curve>
 struct CriticalCurveTrace {
-    Branch<Curve> branch;
-    std::vector<CriticalCurvePoint<Curve>> special;
+    Branch<Curve> branch;                            ///< the curve as a branch in r
+    std::vector<CriticalCurvePoint<Curve>> special;  ///< special points, in the order of the branch
 };
 
 namespace detail {

@@ -17,13 +17,16 @@ namespace equilibria {
 template <ContinuationProblem P>
 class ImperfectProblem {
 public:
-    using Configuration = equilibria::Configuration<P>;
-    using Vector = Eigen::VectorXd;
-    static constexpr bool symmetric = symmetric_tangent<P>;
+    using Configuration = equilibria::Configuration<P>;      ///< as of the perfect problem
+    using Vector = Eigen::VectorXd;                          ///< residuals and increments
+    static constexpr bool symmetric = symmetric_tangent<P>;  ///< the load is dead: K stays as it is
 
+    /// shape: as many entries as unknowns; gamma: its size.
     ImperfectProblem(P perfect, Vector shape, double gamma)
         : perfect_(std::move(perfect)), shape_(std::move(shape)), gamma_(gamma) {}
 
+    /// A function of a continuation problem (problem.hpp): the perfect problem's, with gamma shape added to g.
+    /// \{
     Vector residual(const Configuration& q, double p) const { return perfect_.residual(q, p) + gamma_ * shape_; }
     TangentMatrix<P> tangent(const Configuration& q, double p) const { return perfect_.tangent(q, p); }
     Vector parameter_derivative(const Configuration& q, double p) const { return perfect_.parameter_derivative(q, p); }
@@ -47,6 +50,7 @@ public:
         return equilibria::second_parameter_derivative(perfect_, q, p);
     }
     int multipliers() const { return equilibria::multipliers(perfect_); }
+    /// \}
 
 private:
     P perfect_;
@@ -57,8 +61,9 @@ private:
 /// Imperfections gamma of one shape, as a parametric problem.
 template <ContinuationProblem P>
 struct ImperfectProblems {
-    P perfect;
-    Eigen::VectorXd shape;
+    P perfect;              ///< the problem with gamma = 0
+    Eigen::VectorXd shape;  ///< the load of gamma = 1
+    /// The member with this gamma.
     ImperfectProblem<P> operator()(double gamma) const { return {perfect, shape, gamma}; }
 };
 

@@ -15,13 +15,15 @@
 
 namespace equilibria {
 
+/// How far a bifurcation diagram is followed.
 struct DiagramOptions {
     ContinuationOptions continuation{};  ///< its range is finite where slices are asked for
     double amplitude = 0;                ///< of the first point on a new branch, as a step; 0: the first step's length
-    int most_branches = 200;
+    int most_branches = 200;             ///< starts beyond these are counted and not followed
     int slices = 0;  ///< values of p at which deflated Newton looks for branches that no bifurcation joins
-    DeflationOptions deflation{};
+    DeflationOptions deflation{};  ///< of the search in the slices
 
+    /// Throws InvalidArgument for an option out of range.
     void validate() const {
         continuation.validate();
         deflation.validate();
@@ -40,24 +42,25 @@ struct DiagramOptions {
 /// Branches and the critical points on them.
 template <class P>
 struct BranchGraph {
+    /// A critical point, met by one branch or more.
     struct Node {
-        CriticalPoint<P> point;
+        CriticalPoint<P> point;             ///< where it is, and of which kind
         std::vector<std::size_t> branches;  ///< that go through it or leave it
     };
     /// A branch from its start in one direction: two of them make a curve.
     struct Edge {
-        Branch<P> branch;
+        Branch<P> branch;                   ///< its points and events
         std::optional<std::size_t> parent;  ///< the node that it leaves; nothing for the start's and those of deflation
         bool deflated = false;              ///< found by deflation
         std::vector<std::size_t> nodes;     ///< of branch.events, in their order
     };
 
-    std::vector<Node> nodes;
-    std::vector<Edge> branches;
-    int seen = 0;          ///< starts that lay on a branch which was followed before
-    int images = 0;        ///< starts whose mirror image did
-    int not_followed = 0;  ///< starts beyond most_branches
-    int not_switched = 0;  ///< bifurcations from which no other branch was found
+    std::vector<Node> nodes;     ///< critical points; each once, however many branches meet there
+    std::vector<Edge> branches;  ///< in the order in which they were followed
+    int seen = 0;                ///< starts that lay on a branch which was followed before
+    int images = 0;              ///< starts whose mirror image did
+    int not_followed = 0;        ///< starts beyond most_branches
+    int not_switched = 0;        ///< bifurcations from which no other branch was found
 
     /// Every branch was followed to its end, with every change of sign explained.
     bool complete() const {
@@ -69,6 +72,7 @@ struct BranchGraph {
     }
 };
 
+/// The same graph, with the configurations of the problem's own type.
 template <ContinuationProblem P>
 BranchGraph<P> typed(const BranchGraph<Erased>& graph) {
     BranchGraph<P> y;

@@ -17,14 +17,16 @@
 
 namespace equilibria {
 
+/// How deflated Newton searches.
 struct DeflationOptions {
-    double power = 2;
-    double shift = 1;
-    int most_iterations = 100;
-    double tolerance = 1e-11;  ///< of the last step, over the size of the unknowns
+    double power = 2;           ///< of the distance to a known equilibrium
+    double shift = 1;           ///< what each factor is far away from its equilibrium
+    int most_iterations = 100;  ///< of Newton's method from one guess
+    double tolerance = 1e-11;   ///< of the last step, over the size of the unknowns
     /// Of Newton's method, by the problem's weights.
     double longest_step = std::numeric_limits<double>::infinity();
 
+    /// Throws InvalidArgument for an option out of range.
     void validate() const {
         require(power >= 1, "power", power, "must be at least 1");
         require(shift >= 0, "shift", shift, "must be 0 or positive");
@@ -34,8 +36,8 @@ struct DeflationOptions {
     }
 };
 
-// Of problems of any type; see below.
-
+/// Of problems of any type; see below.
+/// \{
 template <class Matrix>
 std::optional<AnyConfiguration> deflated_newton(const AnyProblem<Matrix>& problem, double p, AnyConfiguration guess,
                                                 const std::vector<AnyConfiguration>& known,
@@ -44,6 +46,7 @@ template <class Matrix>
 std::vector<AnyConfiguration> deflated_search(const AnyProblem<Matrix>& problem, double p,
                                               const std::vector<AnyConfiguration>& guesses,
                                               std::vector<AnyConfiguration> known, const DeflationOptions& options);
+/// \}
 
 /// An equilibrium at the parameter p other than `known`; nothing where Newton's method does not converge from the
 /// guess, which happens where there is none as well. Distances are by the problem's weights.

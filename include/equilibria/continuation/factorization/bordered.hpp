@@ -30,27 +30,28 @@ namespace equilibria {
 
 /// [x; tau] of a bordered system.
 struct BorderedSolution {
-    Eigen::VectorXd x;
-    double tau = 0;
+    Eigen::VectorXd x;  ///< the unknowns
+    double tau = 0;     ///< the border's unknown
 };
 
 /// Of several right hand sides, a column each.
 struct BorderedSolutions {
-    Eigen::MatrixXd x;
-    Eigen::VectorXd tau;
-    BorderedSolution operator[](Eigen::Index k) const { return {x.col(k), tau(k)}; }
+    Eigen::MatrixXd x;    ///< a column for each right hand side
+    Eigen::VectorXd tau;  ///< an entry for each
+    BorderedSolution operator[](Eigen::Index k) const { return {x.col(k), tau(k)}; }  ///< the k-th of them
 };
 
 /// Where e_i and e_j of B have their ones: the same place for a symmetric K.
 struct Border {
     Eigen::Index row = 0;     ///< j
     Eigen::Index column = 0;  ///< i
+    /// The same places.
     friend bool operator==(const Border&, const Border&) = default;
 };
 
 /// The inertia of a symmetric K.
 struct TangentInertia {
-    int negative = 0;
+    int negative = 0;              ///< negative eigenvalues
     EigenvalueCounts eigenvalues;  ///< of a dense K; else empty
 };
 
@@ -93,14 +94,17 @@ class BorderedFactors;
 template <class Matrix>
 class BorderedSolver {
 public:
-    static constexpr bool sparse = std::is_same_v<Matrix, Eigen::SparseMatrix<double>>;
+    static constexpr bool sparse = std::is_same_v<Matrix, Eigen::SparseMatrix<double>>;  ///< K is sparse
 
     /// multipliers: how many of the last unknowns are. make: what factors a sparse symmetric K; null: SparseLDLT.
     explicit BorderedSolver(bool symmetric, int multipliers = 0, MakeSymmetricFactors make = nullptr);
+    /// Moved with its factors.
+    /// \{
     BorderedSolver(BorderedSolver&&) noexcept;
     BorderedSolver& operator=(BorderedSolver&&) noexcept;
+    /// \}
     ~BorderedSolver();
-    bool symmetric() const { return symmetric_; }
+    bool symmetric() const { return symmetric_; }  ///< whether K was promised to be symmetric
 
     /// Factors K, which it takes, without the border's row and column. False where that is singular to working
     /// precision, or K not finite.
@@ -112,8 +116,9 @@ public:
     const Matrix& matrix() const { return k_; }
     /// Its largest absolute value; NaN where one is.
     double largest_entry() const { return size_; }
-    Border border() const { return border_; }
+    Border border() const { return border_; }  ///< of the last factorisation
 
+    /// x and tau of the right hand side [f; xi], with iterative refinement.
     BorderedSolution solve(const Eigen::VectorXd& f, double xi) const {
         return solve(f, Eigen::VectorXd::Constant(1, xi), false)[0];
     }
@@ -151,9 +156,9 @@ struct WeakDirection {
     Eigen::VectorXd left;       ///< the same of K^T; empty for a symmetric K
     double eigenvalue = 0;      ///< left^T K direction: for a symmetric K its Rayleigh quotient by the weights
     /// Of a symmetric K the directions, where they were asked for, in which it is weakest when multipliers weigh as
-    /// much as the others, a column each of length 1 by these weights, and their Rayleigh quotients.
+    /// much as the others, a column each of length 1 by these weights.
     Eigen::MatrixXd next;
-    Eigen::VectorXd next_eigenvalues;
+    Eigen::VectorXd next_eigenvalues;  ///< Rayleigh quotients of `next`
 };
 
 namespace detail {

@@ -30,8 +30,10 @@ namespace equilibria {
 /// L L^T, or else L D L^T, by CHOLMOD, in the order of SparseLDLT.
 class CholmodFactors final : public SymmetricFactors {
 public:
+    /// multipliers: how many of the last unknowns are; with any there is no try of L L^T.
     explicit CholmodFactors(int multipliers = 0) : multipliers_(multipliers) {}
 
+    /// Of a whole matrix too.
     using SymmetricFactors::factor;
     /// False where a pivot is 0 or not finite.
     bool factor(const Matrix& k, const RemovedUnknown& removed) override {

@@ -12,6 +12,7 @@
 
 namespace equilibria {
 
+/// Counts the eigenvalues of a dense symmetric matrix below any number, after one reduction to tridiagonal form.
 class EigenvalueCounts {
 public:
     EigenvalueCounts() = default;
@@ -23,8 +24,8 @@ public:
         squares_ = tridiagonal.subDiagonal().cwiseAbs2();
     }
 
-    bool empty() const { return diagonal_.size() == 0; }
-    Eigen::Index size() const { return diagonal_.size(); }
+    bool empty() const { return diagonal_.size() == 0; }    ///< of no matrix
+    Eigen::Index size() const { return diagonal_.size(); }  ///< how many eigenvalues there are
 
     /// How many are smaller than x, to rounding.
     int below(double x) const {

@@ -19,10 +19,12 @@ namespace equilibria {
 class ConstraintGradients {
 public:
     /// weights: of the unknowns, as the continuation's problem has them; lengths are theirs.
+    /// \{
     ConstraintGradients(const Eigen::MatrixXd& k, int multipliers, const Eigen::VectorXd& weights);
     ConstraintGradients(const Eigen::SparseMatrix<double>& k, int multipliers, const Eigen::VectorXd& weights);
+    /// \}
 
-    int count() const { return static_cast<int>(multipliers_.size()); }
+    int count() const { return static_cast<int>(multipliers_.size()); }  ///< constraints that are compared
 
     /// Those that depend on constraints before them to 1e-9: multipliers from 0, rising. The time may grow with the
     /// cube of their number.

@@ -28,14 +28,19 @@ std::vector<int> minimum_degree(const SymmetricFactors::Matrix& k);
 /// constraint holds: which unknown is at each place.
 std::vector<int> order_with_multipliers(const SymmetricFactors::Matrix& k, int multipliers, EliminationOrder by);
 
+/// L D L^T by the multifrontal method, without pivoting.
 class SparseLDLT final : public SymmetricFactors {
 public:
     /// order: of the unknowns that are no multipliers.
     explicit SparseLDLT(int multipliers = 0, EliminationOrder order = minimum_degree);
+    /// Moved with its factors.
+    /// \{
     SparseLDLT(SparseLDLT&&) noexcept;
     SparseLDLT& operator=(SparseLDLT&&) noexcept;
+    /// \}
     ~SparseLDLT() override;
 
+    /// Of a whole matrix too.
     using SymmetricFactors::factor;
     /// False where a pivot is 0 or not finite.
     bool factor(const Matrix& k, const RemovedUnknown& removed) override;

@@ -11,23 +11,23 @@
 
 namespace equilibria {
 
-/// An unknown whose row and column are zeros, but for `corner` where they cross, whatever the matrix holds there.
+/// An unknown whose row and column are zeros but for `corner`, whatever the matrix holds there.
 struct RemovedUnknown {
     Eigen::Index unknown = -1;  ///< -1: none
-    double corner = 1;
+    double corner = 1;          ///< the entry where row and column cross
 };
 
 /// Factors of one matrix after another, mostly of one pattern.
 class SymmetricFactors {
 public:
-    using Matrix = Eigen::SparseMatrix<double>;
+    using Matrix = Eigen::SparseMatrix<double>;  ///< both triangles or the lower one
 
     virtual ~SymmetricFactors() = default;
 
     /// Of k without an unknown, of which the entries on and below the diagonal are read. Quicker where k has the
     /// pattern of the one before it. False where it is singular to working precision.
     virtual bool factor(const Matrix& k, const RemovedUnknown& removed) = 0;
-    bool factor(const Matrix& k) { return factor(k, RemovedUnknown{}); }
+    bool factor(const Matrix& k) { return factor(k, RemovedUnknown{}); }  ///< of the whole k
     /// k^-1 f, of each column of f, after `factor` returned true.
     virtual Eigen::MatrixXd solve(const Eigen::MatrixXd& f) const = 0;
     /// Negative pivots, after `factor` returned true: negative eigenvalues.

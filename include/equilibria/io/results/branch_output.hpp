@@ -18,19 +18,19 @@ namespace equilibria {
 /// What is written of a configuration of problem P.
 template <class P>
 struct BranchMeasures {
-    std::string parameter = "parameter";  ///< its name and unit
-    std::vector<std::string> names;       ///< of the measures
-    std::function<std::vector<double>(const Configuration<P>&)> measure;
+    std::string parameter = "parameter";                                  ///< its name and unit
+    std::vector<std::string> names;                                       ///< of the measures
+    std::function<std::vector<double>(const Configuration<P>&)> measure;  ///< their values at a configuration
     /// The parameter in its unit.
     std::function<double(const Configuration<P>&, double)> value = [](const Configuration<P>&, double p) { return p; };
 };
 
 /// A point of a branch as it is written.
 struct BranchSample {
-    double parameter = 0;
-    std::vector<double> measures;
-    bool stable = false;  ///< without negative eigenvalue; of a critical point, by the branch before it
-    std::string at;       ///< of a zero of an event function its name, else empty
+    double parameter = 0;          ///< in its unit
+    std::vector<double> measures;  ///< in the order of their names
+    bool stable = false;           ///< without negative eigenvalue; of a critical point, by the branch before it
+    std::string at;                ///< of a zero of an event function its name, else empty
 };
 
 /// Calls call(q, p, stable, at) for all points of a branch in their order: the critical point `from` that it leaves,

@@ -40,6 +40,7 @@ std::string csv_cell(T x) {
         return std::to_string(x);
 }
 /// Text, in quotes where it must be.
+/// \{
 inline std::string csv_cell(std::string_view text) {
     if (text.find_first_of(",\"\r\n") == text.npos) return std::string(text);
     std::string out = "\"";
@@ -51,6 +52,7 @@ inline std::string csv_cell(std::string_view text) {
 }
 inline std::string csv_cell(const char* text) { return csv_cell(std::string_view(text)); }
 inline std::string csv_cell(const std::string& text) { return csv_cell(std::string_view(text)); }
+/// \}
 /// Empty where there is no value.
 template <class T>
 std::string csv_cell(const std::optional<T>& value) {
@@ -60,17 +62,19 @@ std::string csv_cell(const std::optional<T>& value) {
 /// Cells of one line, in the making.
 class CsvRow {
 public:
+    /// Puts a cell behind the others.
     template <class T>
     CsvRow& add(const T& value) {
         cells_.push_back(csv_cell(value));
         return *this;
     }
+    /// A cell for each of the values.
     template <class Values>
     CsvRow& add_all(const Values& values) {
         for (const auto& value : values) add(value);
         return *this;
     }
-    const std::vector<std::string>& cells() const { return cells_; }
+    const std::vector<std::string>& cells() const { return cells_; }  ///< those so far
     /// With its line feed.
     std::string line() const {
         std::string out;
@@ -85,10 +89,11 @@ private:
 /// A header and its lines.
 class CsvTable {
 public:
+    /// columns: their names.
     explicit CsvTable(std::vector<std::string> columns) : columns_(std::move(columns)) {}
 
-    const std::vector<std::string>& columns() const { return columns_; }
-    std::size_t rows() const { return rows_; }
+    const std::vector<std::string>& columns() const { return columns_; }  ///< their names
+    std::size_t rows() const { return rows_; }                            ///< lines behind the header
     /// Throws InvalidArgument unless there is a cell for each column.
     void add(const CsvRow& row) {
         require(row.cells().size() == columns_.size(), "row", row.cells().size(),

@@ -28,6 +28,7 @@ extern template class nlohmann::basic_json<nlohmann::ordered_map>;
 
 namespace equilibria {
 
+/// A value of JSON, whose objects keep the order of their keys.
 using Json = nlohmann::ordered_json;
 
 /// A number; -0 becomes 0.

@@ -16,6 +16,7 @@
 
 namespace equilibria {
 
+/// The word for it in JSON and CSV.
 constexpr std::string_view end_name(CurveEnd end) {
     switch (end) {
         case CurveEnd::border: return "window";
@@ -106,7 +107,7 @@ CsvTable curves_csv(const Locus<M>& locus, const AxisNames& names, const Sizes<M
 }
 
 /// A line a region: region (from 0), the parameters of a point well inside by their names, area, count, confirmed,
-/// index_0, index_1, ..
+/// index_0 to index_n.
 template <class M>
 CsvTable regions_csv(const Locus<M>& locus, const AxisNames& names, const Sizes<M>& sizes = {}) {
     std::vector<std::string> columns{"region", names.x, names.y, "area", "count", "confirmed"};

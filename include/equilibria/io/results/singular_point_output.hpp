@@ -15,10 +15,12 @@ namespace equilibria {
 
 /// The names of the parameters that change: they are keys of JSON and columns of CSV.
 struct AxisNames {
-    std::string x = "x", y = "y", z = "z";
+    std::string x = "x";  ///< the first parameter
+    std::string y = "y";  ///< the second
+    std::string z = "z";  ///< the third, of a space
 };
 
-constexpr std::string_view kind_name(CriticalKind kind) { return to_string(kind); }
+constexpr std::string_view kind_name(CriticalKind kind) { return to_string(kind); }  ///< in words, as to_string
 /// With '_' for what is no letter: it is a word of JSON.
 inline std::string kind_name(SingularityKind kind) {
     std::string text(to_string(kind));

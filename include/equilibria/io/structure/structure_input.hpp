@@ -19,6 +19,7 @@ struct ParseLimits {
     int elements = 100'000;                     ///< of the model, with joints; in a Structure each may take 70 kB
     int constraints = 2000;                     ///< that could be redundant: more are not looked at
 
+    /// Throws InvalidArgument for a limit out of range.
     void validate() const {
         require(bytes >= 1, "bytes", bytes, "must be at least 1");
         require(depth >= 4, "depth", depth, "must be at least 4, as deep as the format");
@@ -29,14 +30,16 @@ struct ParseLimits {
 
 /// What a text says: see structure_json.hpp.
 struct StructureInput {
-    std::string name;
-    Model model;
-    std::map<std::string, int> nodes;  ///< their numbers; further nodes of the model are those within beams
-    int measured = 0;                  ///< a node
-    std::string parameter = "p";
-    double low = 0, high = 0;
-    std::optional<double> first_step, largest_step;
-    bool conservative = true;  ///< the model is one for Structure; else for NonconservativeStructure
+    std::string name;                    ///< of the structure; may be empty
+    Model model;                         ///< nodes, elements, supports and loads
+    std::map<std::string, int> nodes;    ///< their numbers; further nodes of the model are those within beams
+    int measured = 0;                    ///< a node
+    std::string parameter = "p";         ///< its name
+    double low = 0;                      ///< where the parameter begins
+    double high = 0;                     ///< where it ends
+    std::optional<double> first_step;    ///< of the continuation, where it is given
+    std::optional<double> largest_step;  ///< likewise
+    bool conservative = true;            ///< the model is one for Structure; else for NonconservativeStructure
 };
 
 }  // namespace equilibria::fem

@@ -22,24 +22,27 @@ namespace equilibria {
 template <class M>
 struct BranchPiece {
     int index;  ///< of its equilibria
+    /// An equilibrium of the piece.
     struct Point {
-        double parameter;
-        UnknownArray<M, double> q;
+        double parameter;           ///< the active one's value
+        UnknownArray<M, double> q;  ///< angles (radians), then coordinates
     };
     std::vector<Point> points;  ///< the parameter increases
 };
 
+/// The equilibria against one parameter: pieces of branches, and the events at which they begin and end.
 template <class M>
 struct BifurcationDiagram {
-    std::vector<BranchPiece<M>> pieces;
-    std::vector<LineEvent<M>> events;  ///< by parameter
-    std::uint64_t failed_paths = 0;
+    std::vector<BranchPiece<M>> pieces;  ///< one for each equilibrium of each interval
+    std::vector<LineEvent<M>> events;    ///< by parameter
+    std::uint64_t failed_paths = 0;      ///< of the search for events
 };
 
 /// The equilibria of a model at p.
 using EquilibriaAt =
     std::function<std::vector<Equilibrium<RuntimeUnknowns>>(const RuntimeArray<double>& p, const RunOptions& run)>;
 
+/// Steps of the pieces, in radians, the coordinates' units and parts of the range.
 inline constexpr BranchOptions diagram_steps{.first_step = 1e-3, .largest_step = 0.02};
 
 /// The diagram of a model whose numbers of unknowns and parameters are known at run time; active: the number of the

@@ -16,14 +16,14 @@ namespace equilibria {
 /// A degenerate equilibrium on a line. M: the model, or RuntimeUnknowns.
 template <class M>
 struct LineEvent {
-    CriticalKind kind = CriticalKind::fold;
-    double value = 0;           ///< of the active parameter
-    UnknownArray<M, double> q;  ///< angles in (-pi, pi]
-    UnknownArray<M, double> v;  ///< the unit null vector
-    double residual = 0;        ///< the largest |entry| of F and J v
+    CriticalKind kind = CriticalKind::fold;  ///< what the equilibrium is
+    double value = 0;                        ///< of the active parameter
+    UnknownArray<M, double> q;               ///< angles in (-pi, pi]
+    UnknownArray<M, double> v;               ///< the unit null vector
+    double residual = 0;                     ///< the largest |entry| of F and J v
     /// Of the last step of Newton's method: about the error. NaN of kinds other than fold and pitchfork.
     double correction = 0;
-    ReducedCoefficients reduced;
+    ReducedCoefficients reduced;  ///< derivatives along v that decide between fold, cusp and pitchfork
     /// Of folds u . dF/dp, u the unit left null vector (v where there is a potential); else the derivative by p of the
     /// eigenvalue that vanishes, along the branch.
     double slope = 0;

@@ -26,16 +26,16 @@ namespace equilibria {
 
 /// Parameter values between neighbouring events.
 struct EventGap : Interval {
-    double at = 0;  ///< where the equilibria were enumerated
-    std::uint64_t count = 0;
-    std::vector<std::int64_t> by_index;
-    bool clean = false;  ///< nothing speaks against the enumeration (RootSet::clean)
+    double at = 0;                       ///< where the equilibria were enumerated
+    std::uint64_t count = 0;             ///< real equilibria there
+    std::vector<std::int64_t> by_index;  ///< those of index 0, 1, .. n
+    bool clean = false;                  ///< nothing speaks against the enumeration (RootSet::clean)
 };
 
 /// A search for events, whatever the model: its evidence.
 struct EventSearch {
-    RuntimeSizes sizes;  ///< of the model's unknowns
-    Interval range;
+    RuntimeSizes sizes;               ///< of the model's unknowns
+    Interval range;                   ///< of the active parameter
     std::vector<EventGap> intervals;  ///< one more than there are different values of events
     bool has_potential = true;        ///< the model: without one tables are not compared with the events
 
@@ -50,17 +50,21 @@ struct EventSearch {
     std::uint64_t compared = 0;      ///< values of events at which the tables were compared
     std::uint64_t wrong_tables = 0;  ///< values at which the tables do not differ by what the events say
     std::uint64_t unclean = 0;       ///< intervals whose enumeration is not clean
-    double solve_seconds = 0, seconds = 0;
+    double solve_seconds = 0;        ///< for the critical system
+    double seconds = 0;              ///< for everything
 
+    /// Whether nothing speaks against the list of events being complete.
     bool complete() const { return paths.failed == 0 && unexplained == 0 && wrong_tables == 0 && unclean == 0; }
     /// Why nothing is missing, or what speaks against it, in words; of so many events.
     std::string argument(std::size_t events) const;
 };
 
+/// All events on a line, with the evidence.
 template <class M>
 struct LineEvents : EventSearch {
     std::vector<LineEvent<M>> events;  ///< by value
 
+    /// Why nothing is missing, or what speaks against it, in words.
     std::string argument() const { return EventSearch::argument(events.size()); }
 };
 

@@ -18,13 +18,15 @@ namespace equilibria {
 /// the angles (radians), then the coordinates.
 class EquilibriumProblem {
 public:
-    using Vector = Eigen::VectorXd;
-    using Matrix = Eigen::MatrixXd;
+    using Vector = Eigen::VectorXd;  ///< residuals, unknowns and increments
+    using Matrix = Eigen::MatrixXd;  ///< n x n, dense
 
     /// active: the number of the parameter, whose entry in `parameters` is not read.
     EquilibriumProblem(const ModelDerivatives<>& model, RuntimeArray<double> parameters, int active)
         : model_(&model), parameters_(std::move(parameters)), active_(active) {}
 
+    /// A function of a continuation problem (continuation/problem.hpp), exact.
+    /// \{
     Vector residual(const Vector& q, double p) const {
         return eigen_vector(equations(*model_, runtime_array(q), at(p)));
     }
@@ -36,6 +38,7 @@ public:
     Vector parameter_derivative_along(const Vector& q, double p, const Vector& v) const {
         return derivatives(active_, q, p).second * v;
     }
+    /// \}
     /// The derivatives of g and K by any of the model's parameters.
     std::pair<Vector, Matrix> derivatives(int parameter, const Vector& q, double p) const {
         const auto y = parameter_derivatives(*model_, runtime_array(q), at(p), parameter);
@@ -58,8 +61,8 @@ private:
 template <Model M, int X>
 class ModelProblem : public EquilibriumProblem {
 public:
-    static constexpr bool symmetric = PotentialModel<M>;
-    static constexpr int n = n_unknowns<M>;
+    static constexpr bool symmetric = PotentialModel<M>;  ///< K is a Hessian
+    static constexpr int n = n_unknowns<M>;               ///< number of unknowns
 
     /// parameters: entry X is not read.
     explicit ModelProblem(const Parameters<M>& parameters)
@@ -71,6 +74,7 @@ public:
         for (int i = 0; i < n; ++i) v(i) = q[i];
         return v;
     }
+    /// The unknowns from a vector of n numbers.
     static Unknowns<M> unknowns(const Vector& v) {
         Unknowns<M> q;
         for (int i = 0; i < n; ++i) q[i] = v(i);
@@ -82,7 +86,9 @@ public:
 template <Model M, int X, int Y>
 struct ModelProblems {
     Parameters<M> parameters;  ///< entries X and Y are not read
+    /// The problem at y.
     ModelProblem<M, X> operator()(double y) const { return ModelProblem<M, X>(with_active<Y>(parameters, y)); }
+    /// What changes with y: dg/dy, and (dK/dy) v.
     MemberDerivatives member_derivatives(const Eigen::VectorXd& q, double x, double y, const Eigen::VectorXd& v) const {
         const auto [residual, tangent] = (*this)(y).derivatives(Y, q, x);
         return {residual, tangent * v};

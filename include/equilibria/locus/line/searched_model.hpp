@@ -17,25 +17,27 @@ namespace equilibria {
 
 /// How many equilibria an enumeration found.
 struct EquilibriaCount {
-    std::uint64_t real = 0;
-    std::vector<std::int64_t> by_index;
-    bool clean = false;  ///< nothing speaks against it (RootSet::clean)
+    std::uint64_t real = 0;              ///< equilibria
+    std::vector<std::int64_t> by_index;  ///< those of index 0, 1, .. n
+    bool clean = false;                  ///< nothing speaks against it (RootSet::clean)
 };
 
 /// A model's functions, its polynomials and its enumeration.
 struct SearchedModel {
-    const ModelFunctions<>* functions;
-    const ModelPolynomials* polynomials;
-    std::function<EquilibriaCount(const RuntimeArray<double>& p, const RunOptions& run)> count;
+    const ModelFunctions<>* functions;    ///< with derivatives
+    const ModelPolynomials* polynomials;  ///< its equations as polynomials
+    std::function<EquilibriaCount(const RuntimeArray<double>& p, const RunOptions& run)> count;  ///< enumerates at p
     MoreDigits<> more_digits = nullptr;   ///< for paths to points of a plane that fail in double
     std::uint64_t systems_in_double = 4;  ///< start systems of a plane that are tried before
 
-    const RuntimeSizes& sizes() const { return functions->sizes(); }
-    int unknowns() const { return functions->unknowns(); }
-    bool has_potential() const { return functions->has_potential(); }
+    const RuntimeSizes& sizes() const { return functions->sizes(); }   ///< numbers of angles and of coordinates
+    int unknowns() const { return functions->unknowns(); }             ///< angles and coordinates together
+    bool has_potential() const { return functions->has_potential(); }  ///< without one there is no index
+    /// Equilibria come in mirror pairs, theta and -theta.
     bool reflection_symmetric() const { return polynomials->reflection_symmetric(); }
 };
 
+/// Of the model M.
 template <Model M>
 SearchedModel searched_model() {
     return {&functions_of<M>(), &polynomials_of<M>(), [](const RuntimeArray<double>& p, const RunOptions& run) {

@@ -4,6 +4,7 @@
 
 namespace equilibria {
 
+/// Why a curve of folds, pitchforks or cusps has no more points.
 enum class CurveEnd {
     border,      ///< at the border of the window, or on a face of the box
     closed,      ///< where it began
@@ -13,6 +14,7 @@ enum class CurveEnd {
     length       ///< too many points
 };
 
+/// The name, as above.
 constexpr const char* to_string(CurveEnd end) {
     switch (end) {
         case CurveEnd::border: return "border";

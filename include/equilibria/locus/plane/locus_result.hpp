@@ -18,29 +18,31 @@
 
 namespace equilibria {
 
-/// M: the model, or RuntimeUnknowns.
+/// A curve of degenerate equilibria. M: the model, or RuntimeUnknowns.
 template <class M>
 struct LocusCurve {
-    SingularityKind kind;  ///< fold or pitchfork
-    std::vector<Singularity<M>> points;
-    std::array<CurveEnd, 2> ends;  ///< a fold curve that ends on a symmetric branch meets a pitchfork curve there
+    SingularityKind kind;                ///< fold or pitchfork
+    std::vector<Singularity<M>> points;  ///< in order, neighbours a step apart
+    std::array<CurveEnd, 2> ends;        ///< a fold curve that ends on a symmetric branch meets a pitchfork curve there
 };
 
 /// A region of constant count.
 struct LocusRegion {
-    PlanePoint point;         ///< well inside
-    std::uint64_t count = 0;  ///< real equilibria there
-    std::vector<std::int64_t> by_index;
-    double area = 0;
-    bool clean = false;     ///< the enumeration at the point had nothing against it (RootSet::clean)
-    bool confirmed = true;  ///< no other enumeration inside the region differed
+    PlanePoint point;                    ///< well inside
+    std::uint64_t count = 0;             ///< real equilibria there
+    std::vector<std::int64_t> by_index;  ///< those of index 0, 1, .. n
+    double area = 0;                     ///< in the unit of x times that of y
+    bool clean = false;                  ///< the enumeration at the point had nothing against it (RootSet::clean)
+    bool confirmed = true;               ///< no other enumeration inside the region differed
     /// Polygons, counterclockwise, which overlap nowhere and whose union is the region.
     std::vector<std::vector<PlanePoint>> polygons;
 };
 
 /// The evidence of completeness.
 struct LocusEvidence {
-    std::uint64_t lines = 0, seeds = 0, checked_points = 0;
+    std::uint64_t lines = 0;           ///< solved for their folds
+    std::uint64_t seeds = 0;           ///< points solved for that curves must pass
+    std::uint64_t checked_points = 0;  ///< compared with their region's count
     /// By how much the borders of x and of y were moved in, in parts of the window: the model may degenerate on
     /// them. A piece of a curve that lies in a corner of that size, and has no special point, is not seen.
     std::array<double, 2> inset{};
@@ -54,13 +56,15 @@ struct LocusEvidence {
     std::uint64_t broken_curves = 0;       ///< curves that the step control gave up
     std::uint64_t wrong_counts = 0;        ///< checked points whose count is not their region's
     std::uint64_t wrong_borders = 0;       ///< borders of regions whose tables by index do not fit
-    double seconds = 0;
+    double seconds = 0;                    ///< of the whole search
 
+    /// Of the lines and of all searches.
     std::uint64_t all_failed_paths() const {
         std::uint64_t failed = failed_paths;
         for (const auto& [kind, counts] : solved) failed += counts.paths.failed;
         return failed;
     }
+    /// Whether nothing speaks against the locus being complete.
     bool complete() const {
         return all_failed_paths() + untraced_seeds + unseeded_crossings + unsolved_points + broken_curves +
                    wrong_counts + wrong_borders ==
@@ -71,16 +75,17 @@ struct LocusEvidence {
     std::string argument() const;
 };
 
+/// The degenerate equilibria of a model in a window of two parameters, and the regions that they bound.
 template <class M>
 struct Locus {
-    Window window;
-    ParameterArray<M, double> parameters;
-    std::vector<LocusCurve<M>> curves;
+    Window window;                         ///< of the two parameters, x and y
+    ParameterArray<M, double> parameters;  ///< all of the model's; those of x and y do not matter
+    std::vector<LocusCurve<M>> curves;     ///< of folds and of pitchforks
     /// The special points of the curves, in the order in which they were found: cusps (with the derivatives phi''' and
     /// phi'''' of the reduced potential, residual the largest of |F|, |J v| and |phi'''|), tricritical pitchforks, and
     /// extremal folds and pitchforks, at which the parameter number `extremal` turns back on the curve.
     std::vector<Singularity<M>> points;
-    std::vector<LocusRegion> regions;
+    std::vector<LocusRegion> regions;   ///< into which the curves cut the window
     std::vector<RegionBorder> borders;  ///< regions and curves by their numbers here
 
     /// The special points of these kinds, in their order.
@@ -91,10 +96,10 @@ struct Locus {
         return found;
     }
 
-    using Evidence = LocusEvidence;
-    Evidence evidence;
+    using Evidence = LocusEvidence;  ///< the type of `evidence`
+    Evidence evidence;               ///< what speaks for completeness, and against it
 
-    std::string argument() const { return evidence.argument(); }
+    std::string argument() const { return evidence.argument(); }  ///< see LocusEvidence::argument
 };
 
 namespace detail {
@@ -117,6 +122,7 @@ To converted_locus(const From& from, To to, const auto& convert) {
 }  // namespace detail
 
 /// The same locus, its numbers in arrays of a size known at run time, and back.
+/// \{
 template <Model M>
 Locus<RuntimeUnknowns> runtime_locus(const Locus<M>& locus) {
     Locus<RuntimeUnknowns> y;
@@ -129,6 +135,7 @@ Locus<M> typed(const Locus<RuntimeUnknowns>& locus) {
     y.parameters = parameters_from<M>(locus.parameters);
     return detail::converted_locus(locus, y, [](const RuntimeSingularity<>& at) { return typed<M>(at); });
 }
+/// \}
 
 }  // namespace equilibria
 

@@ -17,14 +17,17 @@ namespace equilibria {
 /// the curve turns back in y.
 class PitchforkCurve {
 public:
-    using Problems = PlaneProblems;
-    using Problem = PlaneProblem;
+    using Problems = PlaneProblems;  ///< give a problem in x for each y
+    using Problem = PlaneProblem;    ///< one of these
+    /// The branch's q, and x as its p.
     using Configuration = CriticalConfiguration<equilibria::Configuration<Problem>>;
-    static constexpr bool symmetric = false;
+    static constexpr bool symmetric = false;  ///< the tangent, 1 x 1, is taken for unsymmetric
 
     /// x_scale: a change of x that counts as much as one of 1.
     PitchforkCurve(Problems problems, double x_scale) : problems_(std::move(problems)), x_scale_(x_scale) {}
 
+    /// A function of a continuation problem (continuation/problem.hpp).
+    /// \{
     Eigen::VectorXd residual(const Configuration& at, double y) const {
         const BorderedTangent<Problem> b(problems_(y), at);
         return Eigen::VectorXd::Constant(1, b.regular ? b.sigma() : std::numeric_limits<double>::quiet_NaN());
@@ -47,6 +50,7 @@ public:
     Eigen::VectorXd weights(const Configuration&) const {
         return Eigen::VectorXd::Constant(1, 1 / (x_scale_ * x_scale_));
     }
+    /// \}
 
 private:
     /// d sigma = -psi^T dK r, along x (axis 0) or y.

@@ -20,14 +20,16 @@ namespace equilibria {
 /// that of a massless link does.
 class PlaneProblem {
 public:
-    using Vector = Eigen::VectorXd;
-    using Matrix = Eigen::MatrixXd;
-    static constexpr bool symmetric = false;
+    using Vector = Eigen::VectorXd;           ///< residuals, unknowns and increments
+    using Matrix = Eigen::MatrixXd;           ///< n x n, dense
+    static constexpr bool symmetric = false;  ///< the division of its rows leaves K unsymmetric
 
     /// parameters: the entry of x is not read. system: of the plane, has to outlive it.
     PlaneProblem(const ModelDerivatives<>& model, const CriticalSystem& system, RuntimeArray<double> parameters)
         : model_(&model), system_(&system), parameters_(std::move(parameters)) {}
 
+    /// A function of a continuation problem (continuation/problem.hpp), exact.
+    /// \{
     Vector residual(const Vector& q, double x) const { return divided(equations(*model_, array(q), at(x)), x); }
     Matrix tangent(const Vector& q, double x) const {
         return scales(x).asDiagonal().inverse() * eigen_matrix(jacobian(*model_, array(q), at(x)));
@@ -39,6 +41,7 @@ public:
     Vector parameter_derivative_along(const Vector& q, double x, const Vector& v) const {
         return tangent_by_parameter(0, q, x, v);
     }
+    /// \}
     /// dg/dx (axis 0) or dg/dy (axis 1).
     Vector residual_by_parameter(int axis, const Vector& q, double x) const {
         const RuntimeArray<double> values = at(x);
@@ -84,14 +87,16 @@ private:
 
 /// The same for each value of y.
 struct PlaneProblems {
-    const ModelDerivatives<>* model;
-    const CriticalSystem* system;
+    const ModelDerivatives<>* model;  ///< with its derivatives
+    const CriticalSystem* system;     ///< of the plane; knows the powers that are divided by
     RuntimeArray<double> parameters;  ///< the entries of x and y are not read
+    /// The problem in x at this y.
     PlaneProblem operator()(double y) const {
         RuntimeArray<double> p = parameters;
         p[system->active()[1]] = y;
         return PlaneProblem(*model, *system, std::move(p));
     }
+    /// What changes with y: dg/dy, and (dK/dy) v.
     MemberDerivatives member_derivatives(const Eigen::VectorXd& q, double x, double y, const Eigen::VectorXd& v) const {
         const PlaneProblem member = (*this)(y);
         return {member.residual_by_parameter(1, q, x), member.tangent_by_parameter(1, q, x, v)};

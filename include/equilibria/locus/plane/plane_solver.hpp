@@ -29,9 +29,9 @@ namespace equilibria {
 /// Solves for points of the locus of a model in the plane of two of its parameters, x and y.
 class PlaneSolver {
 public:
-    using Numbers = CriticalSystem::Numbers;
-    using Roots = ComplexRoots<>;
-    using Points = std::vector<RuntimeSingularity<>>;
+    using Numbers = CriticalSystem::Numbers;           ///< of the polynomial system
+    using Roots = ComplexRoots<>;                      ///< its complex solutions
+    using Points = std::vector<RuntimeSingularity<>>;  ///< refined points of the locus
 
     /// The model and the plane's system have to outlive it. scales: values of x and y that count as large, positive:
     /// the size of the window.
@@ -44,6 +44,7 @@ public:
     /// as there are folds.
     class Lines {
     public:
+        /// Solves the line at `generic` for all its complex folds; the solver must outlive it.
         Lines(const PlaneSolver& solver, int fixed, double generic) : solver_(&solver), fixed_(fixed) {
             Roots set;
             solver.attempt(counts_,
@@ -54,7 +55,7 @@ public:
             for (const auto& root : set.roots)
                 if (root.status == PathStatus::finite && root.paths == 1) roots_.push_back(root);
         }
-        const SolutionCounts& counts() const { return counts_; }
+        const SolutionCounts& counts() const { return counts_; }  ///< of the line at `generic`
 
         /// `failed` is increased by the paths that failed. thorough: a line that leaves paths undecided is solved from
         /// its own start system.

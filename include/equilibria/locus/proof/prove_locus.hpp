@@ -26,20 +26,26 @@ namespace equilibria {
 
 /// How many of some points are proved.
 struct ProvedShare {
-    std::uint64_t proved = 0, of = 0;
+    std::uint64_t proved = 0;  ///< points that are proved
+    std::uint64_t of = 0;      ///< points that were tried
+    /// As in "5 of 7".
     friend std::ostream& operator<<(std::ostream& out, const ProvedShare& s) {
         return out << s.proved << " of " << s.of;
     }
 };
 
+/// How many points and regions of a locus are proved.
 struct LocusProof {
-    /// Points of curves that are not listed as special ones.
-    ProvedShare folds, pitchforks;
-    ProvedShare cusps, extremal, degenerate_pitchforks;
-    ProvedShare regions;        ///< whose table is proved at their point
-    double largest_radius = 0;  ///< of the parameters of a proved point, in parts of the window
-    double seconds = 0;
+    ProvedShare folds;                  ///< points of fold curves, special ones apart
+    ProvedShare pitchforks;             ///< the same of pitchfork curves
+    ProvedShare cusps;                  ///< cusps of the plane
+    ProvedShare extremal;               ///< folds and pitchforks at which a parameter is extremal
+    ProvedShare degenerate_pitchforks;  ///< pitchforks that turn from super- to subcritical
+    ProvedShare regions;                ///< whose table is proved at their point
+    double largest_radius = 0;          ///< of the parameters of a proved point, in parts of the window
+    double seconds = 0;                 ///< of the whole proof
 
+    /// The shares, in words.
     friend std::ostream& operator<<(std::ostream& out, const LocusProof& p) {
         return out << p.folds << " points of fold curves, " << p.pitchforks << " of pitchfork curves, " << p.cusps
                    << " cusps, " << p.extremal << " extremal points, " << p.degenerate_pitchforks

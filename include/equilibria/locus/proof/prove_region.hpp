@@ -28,9 +28,11 @@
 
 namespace equilibria {
 
+/// How finely a window is cut.
 struct ProveRegionOptions {
     double min_cell = 1e-3;  ///< a cell is not cut along an edge that is at most that long; in units of the parameters
 
+    /// Throws InvalidArgument for an option out of range.
     void validate() const {
         require(std::isfinite(min_cell) && min_cell > 0, "min_cell", min_cell, "must be positive and finite");
     }
@@ -41,26 +43,28 @@ enum class CountArgument {
     root_bound,   ///< as many complex roots are proved as there can be
     real_search,  ///< the torus of real angles holds no other
 };
+/// "root bound" or "real search".
 constexpr const char* to_string(CountArgument argument) {
     return argument == CountArgument::root_bound ? "root bound" : "real search";
 }
 
 /// A rectangle of the plane, proved: the same equilibria for each of its points.
 struct ProvedCell {
-    Window window;
-    CountArgument argument = CountArgument::root_bound;
-    std::int64_t count = 0;              ///< real equilibria
-    std::vector<std::int64_t> by_index;  ///< of index 0, 1, .. n
+    Window window;                                       ///< the cell
+    CountArgument argument = CountArgument::root_bound;  ///< why it holds no other equilibrium
+    std::int64_t count = 0;                              ///< real equilibria
+    std::vector<std::int64_t> by_index;                  ///< of index 0, 1, .. n
 };
 
+/// What is proved of a window: cells, and what remains.
 struct RegionProof {
-    Window window;
-    std::vector<ProvedCell> cells;
-    std::vector<Window> undecided;
+    Window window;                   ///< as it was asked for
+    std::vector<ProvedCell> cells;   ///< proved, without overlap
+    std::vector<Window> undecided;   ///< cells that were too small to be cut once more
     double proved_area_share = 0;    ///< area of the cells over the area of the window
     std::uint64_t tested = 0;        ///< cells tested, those that were cut included
     std::uint64_t enumerations = 0;  ///< runs of the tracker for candidates
-    double seconds = 0;
+    double seconds = 0;              ///< of the whole proof
 };
 
 namespace detail {

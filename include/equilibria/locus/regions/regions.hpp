@@ -19,17 +19,20 @@
 
 namespace equilibria {
 
+/// The regions into which curves cut a window.
 class PlaneDecomposition {
 public:
     /// A cell: bounded left and right by the interval x, below and above by pieces, or the window.
     struct Cell {
-        Interval x;
-        PlanePoint center;
-        double height;  ///< at the centre
-        int region;
-        int lower, upper;  ///< pieces
+        Interval x;         ///< between neighbouring critical abscissae
+        PlanePoint center;  ///< in the middle of the interval, half way up
+        double height;      ///< at the centre
+        int region;         ///< its number, from 0
+        int lower;          ///< piece below; -1: the window's bottom
+        int upper;          ///< piece above; -2: the window's top
     };
 
+    /// curves: polygonal lines, each by its points in order.
     PlaneDecomposition(const Window& window, const std::vector<std::vector<PlanePoint>>& curves) : window_(window) {
         for (std::size_t k = 0; k < curves.size(); ++k) {
             split(curves[k]);
@@ -39,8 +42,8 @@ public:
         build_cells();
     }
 
-    int regions() const { return regions_; }
-    const std::vector<Cell>& cells() const { return cells_; }
+    int regions() const { return regions_; }                   ///< how many there are
+    const std::vector<Cell>& cells() const { return cells_; }  ///< cells of all regions
 
     /// The region of a point of the window; -1 where it lies on a boundary to within rounding.
     int region_of(double x, double y) const {

@@ -16,18 +16,21 @@
 
 namespace equilibria {
 
+/// How a curve of cusps is followed.
 struct CuspCurveOptions {
     /// In radians, units of the coordinates and of the unit null vector, and parts of the box; parameter_weight is set
     /// by it.
     BranchOptions branch{.first_step = 1e-3, .largest_step = 0.01, .largest_angle = 0.15};
     int most_points = 20000;  ///< of each way
 
+    /// Throws InvalidArgument for an option out of range.
     void validate() const {
         require(most_points > 1, "most_points", most_points, "must be more than 1");
         branch.validate();
     }
 };
 
+/// A point of a curve of cusps at which something changes.
 template <PotentialModel M>
 struct CuspTransition {
     std::size_t step = 0;  ///< between points step and step + 1
@@ -36,6 +39,7 @@ struct CuspTransition {
     Singularity<M> at;
 };
 
+/// A curve of cusps, with what happens on it.
 template <PotentialModel M>
 struct CuspCurve {
     /// Cusps in order, none where no cusp was found to start from: the null vector v is continuous along the curve, and

@@ -39,10 +39,12 @@
 
 namespace equilibria {
 
+/// How a box is searched for curves of cusps.
 struct CuspLocusOptions {
-    int planes = 9;  ///< that are solved, the two at the ends of the range included
-    CuspCurveOptions curve{};
+    int planes = 9;            ///< that are solved, the two at the ends of the range included
+    CuspCurveOptions curve{};  ///< of each curve
 
+    /// Throws InvalidArgument for an option out of range.
     void validate() const {
         require(planes >= 2 && planes <= 10000, "planes", planes, "must be 2 to 10000");
         curve.validate();

@@ -18,19 +18,20 @@ namespace equilibria {
 /// A plane z = const of which all cusps are solved for.
 template <PotentialModel M>
 struct CuspPlane {
-    double z = 0;
+    double z = 0;                       ///< where it is
     std::vector<Singularity<M>> cusps;  ///< those within the box, one of a mirror pair
     std::uint64_t outside = 0;          ///< real cusps beyond the box, one of a mirror pair
     /// Real solutions on the faces of x and y that are no cusps, one of a mirror pair: the model is degenerate there,
     /// as without a mass, and all derivatives along the null vector are 0.
     std::uint64_t degenerate = 0;
-    SolutionCounts counts;
+    SolutionCounts counts;  ///< of the system of all cusps, real and complex
 
     /// A plane that was given up, as it left paths undecided or has fewer solutions than others: the model is
     /// degenerate there or next to it.
     struct GivenUp {
-        double z = 0;
-        std::uint64_t failed_paths = 0, solutions = 0;
+        double z = 0;                    ///< where it was
+        std::uint64_t failed_paths = 0;  ///< paths left undecided
+        std::uint64_t solutions = 0;     ///< regular complex ones
     };
     std::vector<GivenUp> given_up;  ///< in order; the last one was replaced by this plane
 };
@@ -38,8 +39,8 @@ struct CuspPlane {
 /// The curves of cusps in a box of three parameters.
 template <PotentialModel M>
 struct CuspLocus {
-    Box box;
-    Parameters<M> parameters;
+    Box box;                           ///< of the three parameters
+    Parameters<M> parameters;          ///< all of the model's; those of the three do not matter
     std::vector<CuspCurve<M>> curves;  ///< one of a mirror pair
     std::vector<CuspPlane<M>> planes;  ///< ascending
 
@@ -56,16 +57,17 @@ struct CuspLocus {
         std::uint64_t unsolved_crossings = 0;       ///< crossings that are no cusp solved for
         std::uint64_t broken_curves = 0;            ///< curves that the step control gave up, or too long
         std::uint64_t unconfirmed_transitions = 0;  ///< that Newton's method did not find, or a higher kind
-        double seconds = 0;
+        double seconds = 0;                         ///< of the whole search
 
+        /// Whether nothing speaks against the curves being complete.
         bool complete() const {
             return solved.paths.failed + missing_solutions + untraced_cusps + unsolved_crossings + broken_curves +
                        unconfirmed_transitions ==
                    0;
         }
-    } evidence;
+    } evidence;  ///< what speaks for completeness, and against it
 
-    bool complete() const { return evidence.complete(); }
+    bool complete() const { return evidence.complete(); }  ///< see Evidence::complete
     /// Why no curve is missing but those it names, or what speaks against it, in words.
     std::string argument() const;
 };

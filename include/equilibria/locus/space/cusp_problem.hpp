@@ -27,13 +27,16 @@ namespace equilibria {
 template <PotentialModel M, int X, int Y, int Z>
 class CuspProblem {
 public:
-    static constexpr bool symmetric = false;
-    static constexpr int n = n_unknowns<M>, size = 2 * n + 2;
+    static constexpr bool symmetric = false;  ///< an augmented system
+    static constexpr int n = n_unknowns<M>;   ///< unknowns of the model
+    static constexpr int size = 2 * n + 2;    ///< unknowns of this problem, entries of Y
 
     /// parameters: entries X, Y and Z are not read. x_scale, y_scale: changes that count as much as one of 1.
     CuspProblem(const Parameters<M>& parameters, double x_scale, double y_scale)
         : parameters_(parameters), x_scale_(x_scale), y_scale_(y_scale) {}
 
+    /// A function of a continuation problem (continuation/problem.hpp).
+    /// \{
     Eigen::VectorXd residual(const Eigen::VectorXd& at, double z) const {
         const auto r = system<double>(at, z);
         return Eigen::Map<const Eigen::VectorXd>(r.elements, size);
@@ -57,7 +60,9 @@ public:
         w(size - 1) = 1 / (y_scale_ * y_scale_);
         return w;
     }
+    /// \}
 
+    /// Y from its parts.
     static Eigen::VectorXd packed(const Unknowns<M>& q, const Unknowns<M>& v, double x, double y) {
         Eigen::VectorXd at(size);
         for (int i = 0; i < n; ++i) at(i) = q[i], at(n + i) = v[i];
@@ -65,8 +70,11 @@ public:
         at(size - 1) = y;
         return at;
     }
+    /// q of Y.
     static Unknowns<M> unknowns(const Eigen::VectorXd& at) { return part(at, 0); }
+    /// v of Y.
     static Unknowns<M> null_vector(const Eigen::VectorXd& at) { return part(at, n); }
+    /// All parameters, x and y those of Y.
     Parameters<M> parameters(const Eigen::VectorXd& at, double z) const {
         return with_active<X, Y, Z>(parameters_, at(size - 2), at(size - 1), z);
     }

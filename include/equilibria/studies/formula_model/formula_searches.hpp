@@ -29,6 +29,8 @@ RootSet<RuntimeUnknowns> enumerate(const FormulaModel& model, const RuntimeArray
 /// From the roots at other parameters.
 RootSet<RuntimeUnknowns> enumerate(const FormulaModel& model, const RootSet<RuntimeUnknowns>& solved,
                                    const RuntimeArray<double>& p, const RunOptions& run = {});
+/// As of the functions of the same names for models at run time.
+/// \{
 ProofOfRoots prove(const FormulaModel& model, const RootSet<RuntimeUnknowns>& set, const RunOptions& run = {},
                    const ProveOptions& options = {});
 LineEvents<RuntimeUnknowns> find_events(const FormulaModel& model, const RuntimeArray<double>& p, int active,
@@ -36,17 +38,20 @@ LineEvents<RuntimeUnknowns> find_events(const FormulaModel& model, const Runtime
 BifurcationDiagram<RuntimeUnknowns> trace_diagram(const FormulaModel& model, const RuntimeArray<double>& p, int active,
                                                   const Interval& range, const RunOptions& run = {},
                                                   const BranchOptions& branch = diagram_steps);
+/// \}
 /// active: the numbers of the parameters x and y.
 Locus<RuntimeUnknowns> trace_locus(const FormulaModel& model, const RuntimeArray<double>& p,
                                    const std::array<int, 2>& active, const Window& window, const RunOptions& run = {},
                                    const LocusOptions& options = {});
+/// As of the function of the same name for models at run time.
 SweepCounts sweep(const FormulaModel& model, const ParameterPoints& points,
                   const std::function<void(const SweptPoint&)>& take, const RunOptions& run = {},
                   const SweepOptions& options = {});
 
-/// The equations at these unknowns (angles in radians, then coordinates), and their Jacobian, row after row.
+/// The equations at these unknowns (angles in radians, then coordinates).
 RuntimeArray<double> equations_of(const FormulaModel& model, const RuntimeArray<double>& q,
                                   const RuntimeArray<double>& p);
+/// Their Jacobian, n rows of n entries.
 RuntimeMatrix<double> jacobian_of(const FormulaModel& model, const RuntimeArray<double>& q,
                                   const RuntimeArray<double>& p);
 /// The potential there; NaN of a model without one.

@@ -17,7 +17,9 @@ namespace equilibria::mechanisms {
 
 /// The beam at a place z: displacements u and their derivatives by z.
 struct BeamPlace {
-    Eigen::Vector3d u, first, second;
+    Eigen::Vector3d u;       ///< displacements, in the body frame
+    Eigen::Vector3d first;   ///< first derivatives by z
+    Eigen::Vector3d second;  ///< second derivatives by z
 };
 
 namespace detail {

@@ -23,19 +23,23 @@ namespace equilibria::mechanisms {
 template <int K>
 struct BeamModes {
     static_assert(K >= 1);
-    using Vector = Array<double, K>;
-    using Matrix = Array<Array<double, K>, K>;
+    using Vector = Array<double, K>;            ///< one of each shape
+    using Matrix = Array<Array<double, K>, K>;  ///< of pairs of shapes
 
     /// A shape and its first two derivatives at a place z of [0, 1].
     struct Values {
-        Vector value, first, second;
+        Vector value;   ///< of each shape
+        Vector first;   ///< its first derivative
+        Vector second;  ///< its second derivative
     };
 
-    Vector bending_mean{}, bending_moment{};        ///< int phi_j, int z phi_j
-    Vector stretching_mean{}, stretching_moment{};  ///< int psi_j, int z psi_j
-    Matrix bending_stiffness{};                     ///< int phi_i'' phi_j''
-    Matrix stretching_stiffness{};                  ///< int psi_i' psi_j'
-    Matrix product{};                               ///< int phi_i psi_j
+    Vector bending_mean{};          ///< int phi_j
+    Vector bending_moment{};        ///< int z phi_j
+    Vector stretching_mean{};       ///< int psi_j
+    Vector stretching_moment{};     ///< int z psi_j
+    Matrix bending_stiffness{};     ///< int phi_i'' phi_j''
+    Matrix stretching_stiffness{};  ///< int psi_i' psi_j'
+    Matrix product{};               ///< int phi_i psi_j
 
     constexpr BeamModes() {
         for (int q = 0; q < nodes; ++q) {
@@ -76,8 +80,8 @@ struct BeamModes {
     constexpr void for_each_node(const auto& f) const {
         for (int q = 0; q < nodes; ++q) f(place_[q], weight_[q]);
     }
-    constexpr Values bending(double z) const { return values(bending_, 2, z); }
-    constexpr Values stretching(double z) const { return values(stretching_, 1, z); }
+    constexpr Values bending(double z) const { return values(bending_, 2, z); }        ///< phi_j at z of [0, 1]
+    constexpr Values stretching(double z) const { return values(stretching_, 1, z); }  ///< psi_j at z of [0, 1]
 
 private:
     static constexpr int nodes = 2 * K + 3;
@@ -140,10 +144,11 @@ private:
 /// The integrals of products of slopes that a stretch of second order needs.
 template <int K>
 struct BeamSlopeIntegrals {
-    using Matrix = typename BeamModes<K>::Matrix;
-    Array<Matrix, K> coupling{};           ///< int psi_i' phi_j' phi_k'
-    Array<Array<Matrix, K>, K> quartic{};  ///< int phi_h' phi_i' phi_j' phi_k'
+    using Matrix = typename BeamModes<K>::Matrix;  ///< of pairs of shapes
+    Array<Matrix, K> coupling{};                   ///< int psi_i' phi_j' phi_k'
+    Array<Array<Matrix, K>, K> quartic{};          ///< int phi_h' phi_i' phi_j' phi_k'
 
+    /// By Gauss's quadrature, exact.
     constexpr explicit BeamSlopeIntegrals(const BeamModes<K>& modes) {
         modes.for_each_node([&](double z, double w) {
             const auto phi = modes.bending(z).first, psi = modes.stretching(z).first;

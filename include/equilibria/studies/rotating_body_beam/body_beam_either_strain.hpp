@@ -28,11 +28,16 @@ namespace equilibria::mechanisms {
 /// follows from the others elsewhere.)
 template <int K, BeamControl Control>
 struct BodyBeamEitherStrain : RotatingBodyBeamBase<K, BeamStrain::either> {
-    using Base = RotatingBodyBeamBase<K, BeamStrain::either>;
-    static constexpr bool at_speed = Control == BeamControl::speed;
-    static constexpr int n_angles = 0, n_coordinates = at_speed ? 4 + 3 * K : 5 + 3 * K;
-    static constexpr int first_mode = 3, multiplier = 3 + 3 * K, omega = multiplier + 1;
+    using Base = RotatingBodyBeamBase<K, BeamStrain::either>;        ///< names the parameters
+    static constexpr bool at_speed = Control == BeamControl::speed;  ///< the speed is given, not the momentum
+    static constexpr int n_angles = 0;                               ///< no angles
+    static constexpr int n_coordinates =
+        at_speed ? 4 + 3 * K : 5 + 3 * K;         ///< w, u, lambda; omega too at a given momentum
+    static constexpr int first_mode = 3;          ///< place of u among the coordinates
+    static constexpr int multiplier = 3 + 3 * K;  ///< place of lambda
+    static constexpr int omega = multiplier + 1;  ///< place of omega, at a given momentum
 
+    /// The function whose critical points are the equilibria.
     constexpr auto potential(const auto&, const auto& x, const auto& p) const {
         using S = std::remove_cvref_t<decltype(x[0] * p[0])>;
         const S share(p[Base::second_axis]);
@@ -65,12 +70,15 @@ struct BodyBeamEitherStrain : RotatingBodyBeamBase<K, BeamStrain::either> {
         return y;
     }
 
-    /// p in units of length and time in which the length is 1 and the stiffnesses are near those of the generic member.
-    /// The modes there times `modes`, the speed times `speed` and the moments times `moments` are those at p.
+    /// p in units of length and time in which the length is 1 and the stiffnesses are near those of the generic member,
+    /// and the factors that lead back.
     struct Units {
-        Array<double, Base::n_parameters> scaled;
-        double modes, speed, moments;
+        Array<double, Base::n_parameters> scaled;  ///< the parameters in these units
+        double modes;                              ///< modes at p over those in these units
+        double speed;                              ///< the same of speeds
+        double moments;                            ///< the same of moments of inertia
     };
+    /// The units that suit p, whose length and bending stiffnesses are positive.
     static Units units(const Array<double, Base::n_parameters>& p) {
         const double l = p[Base::length], l3 = l * l * l;
         const double time2 = 0.055 * l * l3 / std::sqrt(p[Base::bending_1] * p[Base::bending_2]),

@@ -28,10 +28,12 @@ struct BodyBeamEquilibrium {
     double speed = 0;                                   ///< omega, radians a unit of time
     double momentum = 0;                                ///< the size of the angular momentum: lambda omega
     double energy = 0;                                  ///< V(u) + lambda omega^2 / 2
-    int index = 0, nullity = 0;          ///< of momentum_hessian(): at fixed momentum; nullity 1 on a circle
-    double residual = 0, condition = 0;  ///< as of the enumeration's root
-    bool circle = false;                 ///< one of a circle, turned about the third axis
-    bool proved = false;                 ///< by Krawczyk's operator, an isolated real solution; by prove() alone
+    int index = 0;                                      ///< of momentum_hessian(): at fixed momentum
+    int nullity = 0;                                    ///< of the same; 1 on a circle
+    double residual = 0;                                ///< as of the enumeration's root
+    double condition = 0;                               ///< as of the enumeration's root
+    bool circle = false;                                ///< one of a circle, turned about the third axis
+    bool proved = false;  ///< by Krawczyk's operator, an isolated real solution; by prove() alone
 
     /// Damping leads to it: a minimum of the energy at fixed momentum, but for the turn of a circle.
     bool stable() const { return index == 0 && nullity == (circle ? 1 : 0); }
@@ -50,8 +52,11 @@ struct BodyBeamEquilibria {
     std::vector<std::string> families;            ///< in words: what is not isolated though no circle was expected
     std::vector<std::string> failures;            ///< in words: the paths that failed
     std::string alarms;                           ///< in words; empty: none
-    std::uint64_t proved_distinct = 0, proved_real = 0;  ///< by prove() alone
-    double generic_seconds = 0, seconds = 0, proving_seconds = 0;
+    std::uint64_t proved_distinct = 0;            ///< complex solutions proved; by prove() alone
+    std::uint64_t proved_real = 0;                ///< real ones among these
+    double generic_seconds = 0;                   ///< to solve the generic members
+    double seconds = 0;                           ///< to follow their roots to this one
+    double proving_seconds = 0;                   ///< by prove() alone
 
     /// Whether the run was cancelled: equilibria may be missing.
     bool cancelled() const { return generic.cancelled + paths.cancelled > 0; }

@@ -51,9 +51,9 @@ namespace equilibria::mechanisms {
 template <int K, BeamControl Control>
 class BodyBeamSolver {
 public:
-    using Model = BodyBeamEitherStrain<K, Control>;
-    using Values = typename Model::Values;
-    using Base = typename Model::Base;
+    using Model = BodyBeamEitherStrain<K, Control>;  ///< the systems that are solved
+    using Values = typename Model::Values;           ///< parameters of a body
+    using Base = typename Model::Base;               ///< names the parameters
 
     /// Solves the generic members. Of the body only mass, centre and length matter, body[coupling], which is 0 or 1
     /// (linear or coupled strain), and whether turning it about the third axis changes nothing. A checkpoint, the

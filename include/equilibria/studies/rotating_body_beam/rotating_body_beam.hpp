@@ -48,7 +48,7 @@ enum class BeamControl {
 /// u3(z)) with K modes a direction, orthonormal in L2 over the length.
 template <int K, BeamStrain Strain>
 struct RotatingBodyBeamBase {
-    static constexpr int n_modes = 3 * K;
+    static constexpr int n_modes = 3 * K;  ///< shapes in all
     /// Mass and principal moments of inertia of the body about the origin, along the frame; its centre of mass; the
     /// beam's length; its stiffnesses mu_1, mu_2 (bending along the axes 1 and 2) and mu_3 (stretching); the angular
     /// speed omega; the size of the angular momentum. Read by some models alone: those after the speed.
@@ -70,8 +70,8 @@ struct RotatingBodyBeamBase {
         second_axis,  ///< of BodyBeamEitherStrain
         n_parameters
     };
-    using Values = Array<double, n_parameters>;
-    static constexpr BeamModes<K> modes{};
+    using Values = Array<double, n_parameters>;  ///< one of each, by `Parameter`
+    static constexpr BeamModes<K> modes{};       ///< shapes of a beam of length 1
 
     /// Throws InvalidArgument unless masses, inertias, length and stiffnesses are positive, the speed is not negative,
     /// and the inertia is that of a body: each moment is at most the sum of the others.
@@ -187,9 +187,11 @@ struct RotatingBodyBeamBase {
 /// solutions that are no equilibria.
 template <int K, BeamStrain Strain = BeamStrain::linear>
 struct RotatingBodyBeam : RotatingBodyBeamBase<K, Strain> {
-    using Base = RotatingBodyBeamBase<K, Strain>;
-    static constexpr int n_angles = 0, n_coordinates = 4 + 3 * K;
-    static constexpr int first_mode = 3, multiplier = 3 + 3 * K;
+    using Base = RotatingBodyBeamBase<K, Strain>;    ///< names the parameters
+    static constexpr int n_angles = 0;               ///< the axis is a vector
+    static constexpr int n_coordinates = 4 + 3 * K;  ///< n, u and lambda
+    static constexpr int first_mode = 3;             ///< place of u among the coordinates
+    static constexpr int multiplier = 3 + 3 * K;     ///< place of lambda
 
     /// n, u and lambda as groups of their own. Multihomogeneous numbers: 438 for K = 1 and 1,734 for K = 2 with the
     /// linear strain energy, 1,884 and 108,216 with the coupled one.
@@ -199,6 +201,7 @@ struct RotatingBodyBeam : RotatingBodyBeamBase<K, Strain> {
         return y;
     }();
 
+    /// The function whose critical points are the equilibria.
     constexpr auto potential(const auto&, const auto& x, const auto& p) const {
         using S = std::remove_cvref_t<decltype(x[0] * p[0])>;
         Array<S, 3> n;

@@ -36,12 +36,12 @@ using BeamSolveStatus = CorrectionStatus;
 
 /// What RotatingBodyBeamBoundary::solve reached.
 struct BeamSolution {
-    BeamSolveStatus status = BeamSolveStatus::steps;
-    Eigen::VectorXd q;    ///< the last iterate
-    double p = 0;         ///< the parameter
-    double residual = 0;  ///< |g|, the largest entry
-    int steps = 0;        ///< of Newton's method
-    bool converged() const { return status == BeamSolveStatus::converged; }
+    BeamSolveStatus status = BeamSolveStatus::steps;                         ///< why Newton's method ended
+    Eigen::VectorXd q;                                                       ///< the last iterate
+    double p = 0;                                                            ///< the parameter
+    double residual = 0;                                                     ///< |g|, the largest entry
+    int steps = 0;                                                           ///< of Newton's method
+    bool converged() const { return status == BeamSolveStatus::converged; }  ///< the last iterate is a solution
 };
 
 /// The boundary value problem as a ContinuationProblem in the speed or the momentum. With m points q is n (3), u_1'''',
@@ -49,9 +49,9 @@ struct BeamSolution {
 /// stiffnesses at the points, J n - lambda n and (|n|^2 - 1) / 2. K is not symmetric.
 class RotatingBodyBeamBoundary {
 public:
-    static constexpr bool symmetric = false;
-    using Beam = RotatingBodyBeam<1>;  ///< names the parameters
-    using Values = Beam::Values;
+    static constexpr bool symmetric = false;  ///< the equations are no gradient
+    using Beam = RotatingBodyBeam<1>;         ///< names the parameters
+    using Values = Beam::Values;              ///< one of each parameter
 
     /// parameters: as of RotatingBodyBeam, whose speed is not used. Throws InvalidArgument where
     /// RotatingBodyBeam::validate does, and unless points is from 4 to 256.
@@ -62,13 +62,14 @@ public:
         Beam::validate(parameters);
     }
 
-    int points() const { return m_; }
-    Eigen::Index n_unknowns() const { return 3 * m_ + 4; }
+    int points() const { return m_; }                                         ///< of the collocation
+    Eigen::Index n_unknowns() const { return 3 * m_ + 4; }                    ///< 3 m + 4 of m points
     const Eigen::VectorXd& places() const { return beam_.chebyshev.places; }  ///< z of the points, rising from 0 to l
-    const Values& parameters() const { return p_; }
-    BeamStrain strain() const { return coupled_ ? BeamStrain::coupled : BeamStrain::linear; }
-    BeamControl control_by() const { return control_; }
+    const Values& parameters() const { return p_; }                           ///< as they were given
+    BeamStrain strain() const { return coupled_ ? BeamStrain::coupled : BeamStrain::linear; }  ///< linear or coupled
+    BeamControl control_by() const { return control_; }  ///< whether p is omega or A
 
+    /// The axis n, of length 1 at a solution.
     Eigen::Vector3d axis(const Eigen::VectorXd& q) const { return sized(q).head<3>(); }
     double moment(const Eigen::VectorXd& q) const { return sized(q)(3 * m_ + 3); }  ///< lambda
     /// omega
@@ -117,6 +118,8 @@ public:
         return bent(std::move(at), q[Size - 1], p);
     }
 
+    /// A function of a continuation problem (continuation/problem.hpp).
+    /// \{
     Eigen::VectorXd residual(const Eigen::VectorXd& q, double p) const;
 
     Eigen::MatrixXd tangent(const Eigen::VectorXd& q, double p) const;
@@ -124,6 +127,7 @@ public:
     Eigen::VectorXd parameter_derivative(const Eigen::VectorXd& q, double p) const;
     Eigen::VectorXd second_parameter_derivative(const Eigen::VectorXd& q, double) const;
     Eigen::VectorXd parameter_derivative_along(const Eigen::VectorXd& q, double p, const Eigen::VectorXd& v) const;
+    /// \}
 
     /// Of increments: the axis by radians, u_i'''' and N' / mu_3 by the root mean square of the tip's displacement that
     /// they would cause if uniform, over the length, and lambda over the sum of the body's moments and l^3 / 3. So

@@ -42,14 +42,14 @@ template <int K, BeamStrain Strain = BeamStrain::linear>
 class RotatingBodyBeamMotion {
 public:
     static_assert(K <= detail::most_beam_modes, "equilibria: the motion is for 8 modes a direction or fewer");
-    using Model = RotatingBodyBeam<K, Strain>;
-    using Base = typename Model::Base;
-    static constexpr int n_modes = 3 * K;
-    static constexpr BeamStrain strain = Strain;
-    using State = BodyBeamState<K>;
-    using Sample = BodyBeamSample<K>;
-    using Modes = Eigen::Vector<double, n_modes>;
-    using Coupling = Eigen::Matrix<double, 3, n_modes>;
+    using Model = RotatingBodyBeam<K, Strain>;           ///< of the relative equilibria
+    using Base = typename Model::Base;                   ///< names the parameters
+    static constexpr int n_modes = 3 * K;                ///< shapes in all
+    static constexpr BeamStrain strain = Strain;         ///< of the beam
+    using State = BodyBeamState<K>;                      ///< body and beam in motion
+    using Sample = BodyBeamSample<K>;                    ///< a state with what is derived of it
+    using Modes = Eigen::Vector<double, n_modes>;        ///< u, or rates of it
+    using Coupling = Eigen::Matrix<double, 3, n_modes>;  ///< P(u)
 
     /// p: the model's; its speed does not matter. Throws InvalidArgument where a parameter is none, where the damping
     /// is negative, or where the body's inertia about its own centre of mass is not positive definite.
@@ -105,7 +105,7 @@ public:
         }
     }
 
-    const Parameters<Model>& parameters() const { return p_; }
+    const Parameters<Model>& parameters() const { return p_; }  ///< as they were given
 
     /// J(u), (2.5).
     Eigen::Matrix3d inertia(const Modes& u) const { return motion_.geometry(u).inertia; }
@@ -113,12 +113,14 @@ public:
     Coupling coupling(const Modes& u) const { return motion_.geometry(u).coupling; }
     /// M v.
     Modes modal_inertia(const Modes& v) const { return motion_.modal_inertia(v); }
+    /// V(u).
     double strain_energy(const Modes& u) const {
         Array<double, n_modes> values;
         std::copy(u.begin(), u.end(), values.begin());
         return Base::strain_energy(values, p_);
     }
 
+    /// W of a state, in the body frame.
     Eigen::Vector3d angular_velocity(const State& x) const {
         const auto g = motion_.geometry(x.modes);
         Eigen::Vector3d spin = x.momentum;
@@ -138,17 +140,22 @@ public:
     struct Rates {
         Eigen::Vector3d angular_velocity;  ///< W = dH/da
         Eigen::Vector3d momentum;          ///< a'
-        Modes modes, modal_momentum;       ///< u' = dH/dp, p'
+        Modes modes;                       ///< u' = dH/dp
+        Modes modal_momentum;              ///< p'
         double loss;                       ///< 2 D: what damping takes a unit of time
     };
+    /// At momenta a, p and modes u.
     Rates rates(const Eigen::Vector3d& a, const Modes& u, const Modes& p) const {
         const auto r = motion_.rates(a, u, p);
         return {r.angular_velocity, r.momentum, r.modes, r.modal_momentum, r.loss};
     }
     /// H = T + V at momenta a, p and modes u.
+    /// \{
     double energy(const Eigen::Vector3d& a, const Modes& u, const Modes& p) const { return motion_.energy(a, u, p); }
     double energy(const State& x) const { return energy(x.momentum, x.modes, modal_momentum(x)); }
+    /// \}
 
+    /// How far the state is from a relative equilibrium.
     BodyBeamResidual residual(const State& x) const {
         return motion_.residual(x.momentum, x.modes, motion_.rates(x.momentum, x.modes, modal_momentum(x)));
     }

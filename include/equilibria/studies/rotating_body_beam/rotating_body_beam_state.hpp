@@ -17,7 +17,9 @@ namespace equilibria::mechanisms {
 
 /// Kelvin-Voigt damping, (2.1) of Baillieul: D = 1/2 int k_1 (u1'')_t^2 + k_2 (u2'')_t^2 + k_3 (u3')_t^2.
 struct BeamDamping {
-    double bending_1 = 0, bending_2 = 0, stretching = 0;  ///< k_1, k_2, k_3
+    double bending_1 = 0;   ///< k_1, along the axis 1
+    double bending_2 = 0;   ///< k_2, along the axis 2
+    double stretching = 0;  ///< k_3
 
     /// Throws InvalidArgument unless all are finite, 0 or more.
     void validate() const {
@@ -30,15 +32,17 @@ struct BeamDamping {
     }
 };
 
+/// Why a motion of a body with a beam ended.
 enum class BodyBeamStatus {
     finished,        ///< came to the last time asked for
     settled,         ///< came to rest in the body frame
     time_over,       ///< did not settle in the longest time
     too_many_steps,  ///< most_steps steps were tried
     step_too_small,  ///< the tolerances ask for steps below rounding
-    not_finite,
+    not_finite,      ///< a number of the state is none
 };
 
+/// In words.
 inline const char* to_string(BodyBeamStatus status) {
     constexpr const char* names[] = {"finished",       "settled",        "time over",
                                      "too many steps", "step too small", "not finite"};
@@ -64,10 +68,11 @@ struct BodyBeamState {
     Eigen::Vector<double, 3 * K> velocity = Eigen::Vector<double, 3 * K>::Zero();  ///< u'
 };
 
+/// A state of the motion at one time.
 template <int K>
 struct BodyBeamSample {
-    double time = 0;
-    BodyBeamState<K> state;
+    double time = 0;                                             ///< since the start
+    BodyBeamState<K> state;                                      ///< body and beam
     Eigen::Vector3d angular_velocity = Eigen::Vector3d::Zero();  ///< W, in the body frame
     Eigen::Vector3d space_momentum = Eigen::Vector3d::Zero();    ///< Y a: constant
     double energy = 0;                                           ///< T + V
@@ -81,18 +86,20 @@ struct BodyBeamSample {
 
 /// What integration leaves of the laws, over the ends of all steps.
 struct BodyBeamEvidence {
-    std::uint64_t steps = 0, evaluations = 0;  ///< steps that were tried
-    double momentum_drift = 0;                 ///< the largest |Y a - its start| / |a|
-    double energy_balance = 0;   ///< the largest |energy + dissipated - their start|, over the energy at the start
-    double energy_increase = 0;  ///< the largest of a step, over the energy at the start
+    std::uint64_t steps = 0;        ///< that were tried
+    std::uint64_t evaluations = 0;  ///< of the rates
+    double momentum_drift = 0;      ///< the largest |Y a - its start| / |a|
+    double energy_balance = 0;      ///< the largest |energy + dissipated - their start|, over the energy at the start
+    double energy_increase = 0;     ///< the largest of a step, over the energy at the start
 };
 
+/// A motion at given times, with its evidence.
 template <int K>
 struct BodyBeamMotion {
-    BodyBeamStatus status = BodyBeamStatus::finished;
-    double time = 0;                         ///< how far it came
-    std::vector<BodyBeamSample<K>> samples;  ///< at the given times, as far as it came
-    BodyBeamEvidence evidence;
+    BodyBeamStatus status = BodyBeamStatus::finished;  ///< why it ended
+    double time = 0;                                   ///< how far it came
+    std::vector<BodyBeamSample<K>> samples;            ///< at the given times, as far as it came
+    BodyBeamEvidence evidence;                         ///< over all steps
 };
 
 /// How far a state is from a relative equilibrium, without units.
@@ -101,19 +108,20 @@ struct BodyBeamResidual {
     double deflection = 0;    ///< l^(-3/2) times the displacement by which the beam, at rest, would balance p'
     double misalignment = 0;  ///< the larger of |a x W| / (|a| |W|) and |J W - (n J n) W| / |J W|, n = W / |W|: (2.6)
 
-    double largest() const { return std::max({velocity, deflection, misalignment}); }
+    double largest() const { return std::max({velocity, deflection, misalignment}); }  ///< of the three
 };
 
+/// A motion that was followed until it was at rest in the body frame.
 template <int K>
 struct BodyBeamSettling {
-    BodyBeamStatus status = BodyBeamStatus::settled;
-    BodyBeamSample<K> last;
-    BodyBeamResidual residual;  ///< at `last`
+    BodyBeamStatus status = BodyBeamStatus::settled;  ///< why it ended
+    BodyBeamSample<K> last;                           ///< the state at its end
+    BodyBeamResidual residual;                        ///< at `last`
     /// The largest |W - W at `last`| / |W| over the turn before, the axes those of the body; where settled.
     double velocity_change = 0;
-    BodyBeamEvidence evidence;
+    BodyBeamEvidence evidence;  ///< over all steps
 
-    bool settled() const { return status == BodyBeamStatus::settled; }
+    bool settled() const { return status == BodyBeamStatus::settled; }  ///< it came to rest in the body frame
 };
 
 }  // namespace equilibria::mechanisms

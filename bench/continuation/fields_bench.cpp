@@ -2,6 +2,8 @@
 // derivatives by coloured duals take, items are unknowns.
 #include <benchmark/benchmark.h>
 
+#include <limits>
+
 #include <equilibria/continuation/branch.hpp>
 
 #include "../../programs/support/fields.hpp"
@@ -13,12 +15,14 @@ namespace {
 
 /// From the small solution through the fold to the large one, both at the parameter `low`.
 template <class M>
-void follow_field(benchmark::State& state, const M& model, double low) {
+void follow_field(benchmark::State& state, const M& model, double low,
+                  double iterate_from = BranchOptions{}.iterate_from) {
     const auto problem = support::sparse(model);
     const VectorXd zero = VectorXd::Zero(problem.unknowns());
     ContinuationOptions options;
     options.range = {low, 20};
     options.branch.largest_step = 0.5;
+    options.branch.iterate_from = iterate_from;
     Branch<std::remove_cv_t<decltype(problem)>> branch;
     for (auto _ : state) branch = continue_branch(problem, zero, low, 1, options);
     state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(branch.points.size()));
@@ -32,6 +36,12 @@ void bratu_elements(benchmark::State& state) { follow_field(state, support::Brat
 void bratu(benchmark::State& state) {
     follow_field(state, support::Bratu(static_cast<int>(state.range(0)), static_cast<int>(state.range(1))),
                  state.range(0) == 1 ? 0.149 : 1);
+}
+
+/// The cube with a factorisation for each correction.
+void bratu_factored(benchmark::State& state) {
+    follow_field(state, support::Bratu(3, static_cast<int>(state.range(0))), 1,
+                 std::numeric_limits<double>::infinity());
 }
 
 /// The derivatives of Bratu's problem, as `bratu`.
@@ -63,7 +73,9 @@ void pattern(benchmark::State& state) {
 }  // namespace
 
 BENCHMARK(bratu_elements)->Unit(benchmark::kMillisecond);
-BENCHMARK(bratu)->Args({1, 1000})->Args({2, 32})->Args({2, 64})->Args({3, 10})->Unit(benchmark::kMillisecond);
+BENCHMARK(bratu)->Args({1, 1000})->Args({2, 32})->Args({2, 64})->Args({3, 10})->Args({3, 24})->Args({3, 32})->Unit(
+    benchmark::kMillisecond);
+BENCHMARK(bratu_factored)->Arg(24)->Arg(32)->Unit(benchmark::kMillisecond);
 BENCHMARK(residual)->Args({1, 1000})->Args({2, 100})->Unit(benchmark::kMicrosecond);
 BENCHMARK(tangent)->Args({1, 1000})->Args({2, 100})->Unit(benchmark::kMicrosecond);
 BENCHMARK(tangent_derivative)->Args({1, 1000})->Args({2, 100})->Unit(benchmark::kMicrosecond);

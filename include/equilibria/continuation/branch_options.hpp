@@ -40,9 +40,12 @@ struct BranchOptions {
     Predictor predictor = Predictor::cubic;                    ///< where the corrector starts
     Eigen::Index controlled = 0;                               ///< the unknown of StepConstraint::unknown
     double parameter_weight = 0;  ///< theta; 0: so that the parameter makes half of the first tangent's square
-    int most_sign_changes = 1;    ///< of eigenvalues in a step, before it is halved
-    double resolution = 1e-4;  ///< a step is not halved below this, nor below 1e-4 of the way from the start, for the
-                               ///< sake of eigenvalues
+    /// From so many times the multiplications of a solution on that a factorisation takes, corrections are made by
+    /// GMRES with the last factors, and K is factored at converged points alone.
+    double iterate_from = 75;
+    int most_sign_changes = 1;  ///< of eigenvalues in a step, before it is halved
+    double resolution = 1e-4;   ///< a step is not halved below this, nor below 1e-4 of the way from the start, for the
+                                ///< sake of eigenvalues
 
     /// Throws InvalidArgument for an option out of range.
     void validate() const {
@@ -53,6 +56,7 @@ struct BranchOptions {
         require(most_corrections >= 2, "most_corrections", most_corrections, "must be at least 2");
         require(tolerance > 0, "tolerance", tolerance, "must be positive");
         require(parameter_weight >= 0, "parameter_weight", parameter_weight, "must be 0 (chosen) or positive");
+        require(iterate_from >= 0, "iterate_from", iterate_from, "must not be negative");
         require(controlled >= 0, "controlled", controlled, "must be the number of an unknown");
         require(resolution >= smallest_step, "resolution", resolution, "must be at least smallest_step");
     }

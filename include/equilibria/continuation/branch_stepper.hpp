@@ -23,6 +23,11 @@
 
 namespace equilibria {
 
+namespace detail {
+template <class Matrix>
+class LastFactors;
+}
+
 /// Along branches of a problem of any type; its functions are those of BranchStepper, below.
 template <class Matrix>
 class AnyBranchStepper {
@@ -54,7 +59,8 @@ public:
     /// \{
     std::optional<Point> onto(const AnyConfiguration& q, double p, const Direction& increment, const Direction& normal,
                               const Direction& along);
-    std::optional<Point> assess(const AnyConfiguration& q, double p, const std::optional<Direction>& along);
+    std::optional<Point> assess(const AnyConfiguration& q, double p, const std::optional<Direction>& along,
+                                const Eigen::MatrixXd& guess = {});
     Eigen::MatrixXd weak_directions(const AnyConfiguration& q, double p, int count);
 
     Direction difference(const Point& from, const AnyConfiguration& q, double p) const {
@@ -104,6 +110,8 @@ private:
     std::optional<Point> point_of(const AnyConfiguration& q, double p, const Eigen::VectorXd& g,
                                   const WeakDirection& weak, const BorderedSolution& s,
                                   const std::optional<Direction>& along);
+    /// What the solver has factored last, where that is worth more than another factorisation.
+    std::optional<detail::LastFactors<Matrix>> last_factors() const;
     Constraint normal_of(const Point& from, const Direction& predicted, double h) const;
     /// The gradient of the constraint, in weighted coordinates, and its value at (q, p), the increment `moved` away
     /// from the last point; planes have the value 0 at every iterate.

@@ -10,6 +10,7 @@
 
 #include <equilibria/continuation/branch_stepper.hpp>
 #include <equilibria/continuation/corrector.hpp>
+#include <equilibria/continuation/detail/last_factors.hpp>
 #include <equilibria/continuation/factorization/generic_vector.hpp>
 #include <equilibria/continuation/factorization/orthonormalize.hpp>
 
@@ -157,11 +158,12 @@ std::optional<BranchPoint<Erased>> AnyBranchStepper<Matrix>::onto(const AnyConfi
 
 template <class Matrix>
 std::optional<BranchPoint<Erased>> AnyBranchStepper<Matrix>::assess(const AnyConfiguration& q, double p,
-                                                                    const std::optional<Direction>& along) {
+                                                                    const std::optional<Direction>& along,
+                                                                    const Eigen::MatrixXd& guess) {
     Linearization<Matrix> here = problem_.linearization(q, p);
     if (weights_.size() == 0) weights_ = problem_.weights(q, here.residual.size());
-    const auto weak =
-        factor_at_weakest(solver_, std::move(here.tangent), weights_, problem_.multipliers(), border_, {}, watched());
+    const auto weak = factor_at_weakest(solver_, std::move(here.tangent), weights_, problem_.multipliers(), border_,
+                                        guess, watched());
     if (!weak) return std::nullopt;
     return point_of(q, p, here.residual, *weak, solver_.solve(-here.parameter_derivative, 0), along);
 }
@@ -272,6 +274,16 @@ bool AnyBranchStepper<Matrix>::factor(Matrix&& k) {
 }
 
 template <class Matrix>
+std::optional<detail::LastFactors<Matrix>> AnyBranchStepper<Matrix>::last_factors() const {
+    if (!(solver_.work_ratio() >= options_.iterate_from) || solver_.matrix().rows() != weights_.size())
+        return std::nullopt;
+    Eigen::VectorXd scale = weights_.cwiseSqrt();
+    // multipliers have next to no weight
+    scale.tail(problem_.multipliers()).setConstant(scale.maxCoeff());
+    return detail::LastFactors<Matrix>(solver_, std::move(scale), theta_ > 0 ? theta_ : 1.0);
+}
+
+template <class Matrix>
 auto AnyBranchStepper<Matrix>::normal_of(const Point& from, const Direction& predicted, double h) const -> Constraint {
     Constraint y{options_.constraint, predicted, std::abs(h)};
     if (y.kind == StepConstraint::normal_plane) y.normal = from.tangent;
@@ -320,21 +332,26 @@ std::optional<BranchPoint<Erased>> AnyBranchStepper<Matrix>::correct_from(const 
     double p = from.p + moved.p;
     const double start = length(moved);
     double before = 0, contraction = 0;
+    std::optional<detail::LastFactors<Matrix>> last = last_factors();
     for (int k = 0; k < options_.most_corrections; ++k) {
         Linearization<Matrix> here = problem_.linearization(q, p);
         const Eigen::VectorXd &g = here.residual, &g_p = here.parameter_derivative;
-        if (!g.allFinite() || !factor(std::move(here.tangent))) return std::nullopt;
-        Eigen::MatrixXd right = Eigen::MatrixXd::Zero(g.size(), 3);
-        right.col(0) = -g;
-        right.col(1) = -g_p;
-        const BorderedSolutions solutions = solver_.solve(right, Eigen::Vector3d(0, 0, 1));
-        const BorderedSolution q0 = solutions[0], s = solutions[1], r = solutions[2];
+        if (!g.allFinite()) return std::nullopt;
         const auto [normal, value] = constraint_at(constraint, moved, q, p);
-        // [sigma, t_s; n.r, n.s + n_p] [z; dp] = [-t0; -value - n.q0]
-        const double a = r.tau, b = s.tau, c = normal.q.dot(r.x), d = normal.q.dot(s.x) + normal.p;
-        const double e = -q0.tau, f = -value - normal.q.dot(q0.x), determinant = a * d - b * c;
-        const double z = (e * d - b * f) / determinant, dp = (a * f - e * c) / determinant;
-        Direction correction{q0.x + z * r.x + dp * s.x, dp};
+        std::optional<Direction> corrected;
+        if (last) corrected = last->correction(here, normal, -value);
+        std::optional<detail::BorderedPair> factored;
+        if (!corrected) {
+            if (!factor(std::move(here.tangent))) return std::nullopt;
+            Eigen::MatrixXd right = Eigen::MatrixXd::Zero(g.size(), 3);
+            right.col(0) = -g;
+            right.col(1) = -g_p;
+            const BorderedSolutions solutions = solver_.solve(right, Eigen::Vector3d(0, 0, 1));
+            factored = detail::BorderedPair{solutions[2], solutions[1]};
+            corrected = factored->combine(solutions[0], normal, -value);
+            last = last_factors();
+        }
+        const Direction& correction = *corrected;
         const double size = length(correction);
         if (!std::isfinite(size)) return std::nullopt;
         contraction = k > 0 && before > 0 ? size / before : 0;
@@ -347,18 +364,20 @@ std::optional<BranchPoint<Erased>> AnyBranchStepper<Matrix>::correct_from(const 
         };
         if (k > 0 && contraction > 0.7 && size > 1e3 * tolerance(moved) && !rounding()) return std::nullopt;
         q = problem_.retract(q, correction.q);
-        p += dp;
+        p += correction.p;
         moved.q += correction.q;
-        moved.p += dp;
+        moved.p += correction.p;
         before = size;
         if (size <= tolerance(moved) ||
             (k > 0 && contraction > 0.5 && (size <= 1e3 * tolerance(moved) || rounding()))) {
             Direction along = from.tangent;
             along.q = problem_.transport(from.q, moved.q, along.q);
             q = problem_.rebase(q, p);
-            auto point = size > tolerance(moved)
-                             ? assess(q, p, along)
-                             : assess_from(q, p, r, s, size <= 0.01 * tolerance(moved), from, along);
+            if (!factored) border_ = from.border;
+            auto point =
+                !factored || size > tolerance(moved)
+                    ? assess(q, p, along, from.weak_directions())
+                    : assess_from(q, p, factored->r, factored->s, size <= 0.01 * tolerance(moved), from, along);
             if (!point) return std::nullopt;
             point->corrections = k + 1;
             point->step = h;

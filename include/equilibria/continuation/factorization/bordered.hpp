@@ -81,6 +81,7 @@ inline Eigen::MatrixXd symmetric_product(const Eigen::MatrixXd& k, const Eigen::
 ///     BorderedSolutions solve(k, f, xi, transposed, rounds)
 ///         with B or B^T, for each column of f and its xi; rounds: 1 for a rough solution, else 2
 ///     std::optional<TangentInertia> inertia(k, sigma)
+///     double work_ratio()
 template <class Matrix>
 class BorderedFactors;
 
@@ -133,6 +134,9 @@ public:
         return solve(f, Eigen::VectorXd::Constant(1, xi), true)[0];
     }
 
+    /// Multiplications of the last factorisation over those of a solution; 0 where there is none, or it is not known.
+    double work_ratio() const;
+
     /// The inertia of a symmetric K; nothing where it cannot be told. sigma: that of this K.
     std::optional<TangentInertia> inertia(double sigma) const;
     /// The sign of det K; sigma: that of this K.
@@ -146,6 +150,7 @@ private:
     double size_ = 0;
     Border border_;
     int sign_without_ = 1;
+    bool factored_ = false;
     std::unique_ptr<detail::BorderedFactors<Matrix>> factors_;
 };
 

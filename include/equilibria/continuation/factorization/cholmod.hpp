@@ -54,6 +54,7 @@ public:
     }
     int negative() const override { return negative_; }
     Eigen::Index fill() const override { return is_definite_ ? definite_.entries() : indefinite_.entries(); }
+    double work() const override { return is_definite_ ? definite_.work() : indefinite_.work(); }
 
 private:
     /// Of compressed matrices.
@@ -77,16 +78,21 @@ private:
             if (this->m_cholmodFactor) cholmod_free_factor(&this->m_cholmodFactor, &this->cholmod());
             this->m_cholmodFactor = nullptr;
         }
+        double work() const { return work_; }
         bool factor(const Matrix& k, std::vector<int>& order) {
             if (!this->m_cholmodFactor) {
                 auto view = Eigen::viewAsCholmod(k.selfadjointView<Eigen::Lower>());
                 this->m_cholmodFactor = cholmod_analyze_p(&view, order.data(), nullptr, 0, &this->cholmod());
                 this->m_analysisIsOk = this->m_isInitialized = this->m_cholmodFactor != nullptr;
                 if (!this->m_cholmodFactor) throw std::runtime_error("CHOLMOD: the analysis ended without memory");
+                work_ = this->cholmod().fl / 2;
             }
             this->factorize(k);
             return this->info() == Eigen::Success;
         }
+
+    private:
+        double work_ = 0;
     };
     struct Definite : Ordered<Eigen::CholmodSupernodalLLT<Matrix>> {
         Eigen::Index entries() const { return static_cast<Eigen::Index>(m_cholmodFactor->xsize); }

@@ -76,6 +76,7 @@ public:
     /// Null pivots, also where `factor` returned false for them: the nullity, as redundant constraints bring it.
     int zero() const { return info(28); }
     Eigen::Index fill() const override { return info(29) < 0 ? Eigen::Index{-1000000} * info(29) : info(29); }
+    double work() const override { return data_.rinfog[0] / 2; }
 
 private:
     enum Job { initialize = -1, terminate = -2, analysis = 1, factorize = 2, substitute = 3 };

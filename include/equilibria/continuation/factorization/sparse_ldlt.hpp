@@ -48,6 +48,7 @@ public:
     int negative() const override;
     /// Entries of L below its diagonal.
     Eigen::Index fill() const override;
+    double work() const override;
 
 private:
     struct Factors;

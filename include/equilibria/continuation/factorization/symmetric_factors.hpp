@@ -34,6 +34,8 @@ public:
     virtual int negative() const = 0;
     /// Entries of the factors.
     virtual Eigen::Index fill() const = 0;
+    /// Multiplications of a factorisation of the last pattern; 0: not known.
+    virtual double work() const { return 0; }
     /// Whether pivots are chosen so that the solutions can be trusted.
     virtual bool pivots() const { return false; }
 };

@@ -39,16 +39,23 @@ bool BorderedSolver<Matrix>::factor(Matrix&& k, Border border) {
 template <class Matrix>
 bool BorderedSolver<Matrix>::factor(Border border) {
     border_ = border;
+    factored_ = false;
     if (!std::isfinite(size_)) return false;
     const int sign = factors_->factor(k_, border_, size_ > 0 ? size_ : 1.0);
     if (sign != 0) sign_without_ = sign;
-    return sign != 0;
+    factored_ = sign != 0;
+    return factored_;
 }
 
 template <class Matrix>
 BorderedSolutions BorderedSolver<Matrix>::solve(const Eigen::MatrixXd& f, const Eigen::VectorXd& xi, bool transposed,
                                                 int rounds) const {
     return factors_->solve(k_, f, xi, transposed, rounds);
+}
+
+template <class Matrix>
+double BorderedSolver<Matrix>::work_ratio() const {
+    return factored_ ? factors_->work_ratio() : 0;
 }
 
 template <class Matrix>

@@ -84,6 +84,7 @@ public:
         y.negative = y.eigenvalues.below(0);
         return y;
     }
+    double work_ratio() const { return 0; }
 
 private:
     LU lu_;

@@ -121,6 +121,9 @@ public:
         y.negative = *negative_ + (sigma > 0 ? 1 : 0);
         return y;
     }
+    double work_ratio() const {
+        return use_lu_ || factors_->fill() == 0 ? 0 : factors_->work() / (2.0 * static_cast<double>(factors_->fill()));
+    }
 
 private:
     /// Of K without the border.

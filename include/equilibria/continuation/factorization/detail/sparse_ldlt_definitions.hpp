@@ -58,6 +58,7 @@ struct SparseLDLT::Factors {
     }
     int negative() const { return static_cast<int>((d_.array() < 0).count()); }
     Eigen::Index fill() const { return supernodes_.fill(); }
+    double work() const { return supernodes_.work(); }
 
 private:
     template <int N>
@@ -282,5 +283,6 @@ EQUILIBRIA_INLINE bool SparseLDLT::factor(const Matrix& k, const RemovedUnknown&
 EQUILIBRIA_INLINE Eigen::MatrixXd SparseLDLT::solve(const Eigen::MatrixXd& f) const { return factors_->solve(f); }
 EQUILIBRIA_INLINE int SparseLDLT::negative() const { return factors_->negative(); }
 EQUILIBRIA_INLINE Eigen::Index SparseLDLT::fill() const { return factors_->fill(); }
+EQUILIBRIA_INLINE double SparseLDLT::work() const { return factors_->work(); }
 
 }  // namespace equilibria

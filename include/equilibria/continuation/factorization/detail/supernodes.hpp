@@ -77,6 +77,13 @@ public:
     }
     /// Entries of L that are not zero by structure, below its diagonal.
     Eigen::Index fill() const { return fill_; }
+    /// Multiplications of a factorisation: half the square of the entries of each column of the panels.
+    double work() const {
+        double y = 0;
+        for (const Node& node : nodes_)
+            for (int below = node.rows - node.width; below < node.rows; ++below) y += 0.5 * below * (below + 3.0);
+        return y;
+    }
 
 private:
     static std::size_t at(int k) { return static_cast<std::size_t>(k); }

@@ -52,6 +52,8 @@ TEST_CASE("Corrections with the last factors lead to the same branch with fewer 
     options.branch.largest_step = 0.5;
     options.range = {1, 20};
     options.most_steps = 60;
+    // those with a value of their own beside the gradient as well
+    options.branch.constraint = GENERATE(StepConstraint::normal_plane, StepConstraint::sphere);
     const auto follow = [&](double iterate_from) {
         options.branch.iterate_from = iterate_from;
         CountedFactors::count = 0;

@@ -59,8 +59,7 @@ public:
     /// \{
     std::optional<Point> onto(const AnyConfiguration& q, double p, const Direction& increment, const Direction& normal,
                               const Direction& along);
-    std::optional<Point> assess(const AnyConfiguration& q, double p, const std::optional<Direction>& along,
-                                const Eigen::MatrixXd& guess = {});
+    std::optional<Point> assess(const AnyConfiguration& q, double p, const std::optional<Direction>& along);
     Eigen::MatrixXd weak_directions(const AnyConfiguration& q, double p, int count);
 
     Direction difference(const Point& from, const AnyConfiguration& q, double p) const {
@@ -110,6 +109,8 @@ private:
     std::optional<Point> point_of(const AnyConfiguration& q, double p, const Eigen::VectorXd& g,
                                   const WeakDirection& weak, const BorderedSolution& s,
                                   const std::optional<Direction>& along);
+    /// Whether the last factors are worth more than another factorisation.
+    bool iterates() const;
     /// What the solver has factored last, where that is worth more than another factorisation.
     std::optional<detail::LastFactors<Matrix>> last_factors() const;
     Constraint normal_of(const Point& from, const Direction& predicted, double h) const;
@@ -118,7 +119,11 @@ private:
     std::pair<Direction, double> constraint_at(const Constraint& c, const Direction& moved, const AnyConfiguration& q,
                                                double p) const;
     /// Newton's method from q (+) moved; `from.tangent` decides the side of the tangent.
-    std::optional<Point> correct_from(const Point& from, Direction moved, const Constraint& constraint, double h);
+    std::optional<Point> correct_from(const Point& from, const Direction& moved, const Constraint& constraint,
+                                      double h);
+    /// The same by the last factors and those made meanwhile, or, with none, with a factorisation for each correction.
+    std::optional<Point> correct_from(const Point& from, Direction moved, const Constraint& constraint, double h,
+                                      std::optional<detail::LastFactors<Matrix>> last);
     double tolerance(const Direction& moved) const { return options_.tolerance * (1 + length(moved)); }
 
     AnyProblem<Matrix> problem_;

@@ -52,7 +52,8 @@ std::optional<BranchPoint<Erased>> AnyBranchStepper<Matrix>::advance(const Point
             std::abs(*from.negative - *next->negative) > options_.most_sign_changes)
             continue;
         const double by_angle = 0.5 * options_.largest_angle / (next->turning + 1e-9);
-        const double by_corrections = std::exp2((4 - next->corrections) / 2.0);
+        // by GMRES a correction gains three digits, and the last one makes sure
+        const double by_corrections = std::exp2(((iterates() ? 5 : 4) - next->corrections) / 2.0);
         next->proposed_step = h * std::clamp(std::min(by_angle, by_corrections), 0.5, 2.0);
         return next;
     }
@@ -158,12 +159,11 @@ std::optional<BranchPoint<Erased>> AnyBranchStepper<Matrix>::onto(const AnyConfi
 
 template <class Matrix>
 std::optional<BranchPoint<Erased>> AnyBranchStepper<Matrix>::assess(const AnyConfiguration& q, double p,
-                                                                    const std::optional<Direction>& along,
-                                                                    const Eigen::MatrixXd& guess) {
+                                                                    const std::optional<Direction>& along) {
     Linearization<Matrix> here = problem_.linearization(q, p);
     if (weights_.size() == 0) weights_ = problem_.weights(q, here.residual.size());
-    const auto weak = factor_at_weakest(solver_, std::move(here.tangent), weights_, problem_.multipliers(), border_,
-                                        guess, watched());
+    const auto weak =
+        factor_at_weakest(solver_, std::move(here.tangent), weights_, problem_.multipliers(), border_, {}, watched());
     if (!weak) return std::nullopt;
     return point_of(q, p, here.residual, *weak, solver_.solve(-here.parameter_derivative, 0), along);
 }
@@ -274,9 +274,14 @@ bool AnyBranchStepper<Matrix>::factor(Matrix&& k) {
 }
 
 template <class Matrix>
+bool AnyBranchStepper<Matrix>::iterates() const {
+    const double ratio = solver_.work_ratio();
+    return ratio > 0 && ratio >= options_.iterate_from;
+}
+
+template <class Matrix>
 std::optional<detail::LastFactors<Matrix>> AnyBranchStepper<Matrix>::last_factors() const {
-    if (!(solver_.work_ratio() >= options_.iterate_from) || solver_.matrix().rows() != weights_.size())
-        return std::nullopt;
+    if (!iterates() || solver_.matrix().rows() != weights_.size()) return std::nullopt;
     Eigen::VectorXd scale = weights_.cwiseSqrt();
     // multipliers have next to no weight
     scale.tail(problem_.multipliers()).setConstant(scale.maxCoeff());
@@ -326,13 +331,25 @@ std::pair<Direction, double> AnyBranchStepper<Matrix>::constraint_at(const Const
 }
 
 template <class Matrix>
-std::optional<BranchPoint<Erased>> AnyBranchStepper<Matrix>::correct_from(const Point& from, Direction moved,
+std::optional<BranchPoint<Erased>> AnyBranchStepper<Matrix>::correct_from(const Point& from, const Direction& moved,
                                                                           const Constraint& constraint, double h) {
+    const Border border = border_;
+    if (auto last = last_factors()) {
+        if (auto point = correct_from(from, moved, constraint, h, std::move(last))) return point;
+        border_ = border;
+    }
+    return correct_from(from, moved, constraint, h, std::nullopt);
+}
+
+template <class Matrix>
+std::optional<BranchPoint<Erased>> AnyBranchStepper<Matrix>::correct_from(
+    const Point& from, Direction moved, const Constraint& constraint, double h,
+    std::optional<detail::LastFactors<Matrix>> last) {
+    const bool iterate = last.has_value();
     AnyConfiguration q = problem_.retract(from.q, moved.q);
     double p = from.p + moved.p;
     const double start = length(moved);
     double before = 0, contraction = 0;
-    std::optional<detail::LastFactors<Matrix>> last = last_factors();
     for (int k = 0; k < options_.most_corrections; ++k) {
         Linearization<Matrix> here = problem_.linearization(q, p);
         const Eigen::VectorXd &g = here.residual, &g_p = here.parameter_derivative;
@@ -349,7 +366,7 @@ std::optional<BranchPoint<Erased>> AnyBranchStepper<Matrix>::correct_from(const 
             const BorderedSolutions solutions = solver_.solve(right, Eigen::Vector3d(0, 0, 1));
             factored = detail::BorderedPair{solutions[2], solutions[1]};
             corrected = factored->combine(solutions[0], normal, -value);
-            last = last_factors();
+            if (iterate && k == 0) last = last_factors();
         }
         const Direction& correction = *corrected;
         const double size = length(correction);
@@ -368,16 +385,19 @@ std::optional<BranchPoint<Erased>> AnyBranchStepper<Matrix>::correct_from(const 
         moved.q += correction.q;
         moved.p += correction.p;
         before = size;
+        if (!factored) {
+            // the last correction is made with the factors of the point that it leads to
+            if (size <= 300 * tolerance(moved)) last.reset();
+            continue;
+        }
         if (size <= tolerance(moved) ||
             (k > 0 && contraction > 0.5 && (size <= 1e3 * tolerance(moved) || rounding()))) {
             Direction along = from.tangent;
             along.q = problem_.transport(from.q, moved.q, along.q);
             q = problem_.rebase(q, p);
-            if (!factored) border_ = from.border;
-            auto point =
-                !factored || size > tolerance(moved)
-                    ? assess(q, p, along, from.weak_directions())
-                    : assess_from(q, p, factored->r, factored->s, size <= 0.01 * tolerance(moved), from, along);
+            auto point = size > tolerance(moved) ? assess(q, p, along)
+                                                 : assess_from(q, p, factored->r, factored->s,
+                                                               size <= 0.01 * tolerance(moved), from, along);
             if (!point) return std::nullopt;
             point->corrections = k + 1;
             point->step = h;

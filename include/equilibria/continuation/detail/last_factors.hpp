@@ -66,7 +66,7 @@ public:
             return by_factors(symmetric_product(here.tangent, d.q) + here.parameter_derivative * d.p,
                               normal.q.dot(d.q) + normal.p * d.p);
         };
-        const GmresSolution y = gmres(apply, by_factors(-here.residual, -value), tolerance, most_iterations);
+        const GmresSolution y = gmres(apply, by_factors(-here.residual, value), tolerance, most_iterations);
         if (!y.converged) return std::nullopt;
         return unpacked(y.x);
     }

@@ -3,6 +3,18 @@
 /// experiments. A library's own headers include what they use.
 #pragma once
 
+/// \namespace equilibria
+/// All that is public. What stands in a namespace `detail`, in this one or below, may change without notice.
+
+/// \namespace equilibria::constant_math
+/// Elementary functions in constant expressions.
+
+/// \namespace equilibria::fem
+/// Structures with large rotations: elements, joints, supports, loads and the problem that they make.
+
+/// \namespace equilibria::mechanisms
+/// Ready models, each what a user would have written.
+
 #include <equilibria/algebra/bounds.hpp>
 #include <equilibria/algebra/laurent.hpp>
 #include <equilibria/algebra/polynomial_system.hpp>

@@ -231,3 +231,35 @@ TEST_CASE("bad problems are refused by name") {
     CHECK(refusal(5).empty());
     CHECK_THROWS_AS(continue_branch(ShallowArch{2}, VectorXd(Eigen::Vector2d(2, 0)), 0, 2), InvalidArgument);
 }
+
+TEST_CASE("options of critical points out of range are refused, by branches, solvers and finders of events") {
+    const ShallowArch arch{2};
+    const auto refusal = [&](const CriticalPointOptions& critical) {
+        std::string said;
+        const auto refused = [&](const auto& call) {
+            try {
+                call();
+            } catch (const InvalidArgument& error) {
+                return std::string(error.what());
+            }
+            return std::string("nothing");
+        };
+        ContinuationOptions options;
+        options.critical = critical;
+        options.most_steps = 1;
+        BranchStepper<ShallowArch> stepper(arch, options.branch);
+        said = refused([&] { continue_branch(arch, VectorXd(Eigen::Vector2d(2, 0)), 0, 1, options); });
+        CHECK(refused([&] { CriticalPointSolver<ShallowArch>(arch, critical); }) == said);
+        CHECK(refused([&] { EventFinder<ShallowArch>(stepper, critical); }) == said);
+        return said;
+    };
+    constexpr double infinity = std::numeric_limits<double>::infinity(), nan = std::numeric_limits<double>::quiet_NaN();
+    CHECK(refusal({}) == "nothing");
+    CHECK(refusal({.bifurcation_start = infinity, .bifurcation = 0, .reach = infinity}) == "nothing");
+    CHECK(refusal({.most_iterations = 0}) == "most_iterations = 0: must be at least 1");
+    CHECK(refusal({.tolerance = 0}) == "tolerance = 0: must be positive");
+    CHECK(refusal({.tolerance = nan}) == "tolerance = nan: must be positive");
+    CHECK(refusal({.bifurcation_start = -0.5}) == "bifurcation_start = -0.5: must be 0 or positive");
+    CHECK(refusal({.bifurcation = -1}) == "bifurcation = -1: must be 0 or positive");
+    CHECK(refusal({.reach = 0}) == "reach = 0: must be positive");
+}

@@ -1,5 +1,6 @@
 // What a RootSet says of itself, without enumerating.
 #include <array>
+#include <limits>
 #include <sstream>
 #include <string>
 
@@ -50,6 +51,11 @@ TEST_CASE("a root set against which nothing speaks") {
     CHECK(printed(r) ==
           "4 paths: 4 finite, 0 at infinity, 0 singular, 0 failed; 4 distinct roots, 4 real: index 0: 1, 1: 2, 2: 1; "
           "Morse relations hold");
+}
+
+TEST_CASE("a root set without roots that are not real has none with a smallest imaginary part") {
+    CHECK(smallest().smallest_nonreal_imaginary == std::numeric_limits<double>::infinity());
+    CHECK(typed<M>(RootSet<RuntimeUnknowns>{}).smallest_nonreal_imaginary == std::numeric_limits<double>::infinity());
 }
 
 TEST_CASE("what an index counts is said of models without a potential, and no index of polynomials is printed") {

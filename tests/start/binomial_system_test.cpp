@@ -18,6 +18,16 @@ TEST_CASE("the diagonal of a Hermite form multiplies to the determinant, a singu
     CHECK_THROWS_AS(hermite_diagonal({{1, 2}, {2, 4}}), InvalidArgument);
 }
 
+TEST_CASE("a binomial system of 2^64 solutions or more is refused, one of fewer has its number") {
+    const std::vector<Number> ratio(3, Number(1));
+    const auto diagonal = [](int a, int b, int c) {
+        return std::vector<std::vector<int>>{{a, 0, 0}, {0, b, 0}, {0, 0, c}};
+    };
+    CHECK(BinomialSystem(diagonal(1 << 30, 1 << 30, 8), ratio).solutions() == std::uint64_t{1} << 63);
+    CHECK_THROWS_WITH(BinomialSystem(diagonal(1 << 30, 1 << 30, 16), ratio),
+                      "exponents = the absolute value of their determinant: must be below 2^64");
+}
+
 TEST_CASE("binomial systems: as many solutions as the determinant, all different on the torus, each fulfils them") {
     Generator generator(5);
     for (int draw = 0; draw < 100; ++draw) {

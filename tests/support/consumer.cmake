@@ -1,5 +1,5 @@
 # Configures, builds and runs the project in tests/consumer/WAY against the tree SOURCE, or against a copy installed from
-# the build tree BUILT. TARGET: equilibria or compiled. BINARY is this script's own. A user who asks for no warning must
+# the build tree BUILT, or against what the recipes of scripts/packaging/ make. TARGET: equilibria or compiled. BINARY is this script's own. A user who asks for no warning must
 # see none. REFUSED: what the linker has to say, where the project must not link. FLAGS: those of the tree BUILT, so that
 # a LAUNCHER that remembers what it compiled does not compile the library once more for each project.
 cmake_minimum_required(VERSION 3.25)
@@ -7,9 +7,9 @@ cmake_minimum_required(VERSION 3.25)
 file(REMOVE_RECURSE ${BINARY})
 set(prefix ${BINARY}/installed)
 
-if(WAY MATCHES "find_package|pkg_config|mixed")
+if(WAY MATCHES "find_package|pkg_config|cps|mixed")
     execute_process(COMMAND ${CMAKE_COMMAND} --install ${BUILT} --prefix ${prefix} COMMAND_ERROR_IS_FATAL ANY)
-    file(GLOB_RECURSE files ${prefix}/*.cmake ${prefix}/*.pc)
+    file(GLOB_RECURSE files ${prefix}/*.cmake ${prefix}/*.pc ${prefix}/*.cps)
     foreach(file IN LISTS files)
         file(READ ${file} text)
         foreach(tree IN ITEMS ${SOURCE} ${BUILT})
@@ -19,6 +19,22 @@ if(WAY MATCHES "find_package|pkg_config|mixed")
             endif()
         endforeach()
     endforeach()
+endif()
+
+# Packages of the headers are made as their managers would.
+if(WAY STREQUAL "conan")
+    execute_process(
+        COMMAND ${PYTHON} ${SOURCE}/tests/consumer/conan/recipe.py ${SOURCE} ${prefix} ${VERSION} ${GENERATOR} ${COMPILER}
+        COMMAND_ERROR_IS_FATAL ANY
+    )
+elseif(WAY STREQUAL "vcpkg")
+    execute_process(
+        COMMAND
+            ${CMAKE_COMMAND} -DSOURCE=${SOURCE} -DFOLDER=${prefix} -DVERSION=${VERSION} -DGENERATOR=${GENERATOR}
+            -DCOMPILER=${COMPILER} -P ${SOURCE}/tests/consumer/vcpkg/port.cmake
+        COMMAND_ERROR_IS_FATAL ANY
+    )
+    string(APPEND prefix /packages)
 endif()
 
 execute_process(

@@ -30,6 +30,7 @@ struct ContinuationOptions {
     /// Throws InvalidArgument for an option out of range.
     void validate() const {
         branch.validate();
+        critical.validate();
         require(range.low < range.high, "range.low", range.low, "must be below range.high");
         require(most_steps >= 1, "most_steps", most_steps, "must be at least 1");
         require(most_critical_points >= 1, "most_critical_points", most_critical_points, "must be at least 1");

@@ -24,6 +24,7 @@
 #include <equilibria/continuation/critical_kind.hpp>
 #include <equilibria/continuation/factorization/bordered.hpp>
 #include <equilibria/core/compiled.hpp>
+#include <equilibria/core/error.hpp>
 
 namespace equilibria {
 
@@ -35,6 +36,15 @@ struct CriticalPointOptions {
     double bifurcation = 1e-7;        ///< and its point is a bifurcation where the quotient is below this
     /// Of one step, as it is measured in CriticalIteration: Newton's method that makes a longer one is given up.
     double reach = std::numeric_limits<double>::infinity();
+
+    /// Throws InvalidArgument for an option out of range.
+    void validate() const {
+        require(most_iterations >= 1, "most_iterations", most_iterations, "must be at least 1");
+        require(tolerance > 0, "tolerance", tolerance, "must be positive");
+        require(bifurcation_start >= 0, "bifurcation_start", bifurcation_start, "must be 0 or positive");
+        require(bifurcation >= 0, "bifurcation", bifurcation, "must be 0 or positive");
+        require(reach > 0, "reach", reach, "must be positive");
+    }
 };
 
 /// One step of Newton's method on an extended system.
@@ -103,9 +113,11 @@ class CriticalPointSolver {
 public:
     using Matrix = TangentMatrix<P>;  ///< of K, dense or sparse
 
-    /// The problem must outlive the solver.
+    /// The problem must outlive the solver. Throws InvalidArgument for an option out of range.
     explicit CriticalPointSolver(const P& problem, const CriticalPointOptions& options = {})
-        : problem_(problem), options_(options) {}
+        : problem_(problem), options_(options) {
+        options_.validate();
+    }
     explicit CriticalPointSolver(P&&, const CriticalPointOptions& = {}) = delete;
 
     /// The critical point next to (q, p); nothing where neither system converges. border: with which the search for the

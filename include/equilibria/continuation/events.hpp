@@ -50,9 +50,11 @@ class EventFinder {
 public:
     using Point = BranchPoint<P>;  ///< of a branch
 
-    /// The stepper must outlive it.
+    /// The stepper must outlive it. Throws InvalidArgument for an option out of range.
     explicit EventFinder(BranchStepper<P>& stepper, const CriticalPointOptions& options = {})
-        : stepper_(&stepper), options_(options) {}
+        : stepper_(&stepper), options_(options) {
+        options_.validate();
+    }
 
     /// Between the points a and b, next to each other and in the order of travel.
     StepEvents<P> between(const Point& a, const Point& b) {

@@ -6,6 +6,7 @@
 #include <complex>
 #include <cstdint>
 #include <iosfwd>
+#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -73,10 +74,11 @@ struct RootSet {
     std::vector<FailedPath<M>> failures;     ///< paths that were not finished, and why
     Alarms alarms;                           ///< tests that betray lost or doubled roots where no bound is sharp
     double largest_real_imaginary = 0;       ///< the largest imaginary part among the real roots
-    double smallest_nonreal_imaginary = 0;   ///< the smallest among the others; infinity: there are none
-    double tracking_seconds = 0;             ///< for the paths alone
-    double seconds = 0;                      ///< for everything
-    StartReport start{};                     ///< which start it was, and why
+    /// The smallest among the others; infinity: there are none.
+    double smallest_nonreal_imaginary = std::numeric_limits<double>::infinity();
+    double tracking_seconds = 0;                       ///< for the paths alone
+    double seconds = 0;                                ///< for everything
+    StartReport start{};                               ///< which start it was, and why
     [[no_unique_address]] ModelProperties<M> model{};  ///< sizes and symmetries
 
     std::uint64_t distinct() const { return roots.size(); }   ///< complex and real roots

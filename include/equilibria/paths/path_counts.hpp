@@ -28,6 +28,12 @@ struct PathCounts {
         y.singular += moved;
         return y;
     }
+    /// Adds the paths of another run, how they ended and what they took.
+    void add(const PathCounts& other) {
+        total += other.total, finite += other.finite, at_infinity += other.at_infinity, singular += other.singular;
+        failed += other.failed, cancelled += other.cancelled, tracked += other.tracked, retracked += other.retracked;
+        crossed += other.crossed, in_double += other.in_double, more_digits += other.more_digits, steps += other.steps;
+    }
     /// The sum that must hold.
     bool accounted_for() const { return finite + at_infinity + singular + failed + cancelled == total; }
 };

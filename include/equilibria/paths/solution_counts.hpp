@@ -17,14 +17,11 @@ struct SolutionCounts {
 
     /// Adds the numbers of other searches.
     void add(const SolutionCounts& other) {
-        add(other.paths);
+        paths.add(other.paths);
         searches += other.searches, attempts += other.attempts, solutions += other.solutions;
     }
-    /// Adds how many paths there are and how they ended; what they took is not added up.
-    void add(const PathCounts& p) {
-        paths.total += p.total, paths.finite += p.finite, paths.at_infinity += p.at_infinity;
-        paths.singular += p.singular, paths.failed += p.failed;
-    }
+    /// Adds paths alone, see PathCounts::add.
+    void add(const PathCounts& other) { paths.add(other); }
 };
 
 }  // namespace equilibria

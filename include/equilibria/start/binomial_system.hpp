@@ -30,7 +30,8 @@ class BinomialSystem {
 public:
     using Number = std::complex<double>;  ///< type of ratios and of complex angles
 
-    /// As many exponents and ratios as equations, which is not checked. Throws InvalidArgument as hermite_diagonal.
+    /// As many exponents and ratios as equations, which is not checked. Throws InvalidArgument as hermite_diagonal, and
+    /// where there are 2^64 solutions or more.
     BinomialSystem(const std::vector<std::vector<int>>& exponents, std::span<const Number> ratio);
 
     /// |det M|.

@@ -53,7 +53,7 @@ std::optional<BranchPoint<Erased>> AnyBranchStepper<Matrix>::advance(const Point
             continue;
         const double by_angle = 0.5 * options_.largest_angle / (next->turning + 1e-9);
         // by GMRES a correction gains three digits, and the last one makes sure
-        const double by_corrections = std::exp2(((iterates() ? 5 : 4) - next->corrections) / 2.0);
+        const double by_corrections = std::exp2(((iterates() ? 6 : 4) - next->corrections) / 2.0);
         next->proposed_step = h * std::clamp(std::min(by_angle, by_corrections), 0.5, 2.0);
         return next;
     }

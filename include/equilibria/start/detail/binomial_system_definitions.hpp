@@ -42,7 +42,10 @@ EQUILIBRIA_INLINE BinomialSystem::BinomialSystem(const std::vector<std::vector<i
     std::vector<std::vector<std::int64_t>> matrix;
     for (const auto& row : exponents) matrix.emplace_back(row.begin(), row.end());
     diagonal_ = hermite_diagonal(std::move(matrix));
-    for (const std::int64_t d : diagonal_) solutions_ *= static_cast<std::uint64_t>(d);
+    for (const std::int64_t d : diagonal_) {
+        const bool fits = !__builtin_mul_overflow(solutions_, static_cast<std::uint64_t>(d), &solutions_);
+        require(fits, "exponents", "the absolute value of their determinant", "must be below 2^64");
+    }
     const auto size = static_cast<Eigen::Index>(n);
     Eigen::MatrixXd m(size, size);
     for (Eigen::Index r = 0; r < size; ++r)

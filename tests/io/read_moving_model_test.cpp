@@ -170,6 +170,9 @@ TEST_CASE("equilibria of formulas that move: the same roots, and their poles") {
         CHECK(poles.right_half_plane() == found.equilibria[k].index);  // Kelvin, Tait and Chetaev
         CHECK(poles.verdict() == typed.verdict());
         CHECK((poles.poles - typed.poles).norm() < 1e-9);
+        REQUIRE(count_poles_at_rest(model, q, runtime_array(p)));
+        CHECK(count_poles_at_rest(model, q, runtime_array(p))->poles == poles.poles);
+        CHECK(!count_poles_at_rest(model, q, runtime_array(Mechanism::paper_parameters(100, 0.7))));
     }
 }
 
@@ -241,6 +244,7 @@ TEST_CASE("what stops a motion of formulas is a status, what is wrong with it an
     const auto through = integrate_motion(model, model.values, {{0, 0}, {1, 0}}, {1});
     CHECK(through.status == MotionStatus::singular_mass_matrix);
     CHECK(through.points.empty());
+    CHECK(!count_poles_at_rest(model, {0, 0}, model.values));
     const auto few = integrate_motion(model, model.values, {{1, 1}, {0, 0}}, {1, 1000}, {.most_steps = 500});
     CHECK(few.status == MotionStatus::too_many_steps);
     CHECK(few.points.size() == 1);

@@ -136,7 +136,7 @@ private:
             throw InvalidArgument("formula", name,
                                   "must not stand in a potential: it holds a rate or the time, or is no polynomial of "
                                   "sines, cosines and coordinates");
-        if (builder_.steps().depends_on(formula.step, FormulaOperation::time))
+        if (!kinetics_.time.empty() && builder_.steps().depends_on(formula.step, FormulaOperation::time))
             throw InvalidArgument("formula", name, "must stand in generalised_forces alone: it depends on the time");
         return formula;
     }

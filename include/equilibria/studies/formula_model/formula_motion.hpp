@@ -5,6 +5,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include <Eigen/Core>
@@ -40,6 +41,11 @@ Motion<RuntimeUnknowns> integrate_motion(const FormulaModel& model, const Runtim
 /// not move, and where its mass matrix is not positive definite there.
 PoleCount<Eigen::MatrixXd> count_poles(const FormulaModel& model, const RuntimeArray<double>& q,
                                        const RuntimeArray<double>& p);
+
+/// The same where q is a place of rest, as an equilibrium of the potential is as long as the other forces vanish there;
+/// nothing where they do not, at one of a few times, nor where the mass matrix is not positive definite.
+std::optional<PoleCount<Eigen::MatrixXd>> count_poles_at_rest(const FormulaModel& model, const RuntimeArray<double>& q,
+                                                              const RuntimeArray<double>& p);
 
 /// The kinetic energy at unknowns and rates.
 double kinetic_energy_of(const FormulaModel& model, const RuntimeArray<double>& q, const RuntimeArray<double>& v,

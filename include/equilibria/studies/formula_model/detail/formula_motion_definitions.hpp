@@ -3,8 +3,11 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
+
+#include <Eigen/Cholesky>
 
 #include <equilibria/core/error.hpp>
 #include <equilibria/dynamics/hamilton.hpp>
@@ -34,6 +37,21 @@ EQUILIBRIA_INLINE Motion<RuntimeUnknowns> integrate_motion(const FormulaModel& m
 EQUILIBRIA_INLINE PoleCount<Eigen::MatrixXd> count_poles(const FormulaModel& model, const RuntimeArray<double>& q,
                                                          const RuntimeArray<double>& p) {
     return count_poles(linearise(*kinetic_functions(model), q, p));
+}
+
+EQUILIBRIA_INLINE std::optional<PoleCount<Eigen::MatrixXd>> count_poles_at_rest(const FormulaModel& model,
+                                                                                const RuntimeArray<double>& q,
+                                                                                const RuntimeArray<double>& p) {
+    const auto functions = kinetic_functions(model);
+    const auto system = linearise(*functions, q, p);
+    const RuntimeArray<double> rest(functions->unknowns());
+    const double rounding = 1e-12 * functions->hessian(q, p).cwiseAbs().maxCoeff();
+    for (const double t : {0., 0.7345, 12.34, 345.6})
+        if (!(functions->generalised_forces(t, q, rest, p).cwiseAbs().maxCoeff() <= rounding)) return {};
+    if (!system.mass.allFinite() || !system.damping.allFinite() ||
+        Eigen::LLT<Eigen::MatrixXd>(system.mass).info() != Eigen::Success)
+        return {};
+    return count_poles(system);
 }
 
 EQUILIBRIA_INLINE double kinetic_energy_of(const FormulaModel& model, const RuntimeArray<double>& q,

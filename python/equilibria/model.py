@@ -570,6 +570,8 @@ class Model:
             if not (np.isfinite(asked) and asked > 0):
                 raise InvalidArgument(f"times = {times!r}: must be positive where it is one number")
             asked = np.linspace(0, float(asked), 201)
+        if not 1e-15 <= tolerance < 1:
+            raise InvalidArgument(f"tolerance = {tolerance}: must be from 1e-15 to 1, 1 excluded")
         p = self._at(at, parameters)
         q = self._start(start, self.unknowns, "start")
         v = np.zeros(len(self.unknowns)) if rates is None else self._start(rates, self.rates, "rates")
@@ -596,6 +598,9 @@ class Model:
                     f"{argument} = an array of shape {values.shape}: must have a number for each unknown: "
                     f"{', '.join(self.unknowns)}"
                 )
+            for name, value in zip(names, values):
+                if not np.isfinite(value):
+                    raise InvalidArgument(f"{argument}: {name} = {value}: must be finite")
             return values
         y = np.zeros(len(self.unknowns))
         for name, value in given.items():
@@ -605,6 +610,8 @@ class Model:
                 y[names.index(name)] = float(value)
             except (TypeError, ValueError):
                 raise InvalidArgument(f"{name} = {value!r}: must be a number") from None
+            if not np.isfinite(y[names.index(name)]):
+                raise InvalidArgument(f"{argument}: {name} = {value}: must be finite")
         return y
 
     def export(self, program: str, at: Optional[Mapping[str, float]] = None, **parameters: float) -> str:

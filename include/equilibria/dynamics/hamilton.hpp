@@ -3,6 +3,7 @@
 /// Theoretical and Applied Mechanics (2022), section 1.6, with p = dL/dv.
 #pragma once
 
+#include <concepts>
 #include <memory>
 #include <utility>
 

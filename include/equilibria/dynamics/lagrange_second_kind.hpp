@@ -4,6 +4,7 @@
 /// section 1.5.
 #pragma once
 
+#include <concepts>
 #include <memory>
 #include <optional>
 #include <utility>

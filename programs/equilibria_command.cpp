@@ -1,6 +1,7 @@
-// Models from files: their equilibria, with proofs, events, diagrams and loci, without a compiler.
+// Models from files: their equilibria, with proofs, events, diagrams and loci, and their motion, without a compiler.
 //
 //   equilibria solve pendulum.json --set omega=2
+//   equilibria motion elastic_pendulum.json --start t=0.3,x=1 --until 20 --png motion.png
 //   equilibria locus pendulum.json --x alpha=0:1 --y omega=0:5 --png locus.png
 #include <array>
 #include <cstdio>
@@ -17,13 +18,14 @@ struct Subcommand {
     int (*run)(int argc, char** argv);
 };
 
-constexpr std::array<Subcommand, 7> subcommands{{
+constexpr std::array<Subcommand, 8> subcommands{{
     {"solve", "every isolated equilibrium, with its index and energy", commands::solve},
     {"prove", "the same, each proved, and, where a bound is reached, that none is missing", commands::prove},
     {"events", "where along one parameter equilibria are born, merge or change their index", commands::events},
     {"diagram", "all equilibria against one parameter", commands::diagram},
     {"locus", "folds, pitchforks, cusps and regions in a plane of two parameters", commands::locus},
     {"sweep", "how many equilibria there are at many points", commands::sweep},
+    {"motion", "the motion from a start, where the model has a kinetic energy", commands::motion},
     {"export", "the equations as polynomials for PHCpack, Bertini, HomotopyContinuation.jl, Macaulay2",
      commands::export_polynomials},
 }};

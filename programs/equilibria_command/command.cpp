@@ -10,12 +10,18 @@
 
 namespace commands {
 
-void Command::add_to(support::CommandLine& app) {
+void Command::add_model_to(support::CommandLine& app) {
     app.add_option("FILE", file, "the model, as JSON").transform(support::name_of("a file"));
     app.add_option("--set", fixed, "NAME=VALUE, commas between: parameters other than as the file has them");
+}
+void Command::add_json_to(support::CommandLine& app) {
+    support::add_output(app, "--json", json, "write JSON to this file, or to stdout for -, instead of a table");
+}
+void Command::add_to(support::CommandLine& app) {
+    add_model_to(app);
     app.add_seed(seed, "of the random start systems, an integer (default 1); the same seed, the same result");
     app.add_threads(threads, "1 to 1024, 0 for one each core (default 1); does not change the result");
-    support::add_output(app, "--json", json, "write JSON to this file, or to stdout for -, instead of a table");
+    add_json_to(app);
 }
 
 equilibria::RunOptions Command::run() const { return {.seed = seed, .executor = equilibria::threads(threads)}; }
@@ -27,18 +33,14 @@ std::vector<std::string> split(const std::string& text, char separator) {
     return y;
 }
 
-namespace {
-
-int number_of(const FormulaModel& model, const std::string& option, const std::string& name) {
+int number_of(const std::vector<std::string>& names, const std::string& option, const std::string& name) {
     try {
-        return equilibria::number_of_name(model.parameters, name, option);
+        return equilibria::number_of_name(names, name, option);
     } catch (const std::exception& error) {
         const std::string what = error.what(), before = option + " = ";  // as options are refused: without "="
         support::refuse(what.starts_with(before) ? option + " " + what.substr(before.size()) : what);
     }
 }
-
-}  // namespace
 
 Input read(const Command& c) {
     if (c.file.empty()) support::fail("FILE", "", "must be given: a model as JSON");
@@ -55,7 +57,7 @@ Input read(const Command& c) {
         const auto value = equal == part.npos ? std::nullopt : support::parsed(part.substr(equal + 1));
         if (!value || !std::isfinite(*value))
             support::fail("--set", support::shown(part), "must be NAME=VALUE, commas between, finite");
-        y.p[number_of(y.model, "--set", part.substr(0, equal))] = *value;
+        y.p[number_of(y.model.parameters, "--set", part.substr(0, equal))] = *value;
     }
     return y;
 }
@@ -70,7 +72,7 @@ Varied varied(const Input& input, const std::string& option, const std::string& 
     if (!low || !high || !std::isfinite(*low) || !std::isfinite(*high) || !(*low < *high))
         support::fail(option, support::shown(text), allowed);
     const std::string name = text.substr(0, equal);
-    return {number_of(input.model, option, name), name, *low, *high};
+    return {number_of(input.model.parameters, option, name), name, *low, *high};
 }
 
 Json heading(const Command& c, const Input& input) {

@@ -27,6 +27,9 @@ struct Command {
     std::optional<support::OutputFile> json;
 
     void add_to(support::CommandLine& app);
+    /// Of these the model's options, and the output's, for what draws no random numbers.
+    void add_model_to(support::CommandLine& app);
+    void add_json_to(support::CommandLine& app);
     equilibria::RunOptions run() const;
 };
 
@@ -38,6 +41,9 @@ struct Input {
 
 /// The model in the file with the parameters as --set has them; ends the program where something is wrong.
 Input read(const Command& c);
+
+/// The number of the name that an option gives; ends the program where it is none of these.
+int number_of(const std::vector<std::string>& names, const std::string& option, const std::string& name);
 
 /// NAME=LOW:HIGH of a parameter.
 struct Varied {
@@ -67,6 +73,7 @@ int events(int argc, char** argv);
 int diagram(int argc, char** argv);
 int locus(int argc, char** argv);
 int sweep(int argc, char** argv);
+int motion(int argc, char** argv);
 int export_polynomials(int argc, char** argv);
 
 }  // namespace commands

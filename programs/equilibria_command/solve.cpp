@@ -4,9 +4,12 @@
 #include <optional>
 #include <sstream>
 #include <string>
+#include <vector>
 
 #include <equilibria/io/results/proof_output.hpp>
 #include <equilibria/io/results/root_set_output.hpp>
+#include <equilibria/io/results/stability_output.hpp>
+#include <equilibria/studies/formula_model/formula_motion.hpp>
 #include <equilibria/studies/formula_model/formula_searches.hpp>
 
 #include "command.hpp"
@@ -46,9 +49,19 @@ int enumerated(const char* name, bool proved, int argc, char** argv) {
     std::optional<equilibria::ProofOfRoots> proof;
     if (proved) proof = equilibria::prove(input.model, set, c.run());
 
+    std::vector<std::optional<equilibria::PoleCount<Eigen::MatrixXd>>> poles;  // of models that move
+    if (input.model.kinetics)
+        for (const auto& e : set.equilibria)
+            poles.push_back(equilibria::count_poles_at_rest(input.model, e.q, input.p));
+
     if (c.json) {
         Json out = heading(c, input), found = equilibria::json_of(set, {input.model.parameters});
         found.erase("parameters");
+        for (std::size_t k = 0; k < poles.size(); ++k) {
+            Json& e = found["equilibria"][k];
+            e["verdict"] = poles[k] ? Json(to_string(poles[k]->verdict())) : Json();
+            e["poles"] = poles[k] ? equilibria::json_list(poles[k]->poles) : Json();
+        }
         equilibria::add_keys(out, found);
         if (proof) out["proof"] = equilibria::json_of(*proof);
         c.json->write(equilibria::json_text(out));
@@ -56,11 +69,14 @@ int enumerated(const char* name, bool proved, int argc, char** argv) {
     if (!to_stdout(c.json)) {
         std::printf("%s\n\n", in_words(input).c_str());
         print_names(input.model);
-        std::printf("  index        energy  residual  condition\n");
-        for (const auto& e : set.equilibria) {
+        std::printf("  index        energy  residual  condition%s\n", poles.empty() ? "" : "  motion");
+        for (std::size_t k = 0; k < set.equilibria.size(); ++k) {
+            const auto& e = set.equilibria[k];
             print_unknowns(e.q);
-            std::printf("  %4d%s  %13.8g  %.1e  %.1e\n", e.index, e.degenerate() ? "*" : " ", e.energy, e.residual,
+            std::printf("  %4d%s  %13.8g  %.1e  %.1e", e.index, e.degenerate() ? "*" : " ", e.energy, e.residual,
                         e.condition);
+            if (!poles.empty()) std::printf("     %s", poles[k] ? to_string(poles[k]->verdict()) : "-");
+            std::printf("\n");
         }
         if (set.degenerate() > 0)
             std::printf("* degenerate: %llu\n", static_cast<unsigned long long>(set.degenerate()));

@@ -18,7 +18,7 @@ else:
 
     _require(_instructions)
 
-from ._core import Expression, InvalidArgument, __version__
+from ._core import CheckpointError, Expression, InvalidArgument, __version__
 from . import continuation
 from .functions import cos, exp, log, pi, sin, sqrt, tan
 from .model import Model
@@ -30,6 +30,7 @@ from .results import (
     Events,
     Interval,
     Locus,
+    Motion,
     Piece,
     Proof,
     Region,
@@ -39,6 +40,7 @@ from .results import (
 )
 
 __all__ = [
+    "CheckpointError",
     "Curve",
     "Diagram",
     "Equilibrium",
@@ -49,6 +51,7 @@ __all__ = [
     "InvalidArgument",
     "Locus",
     "Model",
+    "Motion",
     "Piece",
     "Proof",
     "Region",

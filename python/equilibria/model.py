@@ -8,9 +8,10 @@ from typing import Any, Callable, Dict, Iterator, List, Mapping, Optional, Seque
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from . import _core
 from ._core import Expression, FormulaBuilder, FormulaModel, InvalidArgument
 from .progress import Progress, reporting
-from .results import Diagram, Events, Locus, Proof, RootSet, Sweep
+from .results import Diagram, Events, Locus, Motion, Proof, RootSet, Sweep
 
 Names = Union[int, Sequence[str]]
 
@@ -95,9 +96,20 @@ class Model:
     coordinates: names of the other unknowns, or how many there are (x1, x2, ..).
     equations: whether the function returns equations; None: it does if it returns a list, a tuple or an array.
 
+    A model that moves has a kinetic energy beside its potential, and may have damping and other forces:
+
+    kinetic_energy: `function(t, v, p)`, or `function(t, x, v, p)` where there are coordinates: a quadratic form in v, the
+        rates of the unknowns, angles' first, by number or by name.
+    dissipation: Rayleigh's function, of the same arguments; the damping forces are its derivatives by v, with the other
+        sign.
+    generalised_forces: `function(time, t, v, p)`, or `function(time, t, x, v, p)`: a list, one for each unknown, of all
+        forces that neither the potential nor the dissipation gives.
+    rates: names of the rates; None: t1_rate, .., of the unknowns' names.
+
     The rules: an angle stands inside sin and cos alone, as a sum of integer multiples of angles and constant phases;
     angles and coordinates enter by polynomials of their sines, cosines and values; parameters by any of +, -, *, /,
-    **, sin, cos, tan, sqrt, exp, log. What breaks a rule raises InvalidArgument where it happens.
+    **, sin, cos, tan, sqrt, exp, log. In the functions of a motion unknowns, rates and the time enter by any of these as
+    well, but for angles themselves. What breaks a rule raises InvalidArgument where it happens.
     """
 
     def __init__(
@@ -108,6 +120,10 @@ class Model:
         coordinates: Names = 0,
         equations: Optional[bool] = None,
         name: str = "",
+        kinetic_energy: Optional[Callable[..., Any]] = None,
+        dissipation: Optional[Callable[..., Any]] = None,
+        generalised_forces: Optional[Callable[..., Any]] = None,
+        rates: Optional[Sequence[str]] = None,
     ) -> None:
         angle_names = _names(angles, "t", "angles")
         coordinate_names = _names(coordinates, "x", "coordinates")
@@ -116,14 +132,32 @@ class Model:
         t = Values(angle_names, [builder.angle(k) for k in range(len(angle_names))], "angle")
         x = Values(coordinate_names, [builder.coordinate(k) for k in range(len(coordinate_names))], "coordinate")
         p = Values(list(values), [builder.parameter(k) for k in range(len(values))], "parameter")
-        formulas = function(t, x, p) if coordinate_names else function(t, p)
-        if isinstance(formulas, np.ndarray):
-            formulas = formulas.ravel().tolist() if formulas.ndim else formulas.item()
+        place = (t, x) if coordinate_names else (t,)
+        formulas = _listed(function(*place, p))
         if equations is None:
-            equations = isinstance(formulas, (list, tuple))
-        listed = list(formulas) if isinstance(formulas, (list, tuple)) else [formulas]
+            equations = isinstance(formulas, list)
+        listed = formulas if isinstance(formulas, list) else [formulas]
         self._data = _formula_model(
             name, angle_names, coordinate_names, values, not equations, builder, [_formula(f, builder) for f in listed]
+        )
+        _require_kinetic_energy(kinetic_energy, dissipation, generalised_forces, rates)
+        if kinetic_energy is None:
+            return
+        unknowns = angle_names + coordinate_names
+        rate_names = _rate_names(rates, unknowns, list(values))
+        builder.begin_motion()
+        v = Values(rate_names, [builder.rate(k) for k in range(len(unknowns))], "rate")
+        forces: List[Any] = []
+        if generalised_forces is not None:
+            forces = _forces(_listed(generalised_forces(builder.time(), *place, v, p)))
+        self._data = _core.with_kinetics(
+            self._data,
+            builder,
+            rate_names,
+            _unused("time", unknowns + list(values) + rate_names) if forces else "",
+            _formula(kinetic_energy(*place, v, p), builder),
+            None if dissipation is None else _formula(dissipation(*place, v, p), builder),
+            [_formula(f, builder) for f in forces],
         )
 
     @classmethod
@@ -140,7 +174,8 @@ class Model:
     @classmethod
     def parse(cls, text: str) -> "Model":
         """The model that a text in JSON says: "angles", "coordinates", "parameters" with their values, "definitions",
-        and "potential" or "equations", which are formulas such as "-cos(t1) - k*cos(t1 - t2)^2".
+        and "potential" or "equations", which are formulas such as "-cos(t1) - k*cos(t1 - t2)^2"; of one that moves also
+        "rates", "kinetic_energy", "dissipation", "generalised_forces" and "time".
 
         Raises InvalidArgument for what is none, with line and column.
         """
@@ -154,11 +189,20 @@ class Model:
         parameters: Optional[Mapping[Any, float]] = None,
         coordinates: Sequence[Any] = (),
         name: str = "",
+        kinetic_energy: Any = None,
+        dissipation: Any = None,
+        generalised_forces: Optional[Sequence[Any]] = None,
+        rates: Optional[Sequence[Any]] = None,
+        time: Any = None,
     ) -> "Model":
         """The model of a potential that is a sympy expression, or of equations: a list or a column of them.
 
         angles, coordinates: sympy's symbols, or applied functions such as theta(t). parameters: symbols and their
         values. Names of unknowns are the symbols'. Raises InvalidArgument for what a model cannot have.
+
+        kinetic_energy, dissipation: expressions, of a model that moves; generalised_forces: one for each unknown. rates:
+        symbols; None: of unknowns that are applied functions their derivatives, theta(t).diff(t). time: a symbol; None:
+        what those functions are of.
         """
         import sympy
 
@@ -168,20 +212,45 @@ class Model:
         angles, coordinates = ([sympify(s) for s in symbols] for symbols in (angles, coordinates))
         values = {sympify(symbol): value for symbol, value in (parameters or {}).items()}
         builder = FormulaBuilder(len(angles), len(coordinates), len(values))
+        unknowns = [*angles, *coordinates]
+        _require_kinetic_energy(kinetic_energy, dissipation, generalised_forces, rates)
         known = {symbol: builder.angle(k) for k, symbol in enumerate(angles)}
         known.update({symbol: builder.coordinate(k) for k, symbol in enumerate(coordinates)})
         known.update({symbol: builder.parameter(k) for k, symbol in enumerate(values)})
         has_potential = not isinstance(expression, (list, tuple, sympy.MatrixBase))
         listed = [expression] if has_potential else list(expression)
+        data = _formula_model(
+            name,
+            [_sympy_name(s) for s in angles],
+            [_sympy_name(s) for s in coordinates],
+            {_sympy_name(s): value for s, value in values.items()},
+            has_potential,
+            builder,
+            [converted(e, known, builder) for e in listed],
+        )
+        if kinetic_energy is None:
+            return cls._of(data)
+        names = [_sympy_name(s) for s in unknowns]
+        derivatives, time = _sympy_rates(unknowns, rates, None if time is None else sympify(time))
+        rate_names = _rate_names(
+            None if rates is None else [_sympy_name(s) for s in derivatives], names, [_sympy_name(s) for s in values]
+        )
+        builder.begin_motion()
+        known.update({symbol: builder.rate(k) for k, symbol in enumerate(derivatives)})
+        energies = [None if e is None else converted(e, known, builder) for e in (kinetic_energy, dissipation)]
+        if time is not None:
+            known[time] = builder.time()
+        forces = [] if generalised_forces is None else _forces(list(generalised_forces))
+        time_name = _unused("time" if time is None else _sympy_name(time), names + data.parameters + rate_names)
         return cls._of(
-            _formula_model(
-                name,
-                [_sympy_name(s) for s in angles],
-                [_sympy_name(s) for s in coordinates],
-                {_sympy_name(s): value for s, value in values.items()},
-                has_potential,
+            _core.with_kinetics(
+                data,
                 builder,
-                [converted(e, known, builder) for e in listed],
+                rate_names,
+                time_name if forces else "",
+                energies[0],
+                energies[1],
+                [converted(e, known, builder) for e in forces],
             )
         )
 
@@ -213,6 +282,16 @@ class Model:
     def has_potential(self) -> bool:
         """Whether the model is given by its potential."""
         return self._data.has_potential
+
+    @property
+    def moves(self) -> bool:
+        """Whether the model has a kinetic energy."""
+        return self._data.moves
+
+    @property
+    def rates(self) -> List[str]:
+        """Names of the rates of the unknowns, in their order, of a model that moves."""
+        return self._data.rates
 
     def __repr__(self) -> str:
         values = ", ".join(f"{key}={value:.6g}" for key, value in self.parameters.items())
@@ -395,6 +474,7 @@ class Model:
         threads: int = 1,
         prove: bool = False,
         progress: Progress = False,
+        checkpoint: Union[str, "os.PathLike[str]", None] = None,
         at: Optional[Mapping[str, float]] = None,
         **parameters: float,
     ) -> Sweep:
@@ -402,7 +482,8 @@ class Model:
 
         values: of one or more parameters. grid: every combination of their one-dimensional arrays, the last one
         fastest; otherwise the arrays, of one shape or broadcast to it, are the points. prove: each root, by Krawczyk's
-        test. Ctrl-C ends the call within a moment.
+        test. checkpoint: a file that keeps the points that are finished; the same call goes on from there, with any number
+        of threads. One of another call, or a damaged one, raises CheckpointError. Ctrl-C ends the call within a moment.
         """
         if not values:
             raise InvalidArgument("values = {}: must name a parameter with its values")
@@ -427,8 +508,111 @@ class Model:
         if points.size and not np.isfinite(points).all():
             raise InvalidArgument("values: must be finite")
         with reporting(progress, "sweep") as report:
-            found = self._data.sweep(points, prove=bool(prove), progress=report, **_run(seed, threads))
+            found = self._data.sweep(
+                points,
+                prove=bool(prove),
+                checkpoint="" if checkpoint is None else os.fspath(checkpoint),
+                progress=report,
+                **_run(seed, threads),
+            )
         return Sweep._of(self, {str(name): array for name, array in zip(values, arrays)}, found)
+
+    def kinetic_energy(
+        self, q: ArrayLike, v: ArrayLike, at: Optional[Mapping[str, float]] = None, **parameters: float
+    ) -> float:
+        """T at unknowns q and rates v, arrays (n,), of a model that moves."""
+        return _core.kinetic_energy(self._data, _unknowns(q), _unknowns(v, "v"), self._at(at, parameters))
+
+    def poles(
+        self, q: ArrayLike, at: Optional[Mapping[str, float]] = None, **parameters: float
+    ) -> NDArray[np.complex128]:
+        """The poles of the motion about an equilibrium q, an array (n,), linearised at the time 0: 2 n complex numbers a
+        unit of time, those with the largest real part last. The equilibrium is asymptotically stable where all real
+        parts are negative."""
+        return _core.poles(self._data, _unknowns(q), self._at(at, parameters))[0]
+
+    def stability(self, q: ArrayLike, at: Optional[Mapping[str, float]] = None, **parameters: float) -> str:
+        """What poles, Routh's table and Hurwitz's minors say of the motion about an equilibrium q, an array (n,):
+        "stable" (asymptotically), "unstable", or "marginal" where poles are on the imaginary axis, as without damping,
+        or the criteria do not agree."""
+        return _core.poles(self._data, _unknowns(q), self._at(at, parameters))[1]
+
+    def motion(
+        self,
+        start: Union[ArrayLike, Mapping[str, float]],
+        rates: Union[ArrayLike, Mapping[str, float], None] = None,
+        times: ArrayLike = 10.0,
+        formulation: str = "lagrange",
+        tolerance: float = 1e-12,
+        largest_step: float = 0.0,
+        most_steps: int = 10_000_000,
+        progress: Progress = False,
+        at: Optional[Mapping[str, float]] = None,
+        **parameters: float,
+    ) -> Motion:
+        """The motion from a place at the time 0, by Dormand and Prince's method with dense output, and its energy balance.
+
+        start: the unknowns at the time 0, an array (n,) of angles in radians and coordinates, or numbers by name, others
+        0. rates: theirs, an array (n,) or numbers by the names of `rates`; None: from rest. times: at which the motion is
+        asked for, an array (points,), none below 0, none below the one before; or a number: 201 even times from 0 to it.
+        formulation: "lagrange", Lagrange's equations of the second kind, or "hamilton", the canonical ones. tolerance: of
+        a step, relative and absolute. largest_step: in units of time; 0: no bound. progress: as of enumerate, of the
+        times.
+
+        What stops a motion, a singular mass matrix for instance, is its status, and the points before are kept. Ctrl-C
+        ends the call within a moment, by KeyboardInterrupt.
+        """
+        try:
+            asked = np.asarray(times, dtype=float)
+        except (TypeError, ValueError):
+            raise InvalidArgument(f"times = {times!r}: must be an array of real numbers, or a number") from None
+        if asked.ndim == 0:
+            if not (np.isfinite(asked) and asked > 0):
+                raise InvalidArgument(f"times = {times!r}: must be positive where it is one number")
+            asked = np.linspace(0, float(asked), 201)
+        if not 1e-15 <= tolerance < 1:
+            raise InvalidArgument(f"tolerance = {tolerance}: must be from 1e-15 to 1, 1 excluded")
+        p = self._at(at, parameters)
+        q = self._start(start, self.unknowns, "start")
+        v = np.zeros(len(self.unknowns)) if rates is None else self._start(rates, self.rates, "rates")
+        with reporting(progress, "motion") as report:
+            found = _core.integrate_motion(
+                self._data,
+                p,
+                q,
+                v,
+                np.ascontiguousarray(asked),
+                str(formulation),
+                tolerance=float(tolerance),
+                largest_step=float(largest_step),
+                most_steps=_integer(most_steps, "most_steps", 1, 2**63 - 1),
+                progress=report,
+            )
+        return Motion._of(self, p, str(formulation), found)
+
+    def _start(self, given: Any, names: Sequence[str], argument: str) -> NDArray[np.float64]:
+        if not isinstance(given, Mapping):
+            values = _unknowns(given, argument)
+            if values.shape != (len(self.unknowns),):
+                raise InvalidArgument(
+                    f"{argument} = an array of shape {values.shape}: must have a number for each unknown: "
+                    f"{', '.join(self.unknowns)}"
+                )
+            for name, value in zip(names, values):
+                if not np.isfinite(value):
+                    raise InvalidArgument(f"{argument}: {name} = {value}: must be finite")
+            return values
+        y = np.zeros(len(self.unknowns))
+        for name, value in given.items():
+            if name not in names:
+                raise InvalidArgument(f"{argument} = {name}: must be {_either(names)}")
+            try:
+                y[names.index(name)] = float(value)
+            except (TypeError, ValueError):
+                raise InvalidArgument(f"{name} = {value!r}: must be a number") from None
+            if not np.isfinite(y[names.index(name)]):
+                raise InvalidArgument(f"{argument}: {name} = {value}: must be finite")
+        return y
 
     def export(self, program: str, at: Optional[Mapping[str, float]] = None, **parameters: float) -> str:
         """The equations as polynomials in the cosine c1 and the sine s1 of each angle, with c1^2 + s1^2 = 1, and in the
@@ -469,11 +653,68 @@ def _formula_model(
     )
 
 
-def _unknowns(q: ArrayLike) -> NDArray[np.float64]:
+def _listed(formulas: Any) -> Any:
+    """What a function returned: one thing, or a list."""
+    if isinstance(formulas, np.ndarray):
+        return formulas.ravel().tolist() if formulas.ndim else formulas.item()
+    return list(formulas) if isinstance(formulas, tuple) else formulas
+
+
+def _forces(given: Any) -> List[Any]:
+    if not isinstance(given, list):
+        raise InvalidArgument(f"generalised_forces = {given!r}: must be a list, one for each unknown")
+    if not given:
+        raise InvalidArgument("number of generalised_forces = 0: must be one for each unknown")
+    return given
+
+
+def _require_kinetic_energy(kinetic_energy: Any, dissipation: Any, generalised_forces: Any, rates: Any) -> None:
+    others = {"dissipation": dissipation, "generalised_forces": generalised_forces, "rates": rates}
+    for argument, value in others.items():
+        if kinetic_energy is None and value is not None:
+            raise InvalidArgument(f"{argument} = without kinetic_energy: must stand beside one")
+
+
+def _unused(name: str, names: Sequence[str]) -> str:
+    while name in names:
+        name += "_"
+    return name
+
+
+def _rate_names(rates: Optional[Sequence[str]], unknowns: Sequence[str], parameters: Sequence[str]) -> List[str]:
+    if rates is None:
+        return [_unused(f"{name}_rate", [*unknowns, *parameters]) for name in unknowns]
+    if isinstance(rates, str):
+        raise InvalidArgument(f"rates = {rates!r}: must be a list of names, one for each unknown")
+    names = [str(name) for name in rates]
+    if len(names) != len(unknowns):
+        raise InvalidArgument(f"number of rates = {len(names)}: must be one for each unknown: {len(unknowns)}")
+    return names
+
+
+def _unknowns(q: ArrayLike, argument: str = "q") -> NDArray[np.float64]:
     try:
         return np.ascontiguousarray(q, dtype=float)
     except (TypeError, ValueError):
-        raise InvalidArgument(f"q = {q!r}: must be an array of real numbers") from None
+        raise InvalidArgument(f"{argument} = {q!r}: must be an array of real numbers") from None
+
+
+def _sympy_rates(unknowns: Sequence[Any], rates: Optional[Sequence[Any]], time: Any) -> Tuple[List[Any], Any]:
+    """The symbols or derivatives of the rates, and the time's symbol, where there is one."""
+    import sympy
+
+    sympify: Any = sympy.sympify
+    if time is None:
+        times = {s.args[0] for s in unknowns if not s.is_Symbol and len(s.args) == 1}
+        time = times.pop() if len(times) == 1 else None
+    if rates is not None:
+        return [sympify(s) for s in rates], time
+    for s in unknowns:
+        if s.is_Symbol or time is None or s.args != (time,):
+            raise InvalidArgument(
+                f"rates = None: must be a symbol for each unknown, {s} being no function of one time alone"
+            )
+    return [s.diff(time) for s in unknowns], time
 
 
 def _sympy_name(symbol: Any) -> str:

@@ -7,7 +7,7 @@ from typing import Any, Callable, Union
 
 import numpy as np
 
-from .results import Diagram, Locus, Reals, RootSet
+from .results import Diagram, Locus, Motion, Reals, RootSet
 
 colours = {"fold": "#c0392b", "pitchfork": "#2456a6"}
 markers = {"fold": "o", "pitchfork": "D", "transcritical": "X", "cusp": "^"}
@@ -96,18 +96,12 @@ def plot_locus(locus: Locus, ax: Any = None) -> Any:
 
 
 def plot_diagram(diagram: Diagram, ax: Any = None, unknown: Union[int, str, Callable[..., Any]] = 0) -> Any:
-    from ._core import InvalidArgument
-
     model = diagram.model
     ax = _axes(ax)
     if callable(unknown):
         of, is_angle, label = unknown, False, ""
     else:
-        if isinstance(unknown, str) and unknown not in model.unknowns:
-            raise InvalidArgument(f"unknown = {unknown!r}: must be one of {', '.join(model.unknowns)}")
-        number = model.unknowns.index(unknown) if isinstance(unknown, str) else int(unknown)
-        if not 0 <= number < len(model.unknowns):
-            raise InvalidArgument(f"unknown = {number}: must be 0 to {len(model.unknowns) - 1}")
+        number = _number_of(model, unknown)
         is_angle, label = number < len(model.angles), _label(model, number)
 
         def of(q: Reals) -> Any:
@@ -148,6 +142,45 @@ def plot_diagram(diagram: Diagram, ax: Any = None, unknown: Union[int, str, Call
     if is_angle:
         ax.set_ylim(-1.05 * np.pi, 1.05 * np.pi)
         _angle_axis(ax.yaxis)
+    _legend(ax)
+    return ax
+
+
+def _number_of(model: Any, unknown: Union[int, str]) -> int:
+    from ._core import InvalidArgument
+
+    if isinstance(unknown, str) and unknown not in model.unknowns:
+        raise InvalidArgument(f"unknown = {unknown!r}: must be one of {', '.join(model.unknowns)}")
+    number = model.unknowns.index(unknown) if isinstance(unknown, str) else int(unknown)
+    if not 0 <= number < len(model.unknowns):
+        raise InvalidArgument(f"unknown = {number}: must be 0 to {len(model.unknowns) - 1}")
+    return number
+
+
+def plot_motion(motion: Motion, ax: Any = None, unknown: Union[None, int, str, Callable[..., Any]] = None) -> Any:
+    model = motion.model
+    ax = _axes(ax)
+    if callable(unknown):
+        ax.plot(motion.t, np.asarray(unknown(motion.q)), linewidth=1.5)
+    else:
+        numbers = range(len(model.unknowns)) if unknown is None else [_number_of(model, unknown)]
+        for number in numbers:
+            ax.plot(motion.t, motion.q[:, number], linewidth=1.5, label=_label(model, number))
+        if len(numbers) == 1:
+            ax.set_ylabel(_label(model, numbers[0]))
+        else:
+            _legend(ax)
+    ax.set_xlabel("t")
+    return ax
+
+
+def plot_energies(motion: Motion, ax: Any = None) -> Any:
+    ax = _axes(ax)
+    ax.plot(motion.t, motion.kinetic, color="#d55e00", linewidth=1.5, label="kinetic")
+    ax.plot(motion.t, motion.potential, color="#009e73", linewidth=1.5, label="potential")
+    ax.plot(motion.t, motion.energy, color="k", linewidth=1.5, label="sum")
+    ax.set_xlabel("t")
+    ax.set_ylabel("energy")
     _legend(ax)
     return ax
 

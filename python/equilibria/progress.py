@@ -30,7 +30,7 @@ def _tqdm_bar(what: str) -> Optional[Tuple[Report, Callable[[], object]]]:
         from tqdm.auto import tqdm
     except ImportError:
         return None
-    bar = tqdm(desc=what, unit="path" if what != "sweep" else "point", leave=False)
+    bar = tqdm(desc=what, unit="point" if what in ("sweep", "motion") else "path", leave=False)
 
     def report(done: int, all: int) -> None:
         if bar.total != all or done < bar.n:

@@ -457,6 +457,85 @@ class Locus(Printed):
 
 
 @dataclass(repr=False, eq=False)
+class Motion(Printed):
+    """A motion at given times, and the evidence of its integration. Energies are in the model's unit."""
+
+    model: "Model" = field(repr=False)
+    parameters: Dict[str, float]
+    formulation: str  #: lagrange or hamilton
+    t: Reals  #: (points,): the times that it came to
+    q: Reals  #: (points, unknowns): angles in radians, not turned into (-pi, pi], then coordinates
+    v: Reals  #: (points, unknowns): their rates, a unit of time
+    momentum: Reals  #: (points, unknowns): dT/dv
+    kinetic: Reals  #: (points,): kinetic energy
+    potential: Reals  #: (points,): potential energy
+    work: Reals  #: (points,): of the generalised forces since the start
+    dissipated: Reals  #: (points,): lost by damping since the start
+    balance: Reals  #: (points,): kinetic + potential + dissipated - work, less its value at the start: an error
+    status: str  #: "finished", or why it ended
+    time: float  #: how far it came
+    steps: int  #: that were tried
+    evaluations: int  #: of the equations of motion
+    largest_balance: float  #: the largest |balance| of all steps over the largest of the energies that it is made of
+
+    @staticmethod
+    def _of(model: "Model", p: Reals, formulation: str, found: Mapping[str, Any]) -> "Motion":
+        parameters = dict(zip(model.parameters, p.tolist()))
+        return Motion(model=model, parameters=parameters, formulation=formulation, **found)
+
+    def __len__(self) -> int:
+        """The number of points."""
+        return len(self.t)
+
+    @property
+    def finished(self) -> bool:
+        """Whether it came to the last of the times."""
+        return self.status == "finished"
+
+    @property
+    def energy(self) -> Reals:
+        """(points,): kinetic + potential."""
+        return self.kinetic + self.potential
+
+    def plot(self, ax: Any = None, unknown: Union[None, int, str, Callable[[Reals], Reals]] = None) -> Any:
+        """Every unknown against the time, or one, by name or number, or a function of arrays (points, unknowns). Returns
+        matplotlib's axes."""
+        from .plots import plot_motion
+
+        return plot_motion(self, ax, unknown)
+
+    def plot_energy(self, ax: Any = None) -> Any:
+        """Kinetic and potential energy and their sum against the time. Returns matplotlib's axes."""
+        from .plots import plot_energies
+
+        return plot_energies(self, ax)
+
+    def _line(self) -> str:
+        return (
+            f"{len(self)} points to t = {number(self.t[-1] if len(self) else 0.0, 6)}, {self.status}, energy balance "
+            f"{self.largest_balance:.1e} of the energy"
+        )
+
+    def _columns(self) -> List[str]:
+        angles = len(self.model.angles)
+        names = [f"{name} (rad)" if k < angles else name for k, name in enumerate(self.model.unknowns)]
+        return ["t", *names, *self.model.rates, "kinetic", "potential", "balance"]
+
+    def _rows(self) -> List[List[str]]:
+        shown = range(0, len(self), max(1, -(-(len(self) - 1) // 20)))
+        return [
+            [number(self.t[k], 6), *map(fixed, self.q[k]), *map(fixed, self.v[k])]
+            + [number(self.kinetic[k], 6), number(self.potential[k], 6), f"{self.balance[k]:.1e}"]
+            for k in shown
+        ]
+
+    def _foot(self) -> str:
+        every = max(1, -(-(len(self) - 1) // 20))
+        some = f"every {every}th point; " if every > 1 else ""
+        return f"{some}{self.formulation}, {self.steps} steps, {self.evaluations} evaluations"
+
+
+@dataclass(repr=False, eq=False)
 class Sweep(Printed):
     """The number of equilibria at many points; arrays have the shape of the points."""
 

@@ -8,6 +8,7 @@ namespace equilibria::python {
 
 void add_expressions(pybind11::module_& m);
 void add_models(pybind11::module_& m);
+void add_motion(pybind11::module_& m);
 void add_continuation(pybind11::module_& m);
 
 }  // namespace equilibria::python

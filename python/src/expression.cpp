@@ -23,6 +23,7 @@ const char* kind_of(const Formula& formula) {
         case FormulaKind::constant: return "of parameters and numbers alone";
         case FormulaKind::angle: return "an angle";
         case FormulaKind::polynomial: return "of unknowns";
+        case FormulaKind::motion: return "of a motion";
     }
     return "";
 }
@@ -121,12 +122,14 @@ void add_expressions(py::module_& m) {
         py::arg("base"), py::arg("modulus") = py::none(), py::is_operator());
     unary(c, "__neg__", &FormulaBuilder::negative, "");
     c.def("__pos__", [](const Expression& a) { return a; });
-    unary(c, "sin", &FormulaBuilder::sine, "The sine; of an angle, in radians, or of parameters");
-    unary(c, "cos", &FormulaBuilder::cosine, "The cosine; of an angle, in radians, or of parameters");
-    unary(c, "tan", &FormulaBuilder::tangent, "The tangent, of parameters alone");
-    unary(c, "sqrt", &FormulaBuilder::square_root, "The square root, of parameters alone");
-    unary(c, "exp", &FormulaBuilder::exponential, "The exponential function, of parameters alone");
-    unary(c, "log", &FormulaBuilder::logarithm, "The natural logarithm, of parameters alone");
+    unary(c, "sin", &FormulaBuilder::sine,
+          "The sine; of an angle, in radians, or of parameters; in a motion of anything");
+    unary(c, "cos", &FormulaBuilder::cosine,
+          "The cosine; of an angle, in radians, or of parameters; in a motion of anything");
+    unary(c, "tan", &FormulaBuilder::tangent, "The tangent, of parameters; in a motion of anything");
+    unary(c, "sqrt", &FormulaBuilder::square_root, "The square root, of parameters; in a motion of anything");
+    unary(c, "exp", &FormulaBuilder::exponential, "The exponential function, of parameters; in a motion of anything");
+    unary(c, "log", &FormulaBuilder::logarithm, "The natural logarithm, of parameters; in a motion of anything");
     c.def("square",
           [](const Expression& a) { return Expression{a.builder, a.builder->power(a.formula, a.builder->number(2))}; });
     c.def("__bool__", [](const Expression&) -> bool { refuse_choice("the truth of an expression"); });
@@ -145,7 +148,10 @@ void add_expressions(py::module_& m) {
         .def("number", [](const SharedBuilder& b, double value) { return Expression{b, b->number(value)}; })
         .def("angle", [](const SharedBuilder& b, int i) { return Expression{b, b->angle(i)}; })
         .def("coordinate", [](const SharedBuilder& b, int j) { return Expression{b, b->coordinate(j)}; })
-        .def("parameter", [](const SharedBuilder& b, int k) { return Expression{b, b->parameter(k)}; });
+        .def("parameter", [](const SharedBuilder& b, int k) { return Expression{b, b->parameter(k)}; })
+        .def("rate", [](const SharedBuilder& b, int i) { return Expression{b, b->rate(i)}; })
+        .def("time", [](const SharedBuilder& b) { return Expression{b, b->time()}; })
+        .def("begin_motion", [](const SharedBuilder& b) { b->set_rules(FormulaRules::motion); });
 }
 
 }  // namespace equilibria::python

@@ -154,6 +154,13 @@ void add_models(py::module_& m) {
         .def_readonly("coordinates", &FormulaModel::coordinates)
         .def_readonly("parameters", &FormulaModel::parameters)
         .def_readonly("has_potential", &FormulaModel::has_potential)
+        .def_property_readonly("rates",
+                               [](const FormulaModel& model) {
+                                   return model.kinetics ? model.kinetics->rates : std::vector<std::string>();
+                               })
+        .def_property_readonly(
+            "time", [](const FormulaModel& model) { return model.kinetics ? model.kinetics->time : std::string(); })
+        .def_property_readonly("moves", [](const FormulaModel& model) { return model.kinetics != nullptr; })
         .def_property_readonly(
             "values",
             [](const FormulaModel& model) { return column<double>(model.values, [](double x) { return x; }); })
@@ -241,12 +248,15 @@ void add_models(py::module_& m) {
         .def(
             "sweep",
             [](const FormulaModel& model, const Numbers& points, std::uint64_t seed, unsigned thread_count, bool prove,
-               const py::object& progress) {
+               const std::string& checkpoint, const py::object& progress) {
                 SweepOptions options;
                 options.prove = prove;
-                return sweep_rows(model, points, run_options(seed, thread_count), options, progress);
+                RunOptions run = run_options(seed, thread_count);
+                run.checkpoint = checkpoint;
+                return sweep_rows(model, points, run, options, progress);
             },
-            py::arg("points"), py::arg("seed"), py::arg("threads"), py::arg("prove"), py::arg("progress"))
+            py::arg("points"), py::arg("seed"), py::arg("threads"), py::arg("prove"), py::arg("checkpoint"),
+            py::arg("progress"))
         .def(
             "export",
             [](const FormulaModel& model, const std::string& program, const Numbers& p) {

@@ -3,6 +3,7 @@
 #include <pybind11/pybind11.h>
 
 #include <equilibria/core/error.hpp>
+#include <equilibria/storage/checkpoint_error.hpp>
 #include <equilibria/version.hpp>
 
 #include "bindings.hpp"
@@ -15,7 +16,10 @@ PYBIND11_MODULE(_core, m) {
                             "." + std::to_string(EQUILIBRIA_VERSION_PATCH);
     py::register_exception<equilibria::InvalidArgument>(m, "InvalidArgument", PyExc_ValueError).doc() =
         "An argument, a formula or a model that breaks a rule: names it, quotes its value and says what is allowed";
+    py::register_exception<equilibria::CheckpointError>(m, "CheckpointError", PyExc_RuntimeError).doc() =
+        "A file of a run's finished part that cannot be used: of another run, damaged, or in use";
     equilibria::python::add_expressions(m);
     equilibria::python::add_models(m);
+    equilibria::python::add_motion(m);
     equilibria::python::add_continuation(m);
 }

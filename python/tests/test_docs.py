@@ -21,3 +21,14 @@ def test_example(tmp_path, monkeypatch, capsys):
     # Baillieul's cusp of Figure 3.2
     assert min(abs(c.point[0] - 0.32989618) + abs(c.point[1] - 1.9379135) for c in locus.cusps) < 1e-7
     assert (tmp_path / "figure_3_2.png").stat().st_size > 10000
+
+
+def test_example_of_a_motion(tmp_path, monkeypatch, capsys):
+    pytest.importorskip("matplotlib").use("Agg")
+    code = re.search(r"<!-- motion -->\n```python\n(.*?)```", page.read_text(), re.S).group(1)
+    monkeypatch.chdir(tmp_path)
+    names = {}
+    exec(compile(code, str(page), "exec"), names)
+    assert names["motion"].finished and names["motion"].largest_balance < 1e-10
+    assert "['marginal', 'unstable']" in capsys.readouterr().out
+    assert (tmp_path / "motion.png").stat().st_size > 10000

@@ -136,3 +136,112 @@ TEST_CASE("formulas and names that make no model") {
     CHECK_THAT(refusal([] { number_of_name({"a", "b", "c"}, "d", "parameter"); }),
                Catch::Contains("parameter = d: must be a, b or c"));
 }
+
+TEST_CASE("formulas of a motion: any function of unknowns, rates and the time, with its derivatives") {
+    using D = Dual<double, 4>;
+    FormulaBuilder b(1, 1, 1);
+    CHECK(!b.has_motion());
+    b.set_rules(FormulaRules::motion);
+    const Formula t = b.angle(0), x = b.coordinate(0), a = b.parameter(0), w = b.rate(0), v = b.rate(1), s = b.time();
+    // a w^2 / sqrt(3 + cos(t)^2) + v w tan(t) log(1 + x^2) + sin(a s) v^2 x^1.5 + exp(-s) (1 + x)^-2 + 2^x - x^0.5
+    Formula f = b.quotient(b.product(a, b.power(w, b.number(2))),
+                           b.square_root(b.sum(b.number(3), b.power(b.cosine(t), b.number(2)))));
+    const Formula square = b.sum(b.number(1), b.power(x, b.number(2)));
+    f = b.sum(f, b.product(b.product(v, w), b.product(b.tangent(t), b.logarithm(square))));
+    f = b.sum(f, b.product(b.product(b.sine(b.product(a, s)), b.power(v, b.number(2))), b.power(x, b.number(1.5))));
+    f = b.sum(f, b.product(b.exponential(b.negative(s)), b.power(b.sum(b.number(1), x), b.number(-2))));
+    f = b.sum(f, b.difference(b.power(b.number(2), x), b.power(x, b.number(0.5))));
+    CHECK(f.kind == FormulaKind::motion);
+    CHECK(b.has_motion());
+
+    Generator random(11);
+    std::vector<int> results{f.step};
+    const FormulaSteps reached = b.steps().reached(results);
+    CHECK(reached.depends_on(results[0], FormulaOperation::time));
+    CHECK(!b.steps().depends_on(square.step, FormulaOperation::time));
+    for (int k = 0; k < 20; ++k) {
+        const double p = uniform(random, 0.3, 2), time = uniform(random, 0, 3);
+        D at[4];
+        for (int i = 0; i < 4; ++i) at[i] = D::variable(uniform(random, 0.2, 1.3), i);
+        const auto [angle, y, rate, speed] = std::array{at[0], at[1], at[2], at[3]};
+        const D expected = p * rate * rate / sqrt(3 + cos(angle) * cos(angle)) +
+                           speed * rate * sin(angle) / cos(angle) * log(1 + y * y) +
+                           std::sin(p * time) * speed * speed * y * sqrt(y) + std::exp(-time) / ((1 + y) * (1 + y)) +
+                           exp(std::log(2.0) * y) - sqrt(y);
+        const std::array<CircleAngle<D>, 1> theta{CircleAngle<D>{cos(angle), sin(angle)}};
+        for (const bool all : {true, false}) {
+            D found;
+            (all ? b.steps() : reached)
+                .evaluate(theta, std::array{y}, std::array{rate, speed}, time, std::array{p},
+                          all ? std::vector{f.step} : results, &found);
+            CHECK(found.value == Approx(expected.value).epsilon(1e-13));
+            for (int i = 0; i < 4; ++i)
+                CHECK(found.derivative[i] == Approx(expected.derivative[i]).epsilon(1e-12).margin(1e-12));
+        }
+    }
+
+    CHECK_THAT(refusal([&] { b.power(t, b.number(2)); }), Catch::Contains("a power of an angle"));
+    CHECK_THAT(refusal([&] { b.square_root(t); }), Catch::Contains("sqrt of an angle"));
+    CHECK_THAT(refusal([&] { b.sum(t, w); }), Catch::Contains("an angle + an expression of unknowns"));
+    CHECK_THAT(refusal([&] { b.rate(2); }), Catch::Contains("must be the number of an unknown"));
+    b.set_rules(FormulaRules::equilibria);
+    const char* const of_motion = "a formula of a motion";
+    CHECK_THAT(refusal([&] { b.product(a, w); }), Catch::Contains(of_motion));
+    CHECK_THAT(refusal([&] { b.negative(s); }), Catch::Contains(of_motion));
+    CHECK_THAT(refusal([&] { b.power(w, b.number(2)); }), Catch::Contains(of_motion));
+    CHECK_THAT(refusal([&] { b.quotient(x, w); }), Catch::Contains("division by an expression of unknowns"));
+    CHECK_THAT(refusal([&] { b.sine(x); }), Catch::Contains("sin of an expression of unknowns"));
+}
+
+TEST_CASE("a model with kinetics keeps the steps of each function apart") {
+    FormulaBuilder b(1, 0, 2);
+    const Formula potential = b.product(b.parameter(0), b.cosine(b.sum(b.angle(0), b.parameter(1))));
+    b.set_rules(FormulaRules::motion);
+    KineticFormulas kinetic;
+    kinetic.rates = {"w"};
+    kinetic.kinetic_energy = b.product(b.power(b.rate(0), b.number(2)), b.parameter(0));
+    const auto named = [] {
+        FormulaModel y;
+        y.angles = {"t"};
+        y.parameters = {"a", "c"};
+        y.values = {1.5, 0.3};
+        return y;
+    };
+    const FormulaModel still = formula_model(named(), b, {potential});
+    CHECK(!still.kinetics);
+    CHECK(still.steps->steps().size() == 4);  // a, c, cos(t + c), their product
+    const FormulaModel model = with_kinetics(still, b, kinetic);
+    REQUIRE(model.kinetics);
+    CHECK(model.steps == still.steps);
+    CHECK(model.kinetics->kinetic_energy.steps->steps().size() == 4);  // w, w^2, a, their product
+    CHECK(!model.kinetics->dissipation);
+    const FormulaDynamics dynamics(model);
+    const std::array theta{0.4}, x{0.0}, v{2.0};
+    CHECK(dynamics.potential(theta, x, model.values) == Approx(1.5 * std::cos(0.7)));
+    CHECK(dynamics.kinetic_energy(theta, x, v, model.values) == 6);
+    CHECK(dynamics.dissipation(theta, x, v, model.values) == 0);
+    CHECK(dynamics.generalised_forces(1, theta, x, v, model.values)[0] == 0);
+
+    const auto fault = [&](const auto& change) {
+        KineticFormulas other = kinetic;
+        change(other);
+        return refusal([&] { with_kinetics(still, b, other); });
+    };
+    CHECK_THAT(fault([](auto& k) { k.rates.clear(); }), Catch::Contains("number of rates = 0: must be one for each"));
+    CHECK_THAT(fault([](auto& k) { k.rates = {"a"}; }), Catch::Contains("must not be used twice"));
+    CHECK_THAT(fault([](auto& k) { k.time = "w"; }), Catch::Contains("must not be used twice"));
+    CHECK_THAT(fault([&](auto& k) { k.kinetic_energy = b.rate(0); }), Catch::Contains("must be a quadratic form"));
+    CHECK_THAT(fault([&](auto& k) { k.kinetic_energy = b.time(); }), Catch::Contains("must not depend on the time"));
+    CHECK_THAT(fault([&](auto& k) { k.dissipation = b.time(); }),
+               Catch::Contains("dissipation = a formula of the time"));
+    CHECK_THAT(fault([&](auto& k) { k.dissipation = b.angle(0); }),
+               Catch::Contains("a whole formula that is an angle"));
+    CHECK_THAT(fault([&](auto& k) { k.generalised_forces = {b.time(), b.time()}; }),
+               Catch::Contains("number of generalised_forces = 2: must be one for each unknown: 1"));
+    CHECK_THAT(refusal([&] { formula_model(named(), b, {b.rate(0)}); }),
+               Catch::Contains("must not be a potential or an equation"));
+    FormulaModel equations = named();
+    equations.has_potential = false;
+    CHECK_THAT(refusal([&] { with_kinetics(formula_model(equations, b, {potential}), b, kinetic); }),
+               Catch::Contains("must stand beside a potential"));
+}

@@ -21,6 +21,13 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
             equations_at(m, at.theta, at.x, model.values, f.begin());
             return 0;
         });
+        if (model.kinetics) {
+            const FormulaDynamics moving(model);
+            const LocalArray<double> v(model.unknowns());
+            const RuntimeModelPoint<double> at(v.begin(), sizes_of(moving));
+            moving.dissipation(at.theta, at.x, v, model.values);
+            moving.generalised_forces(0.5, at.theta, at.x, v, model.values);
+        }
     } catch (const InvalidArgument& error) {
         const std::string_view what = error.what();
         if (what.find(": ") == what.npos || what.find(" = ") == what.npos) std::abort();

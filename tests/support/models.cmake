@@ -49,8 +49,8 @@ expect_refusal(
     ${SCRATCH}/wrong.json
 )
 expect_refusal("equilibria solve: FILE: must be given: a model as JSON" solve)
-expect_refusal("equilibria: slove: must be solve, prove, events, diagram, locus, sweep or export" slove)
-expect_refusal("equilibria: SUBCOMMAND: must be solve, prove, events, diagram, locus, sweep or export")
+expect_refusal("equilibria: slove: must be solve, prove, events, diagram, locus, sweep, motion or export" slove)
+expect_refusal("equilibria: SUBCOMMAND: must be solve, prove, events, diagram, locus, sweep, motion or export")
 expect_refusal("equilibria events: --vary speed: must be alpha, ratio or omega" events ${pendulum} --vary speed=0:1)
 expect_refusal(
     "equilibria events: --vary omega=5:0: must be NAME=LOW:HIGH, finite, with LOW < HIGH" events ${pendulum} --vary omega=5:0
@@ -58,6 +58,66 @@ expect_refusal(
 expect_refusal("equilibria solve: --set omega=fast: must be NAME=VALUE, commas between, finite" solve ${pendulum} --set omega=fast)
 expect_refusal(
     "equilibria locus: --y alpha=0:1: must be another parameter than that of --x" locus ${pendulum} --x alpha=0:1 --y alpha=0:1
+)
+
+set(elastic ${models}/elastic_pendulum.json)
+set(mechanism ${models}/holonomic_mechanism.json)
+run_for_json(motion.json motion ${elastic} --start t=0.3,x=1 --rates v=0.25 --until 2 --points 5)
+expect(finished status)
+expect(v rates 1)
+expect(lagrange2 formulation)
+expect_length(5 points)
+expect(0.5 points 1 t)
+expect(0.25 points 0 velocity 1)
+expect_numbers(AT points 4 KEYS kinetic potential work dissipated balance)
+run_for_json(motion.json motion ${mechanism} --start q1=0.966,q2=0.449 --set decay=0.7 --formulation hamilton --points 2)
+expect(finished status)
+expect(hamilton formulation)
+string(JSON balance GET "${json}" largest_balance)
+if(balance GREATER 1e-10)
+    message(SEND_ERROR "the energy balance of the mechanism's motion is ${balance}")
+endif()
+run_for_json(roots.json solve ${mechanism})
+expect(stable equilibria 0 verdict)
+expect(unstable equilibria 3 verdict)
+expect_length(4 equilibria 0 poles)
+run_for_json(roots.json solve ${mechanism} --set decay=0.7)
+expect("" equilibria 0 verdict)
+run_for_json(roots.json solve ${elastic})
+expect(marginal equilibria 0 verdict)
+execute_process(
+    COMMAND ${PROGRAM} motion ${elastic} --start x=1 --until 1 --points 3 --csv - OUTPUT_VARIABLE text COMMAND_ERROR_IS_FATAL ANY
+)
+if(NOT text MATCHES "^t,q1,q2,q1_rate,q2_rate,p1,p2,kinetic,potential,work,dissipated,balance\n0,0,1,0,0,[^\n]+\n0.5,[^\n]+\n1,[^\n]+\n$")
+    message(SEND_ERROR "CSV of a motion: ${text}")
+endif()
+execute_process(
+    COMMAND ${PROGRAM} motion ${elastic} --start x=1 --until 40 OUTPUT_VARIABLE text COMMAND_ERROR_IS_FATAL ANY
+)
+if(NOT text MATCHES "every 10th of 201 points; --csv has all\n\nlagrange2: finished at t = 4")
+    message(SEND_ERROR "table of a motion: ${text}")
+endif()
+execute_process(COMMAND ${PROGRAM} motion ${elastic} --points 2 RESULT_VARIABLE status OUTPUT_VARIABLE text)
+if(NOT status EQUAL 1 OR NOT text MATCHES "the mass matrix is singular at t = 1e-06")
+    message(SEND_ERROR "motion without a mass: ${status}, ${text}")
+endif()
+expect_refusal(
+    "equilibria motion: ${pendulum}: must have \"kinetic_energy\" and \"rates\": the model does not move" motion ${pendulum}
+)
+expect_refusal("equilibria motion: --start y: must be t or x" motion ${elastic} --start y=1)
+expect_refusal("equilibria motion: --start x: must be named once" motion ${elastic} --start x=1,x=2)
+expect_refusal("equilibria motion: --rates x: must be w or v" motion ${elastic} --rates x=1)
+expect_refusal("equilibria motion: --rates w: must be NAME=VALUE, commas between, finite" motion ${elastic} --rates w)
+expect_refusal("equilibria motion: --until 0: must be a positive number" motion ${elastic} --until 0)
+expect_refusal("equilibria motion: --points 1: must be an integer from 2 to 1000000" motion ${elastic} --points 1)
+expect_refusal("equilibria motion: --formulation newton: must be lagrange2 or hamilton" motion ${elastic} --formulation newton)
+expect_refusal(
+    "equilibria motion: --tolerance 1: must be a number from 1e-15 to 1, 1 excluded" motion ${elastic} --tolerance 1
+)
+file(WRITE ${SCRATCH}/wrong.json "{\n  \"angles\": [\"t\"],\n  \"potential\": \"cos(t)\",\n  \"rates\": [\"w\"],\n  \"kinetic_energy\": \"w\"\n}\n")
+expect_refusal(
+    "equilibria motion: ${SCRATCH}/wrong.json: kinetic_energy, line 5, column 22 = no quadratic form: must be a quadratic form in the rates: a sum of products of two rates each, times anything without rates"
+    motion ${SCRATCH}/wrong.json
 )
 
 # what is exported is read back by the program of systems from files

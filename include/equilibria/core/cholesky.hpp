@@ -25,30 +25,32 @@ double norm_of_columns(int n, const double* a);
 /// The same of (L D L^T)^-1, by n solutions, for which `column` has room.
 double norm_of_inverse(int n, const double* factor, double* column);
 
-/// The factor of a symmetric positive definite N x N matrix.
+/// The factor of a symmetric positive definite N x N matrix, N known at compile time or Eigen::Dynamic.
 template <int N>
 class Cholesky {
 public:
     using Matrix = Eigen::Matrix<double, N, N>;
 
-    explicit Cholesky(const Matrix& a) : factor_(a), positive_(factorize_positive(N, factor_.data())) {}
+    explicit Cholesky(const Matrix& a) : factor_(a), positive_(factorize_positive(size(), factor_.data())) {}
 
     /// Whether the matrix is positive definite. Without it there is no solution.
     bool positive() const { return positive_; }
     /// 1 / (|A| |A^-1|) in the 1-norm, of the matrix that was factorised: 1 is the best, rounding the worst.
     double reciprocal_condition(const Matrix& a) const {
-        double column[N];
-        return 1 / (norm_of_columns(N, a.data()) * norm_of_inverse(N, factor_.data(), column));
+        Eigen::Vector<double, N> column(size());
+        return 1 / (norm_of_columns(size(), a.data()) * norm_of_inverse(size(), factor_.data(), column.data()));
     }
 
     /// X of A X = B.
     template <int Columns>
     Eigen::Matrix<double, N, Columns> solve(Eigen::Matrix<double, N, Columns> b) const {
-        solve_positive(N, factor_.data(), Columns, b.data());
+        solve_positive(size(), factor_.data(), Columns, b.data());
         return b;
     }
 
 private:
+    int size() const { return static_cast<int>(factor_.rows()); }
+
     Matrix factor_;
     bool positive_;
 };

@@ -4,10 +4,11 @@
 /// section 1.5.
 #pragma once
 
+#include <concepts>
+#include <memory>
 #include <optional>
+#include <utility>
 
-#include <equilibria/core/cholesky.hpp>
-#include <equilibria/dynamics/christoffel.hpp>
 #include <equilibria/dynamics/motion_formulation.hpp>
 
 namespace equilibria {
@@ -18,8 +19,9 @@ enum class LagrangeForm {
     contravariant,  ///< a_k + Gamma^k_ij v_i v_j = Q^k, with the forces' indices raised
 };
 
-/// The motion of a model without constraints, in q and v.
-template <DynamicModel M>
+/// The motion of a model without constraints, in q and v. LagrangeSecondKind<RuntimeUnknowns> is that of a model whose
+/// sizes are known at run time, by its functions.
+template <MotionModel M>
 class LagrangeSecondKind : public detail::ModelMotion<M> {
     using Base = detail::ModelMotion<M>;
     using typename Base::Vector;
@@ -33,7 +35,14 @@ public:
 
     /// Throws InvalidArgument for a parameter that is not finite.
     explicit LagrangeSecondKind(const Parameters<M>& p, LagrangeForm form = LagrangeForm::covariant)
+    requires DynamicModel<M>
         : Base(p), form_(form) {}
+    /// Of a model at run time. Throws InvalidArgument for a parameter that is not finite, and where they are not as
+    /// many as the model's.
+    LagrangeSecondKind(std::shared_ptr<const KineticFunctions> functions, RuntimeArray<double> p,
+                       LagrangeForm form = LagrangeForm::covariant)
+    requires std::same_as<M, RuntimeUnknowns>
+        : Base(std::move(functions), std::move(p)), form_(form) {}
 
     /// A function of a formulation, see MotionFormulation; the state is q, then v.
     /// \{
@@ -43,26 +52,25 @@ public:
     }
 
     MotionRates<Base::n_states> rates(double t, const State& y) const {
-        const auto q = Base::first_half(y), v = Base::second_half(y);
-        const auto forces = detail::applied_forces<M>(t, q, v, this->p_);
+        const auto q = this->first_half(y), v = this->second_half(y);
+        const auto forces = this->forces(t, q, v);
         const auto a = acceleration(q, detail::vector_of<M>(v), forces.total);
         if (!a) return {MotionStatus::singular_mass_matrix};
         return {MotionStatus::finished, Base::joined(v, detail::unknowns_of<M>(*a)), forces.power, forces.loss};
     }
 
     MotionPoint<M> point(double t, const State& y) const {
-        return this->point_at(t, Base::first_half(y), Base::second_half(y));
+        return this->point_at(t, this->first_half(y), this->second_half(y));
     }
     MotionStatus project(State&) const { return MotionStatus::finished; }
     /// \}
 
 private:
-    std::optional<Vector> acceleration(const Unknowns<M>& q, const Vector& v, const Vector& force) const {
-        const detail::Cholesky<Base::n> mass(mass_matrix<M>(q, this->p_));
+    std::optional<Vector> acceleration(const UnknownArray<M, double>& q, const Vector& v, const Vector& force) const {
+        const auto mass = this->mass(q);
         if (!mass.positive()) return {};
-        if (form_ == LagrangeForm::contravariant)
-            return mass.solve(force) - contracted<M>(christoffel_second_kind<M>(q, this->p_), v);
-        return mass.solve(Vector(force - contracted<M>(christoffel_first_kind<M>(q, this->p_), v)));
+        if (form_ == LagrangeForm::contravariant) return mass.solve(force) - this->raised_convective_forces(q, v, mass);
+        return mass.solve(Vector(force - this->convective_forces(q, v)));
     }
 
     LagrangeForm form_;

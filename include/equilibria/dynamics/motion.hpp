@@ -19,6 +19,7 @@
 #include <equilibria/dynamics/motion_options.hpp>
 #include <equilibria/dynamics/motion_point.hpp>
 #include <equilibria/dynamics/motion_status.hpp>
+#include <equilibria/run/run_options.hpp>
 
 namespace equilibria {
 
@@ -31,16 +32,17 @@ public:
     explicit FormulationEquations(const F& formulation) : formulation_(formulation) {}
 
     State start(const MotionState<typename F::Model>& at) const {
-        State y(n + 2);
-        write(formulation_.start(at), y);
+        const auto own = formulation_.start(at);
+        State y(own.begin(), own.end());
+        y.resize(y.size() + 2);
         return y;
     }
     MotionStatus rates(double t, const State& y, State& rate) const override {
         const auto found = formulation_.rates(t, own(y));
         if (found.status != MotionStatus::finished) return found.status;
         write(found.state, rate);
-        rate[n] = found.power;
-        rate[n + 1] = found.loss;
+        rate[rate.size() - 2] = found.power;
+        rate[rate.size() - 1] = found.loss;
         return found.status;
     }
     MotionStatus project(State& y) const override {
@@ -56,14 +58,18 @@ public:
     MotionPoint<typename F::Model> point(double t, const State& y) const { return formulation_.point(t, own(y)); }
 
 private:
-    static constexpr std::size_t n = F::n_states;
+    using Own = FormulationState<F::n_states>;
 
-    static std::array<double, n> own(const State& y) {
-        std::array<double, n> state;
-        std::copy_n(y.begin(), n, state.begin());
-        return state;
+    static Own own(const State& y) {
+        if constexpr (F::n_states == states_at_run_time) {
+            return Own(y.begin(), y.end() - 2);
+        } else {
+            Own state;
+            std::copy_n(y.begin(), F::n_states, state.begin());
+            return state;
+        }
     }
-    static void write(const std::array<double, n>& state, State& y) { std::copy_n(state.begin(), n, y.begin()); }
+    static void write(const Own& state, State& y) { std::copy(state.begin(), state.end(), y.begin()); }
 
     F formulation_;
 };
@@ -115,7 +121,7 @@ private:
 };
 
 /// A motion at given times, with its evidence.
-template <DynamicModel M>
+template <MotionModel M>
 struct Motion {
     MotionStatus status = MotionStatus::finished;  ///< why it ended
     double time = 0;                               ///< how far it came
@@ -128,21 +134,24 @@ struct Motion {
 };
 
 /// The motion from `start` at start_time, at `times`: none below start_time, none below the one before it. Throws
-/// InvalidArgument where these, the start or an option are none; all else that may happen is a status.
+/// InvalidArgument where these, the start or an option are none; all else that may happen is a status. run: progress,
+/// in points of all, and cancel.
 template <MotionFormulation F>
 Motion<typename F::Model> integrate_motion(const F& formulation, const MotionState<typename F::Model>& start,
                                            const std::vector<double>& times, const MotionOptions& options = {},
-                                           double start_time = 0) {
+                                           double start_time = 0, const RunOptions& run = {}) {
     detail::require_rising_times(times, start_time);
     MotionStepper<F> stepper(formulation, start, start_time, options);
     Motion<typename F::Model> y;
     for (const double t : times) {
-        while (stepper.time() < t && stepper.step()) {
+        while (stepper.time() < t && !run.cancelled() && stepper.step()) {
         }
         if (stepper.time() < t || stepper.status() != MotionStatus::finished) break;
         y.points.push_back(stepper.at(t));
+        if (run.progress) run.progress(y.points.size(), times.size());
     }
     y.status = stepper.status();
+    if (y.status == MotionStatus::finished && y.points.size() < times.size()) y.status = MotionStatus::cancelled;
     y.time = stepper.time();
     y.steps = stepper.steps();
     y.evaluations = stepper.evaluations();

@@ -12,6 +12,7 @@ enum class MotionStatus {
     not_finite,            ///< a force or a state is not a finite number
     step_too_small,        ///< no step is small enough for the tolerance
     too_many_steps,        ///< `most_steps` were not enough
+    cancelled,             ///< RunOptions::cancel was set
 };
 
 /// In words.
@@ -22,6 +23,7 @@ inline const char* to_string(MotionStatus status) {
         case MotionStatus::singular_constraints: return "the constraints are linearly dependent";
         case MotionStatus::not_finite: return "a number is not finite";
         case MotionStatus::step_too_small: return "no step is small enough";
+        case MotionStatus::cancelled: return "cancelled";
         case MotionStatus::too_many_steps: break;
     }
     return "too many steps";

@@ -1,8 +1,9 @@
 /// \file
 /// Formulas put together operation by operation, by a parser or by operators of another language, under the rules of
 /// models: an angle may be added to angles and to constant phases, multiplied by integers, and put into sin and cos;
-/// unknowns enter by polynomials of their sines, cosines and values; parameters by any function. What breaks a rule is
-/// refused in a sentence, where it happens.
+/// unknowns enter by polynomials of their sines, cosines and values; parameters by any function. In formulas of a
+/// motion, the kinetic energy and forces, unknowns, their rates and the time enter by any function as well. What breaks
+/// a rule is refused in a sentence, where it happens.
 #pragma once
 
 #include <cstddef>
@@ -19,6 +20,13 @@ enum class FormulaKind {
     constant,    ///< of parameters alone
     angle,       ///< a combination of angles, which is no number
     polynomial,  ///< in sines, cosines and coordinates
+    motion,      ///< of rates, of the time, or no polynomial: of no use for equilibria
+};
+
+/// What the formulas are for that are being made.
+enum class FormulaRules {
+    equilibria,  ///< a potential or equations: unknowns enter by polynomials of their sines, cosines and values
+    motion,      ///< kinetic energy, dissipation, forces: unknowns, rates and the time enter by any function
 };
 
 /// A formula of a builder: a step, or a combination of angles.
@@ -40,13 +48,22 @@ public:
     int coordinates() const { return coordinates_; }  ///< number of plain unknowns
     int parameters() const { return parameters_; }    ///< number of parameters
 
+    /// The rules for formulas made from now on; those for equilibria at first.
+    void set_rules(FormulaRules rules) {
+        rules_ = rules;
+        has_motion_ = has_motion_ || rules == FormulaRules::motion;
+    }
+    FormulaRules rules() const { return rules_; }  ///< for formulas made from now on
+
     Formula number(double value);  ///< a constant, which must be finite
     Formula parameter(int k);      ///< parameter number k
     Formula angle(int i) const;    ///< unknown angle number i
     Formula coordinate(int j);     ///< unknown coordinate number j
+    Formula rate(int i);           ///< of a motion: the rate of unknown number i, coordinates behind the angles
+    Formula time();                ///< of a motion
 
     /// Of numbers; sums and differences also of angles and constant phases, products and negatives also of an angle and
-    /// an integer. Divisors are of parameters alone.
+    /// an integer. Divisors are of parameters alone, but for formulas of a motion.
     /// \{
     Formula sum(const Formula& a, const Formula& b);
     Formula difference(const Formula& a, const Formula& b);
@@ -54,15 +71,16 @@ public:
     Formula quotient(const Formula& a, const Formula& b);
     Formula negative(const Formula& a);
     /// \}
-    /// b must be an integer from 0 to 100 where a has unknowns in it, and of parameters alone elsewhere.
+    /// b must be an integer from 0 to 100 where a has unknowns in it, and of parameters alone elsewhere; for formulas
+    /// of a motion it may be any number.
     Formula power(const Formula& a, const Formula& b);
-    /// Of an angle, or of parameters alone; the tangent of parameters alone.
+    /// Of an angle, or of parameters alone; the tangent of parameters alone. For formulas of a motion of anything.
     /// \{
     Formula sine(const Formula& a);
     Formula cosine(const Formula& a);
     Formula tangent(const Formula& a);
     /// \}
-    /// Of parameters alone.
+    /// Of parameters alone; for formulas of a motion of any number.
     /// \{
     Formula square_root(const Formula& a);
     Formula exponential(const Formula& a);
@@ -73,6 +91,7 @@ public:
     static const std::vector<std::string>& functions();  ///< the names of those functions
 
     const FormulaSteps& steps() const { return steps_; }  ///< what has been made so far
+    bool has_motion() const { return has_motion_; }       ///< whether any of it may be of a motion
 
     static constexpr int largest_power = 100;     ///< exponent of what has unknowns in it
     static constexpr int largest_multiple = 100;  ///< of an angle
@@ -81,6 +100,9 @@ public:
 private:
     bool is_number(const Formula& a) const;
     double number_of(const Formula& a) const;
+    void require_fit(const Formula& a) const;
+    bool moves() const { return rules_ == FormulaRules::motion; }
+    Formula motion_power(const Formula& a, const Formula& b, bool integer);
     Formula of_step(FormulaOperation operation, const Formula& a, const Formula& b);
     Formula of_step(FormulaOperation operation, const Formula& a);
     Formula of_constant(FormulaOperation operation, const char* name, const Formula& a);
@@ -88,6 +110,8 @@ private:
     Formula combined(const Formula& a, const Formula& b, int times);
 
     int angles_, coordinates_, parameters_;
+    FormulaRules rules_ = FormulaRules::equilibria;
+    bool has_motion_ = false;
     FormulaSteps steps_;
 };
 

@@ -5,7 +5,7 @@
 ///
 /// What depends on parameters alone is kept apart: it may take any function that is analytic, and is computed on plain
 /// numbers where the parameters are. Angles are no steps: a sine or a cosine names the integer combination that it is
-/// of.
+/// of. Formulas of a motion hold rates and the time as well, and may take any function of anything.
 #pragma once
 
 #include <cmath>
@@ -25,27 +25,29 @@ enum class FormulaOperation {
     number,           ///< a constant
     parameter,        ///< parameter number a
     coordinate,       ///< coordinate number a
+    rate,             ///< of a motion: the rate of unknown number a
+    time,             ///< of a motion
     sine_of_angle,    ///< sine of the combination number a
     cosine_of_angle,  ///< cosine of the combination number a
     sum,              ///< a + b
     difference,       ///< a - b
     product,          ///< a b
-    quotient,         ///< a / b, where b is of parameters alone
+    quotient,         ///< a / b, where b is of parameters alone but in a motion
     negative,         ///< -a
     integer_power,    ///< a^b, b being the exponent
-    square_root,      ///< of parameters alone
-    exponential,      ///< of parameters alone
-    logarithm,        ///< of parameters alone
-    sine,             ///< of parameters alone, in radians
-    cosine,           ///< of parameters alone, in radians
+    square_root,      ///< of parameters alone but in a motion
+    exponential,      ///< of parameters alone but in a motion
+    logarithm,        ///< of parameters alone but in a motion
+    sine,             ///< of parameters alone but in a motion, in radians
+    cosine,           ///< of parameters alone but in a motion, in radians
 };
 
 /// One operation, and what it is applied to.
 struct FormulaStep {
     FormulaOperation operation = FormulaOperation::number;  ///< what is done
-    int a = -1;                 ///< an earlier step; of a parameter, a coordinate or a combination of angles its number
-    int b = -1;                 ///< an earlier step; of an integer power the exponent
-    double value = 0;           ///< of a number
+    int a = -1;        ///< an earlier step; of a parameter, a coordinate, a rate or a combination of angles its number
+    int b = -1;        ///< an earlier step; of an integer power the exponent
+    double value = 0;  ///< of a number
     bool of_parameters = true;  ///< no unknown is in it
 
     friend bool operator==(const FormulaStep&, const FormulaStep&) = default;  ///< the same operation on the same steps
@@ -60,6 +62,26 @@ struct AngleCombination {
 };
 
 namespace detail {
+
+/// Whether the operation has an earlier step, or two, for its arguments.
+/// \{
+inline bool has_first_step(FormulaOperation operation) { return operation >= FormulaOperation::sum; }
+inline bool has_second_step(FormulaOperation operation) {
+    return operation >= FormulaOperation::sum && operation <= FormulaOperation::quotient;
+}
+/// \}
+
+/// Rates and time of what does not move.
+struct AtRest {
+    static constexpr bool moves = false;
+};
+/// Of a motion.
+template <class V>
+struct Moving {
+    static constexpr bool moves = true;
+    const V& rates;
+    double time;
+};
 
 /// A function of parameters that not every scalar has.
 template <class S>
@@ -123,9 +145,29 @@ public:
     const std::vector<FormulaStep>& steps() const { return steps_; }  ///< in the order in which they are evaluated
     const std::vector<AngleCombination>& angles() const { return angles_; }  ///< of which there are sines or cosines
 
+    /// The steps that these are made of, in their order, and these as steps of them.
+    FormulaSteps reached(std::vector<int>& results) const;
+    /// Whether the step, or one that it is made of, is such an operation.
+    bool depends_on(int step, FormulaOperation operation) const;
+
     /// The values of the steps of these numbers.
     template <class Theta, class X, class P, class S>
     void evaluate(const Theta& theta, const X& x, const P& p, const std::vector<int>& results, S* values) const {
+        evaluate(theta, x, detail::AtRest(), p, results, values);
+    }
+    /// The same in a motion: v holds the rates of the unknowns.
+    template <class Theta, class X, class V, class P, class S>
+    void evaluate(const Theta& theta, const X& x, const V& v, double time, const P& p, const std::vector<int>& results,
+                  S* values) const {
+        evaluate(theta, x, detail::Moving<V>{v, time}, p, results, values);
+    }
+
+private:
+    std::vector<bool> needed_by(const std::vector<int>& results) const;
+
+    template <class Theta, class X, class Motion, class P, class S>
+    void evaluate(const Theta& theta, const X& x, const Motion& motion, const P& p, const std::vector<int>& results,
+                  S* values) const {
         using C = std::remove_cvref_t<decltype(p[0])>;  // a number, or S
         const int n = static_cast<int>(steps_.size());
         LocalArray<C> constant(n);
@@ -135,14 +177,13 @@ public:
             if (step.of_parameters)
                 constant[k] = of_parameters<C>(step, constant, p);
             else
-                value[k] = of_unknowns<S>(step, constant, value, theta, x);
+                value[k] = of_unknowns<S>(step, constant, value, theta, x, motion);
         }
         for (std::size_t r = 0; r < results.size(); ++r)
             values[r] = steps_[static_cast<std::size_t>(results[r])].of_parameters ? S(constant[results[r]])
                                                                                    : value[results[r]];
     }
 
-private:
     template <class C, class P>
     C of_parameters(const FormulaStep& step, const LocalArray<C>& v, const P& p) const {
         switch (step.operation) {
@@ -157,9 +198,9 @@ private:
             default: return detail::formula_function(step.operation, v[step.a]);
         }
     }
-    template <class S, class C, class Theta, class X>
+    template <class S, class C, class Theta, class X, class Motion>
     S of_unknowns(const FormulaStep& step, const LocalArray<C>& constant, const LocalArray<S>& value,
-                  const Theta& theta, const X& x) const {
+                  const Theta& theta, const X& x, const Motion& motion) const {
         const auto is_constant = [this](int k) { return steps_[static_cast<std::size_t>(k)].of_parameters; };
         const auto both = [&](auto operation) -> S {
             if (is_constant(step.a)) return operation(constant[step.a], value[step.b]);
@@ -173,10 +214,21 @@ private:
             case FormulaOperation::sum: return both([](const auto& a, const auto& b) -> S { return a + b; });
             case FormulaOperation::difference: return both([](const auto& a, const auto& b) -> S { return a - b; });
             case FormulaOperation::product: return both([](const auto& a, const auto& b) -> S { return a * b; });
-            case FormulaOperation::quotient: return value[step.a] / constant[step.b];
+            case FormulaOperation::quotient:
+                if constexpr (Motion::moves)
+                    return both([](const auto& a, const auto& b) -> S { return S(a) / S(b); });
+                else
+                    return value[step.a] / constant[step.b];
             case FormulaOperation::negative: return -value[step.a];
-            default: return detail::formula_power(value[step.a], step.b);
+            default: break;
         }
+        if constexpr (Motion::moves) {
+            if (step.operation == FormulaOperation::rate) return motion.rates[step.a];
+            if (step.operation == FormulaOperation::time) return S(motion.time);
+            if (step.operation != FormulaOperation::integer_power)
+                return detail::formula_function(step.operation, value[step.a]);
+        }
+        return detail::formula_power(value[step.a], step.b);
     }
     template <class S, class C, class Theta>
     S sin_cos(int number, bool sine, const LocalArray<C>& constant, const Theta& theta) const {

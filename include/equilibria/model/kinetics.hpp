@@ -31,6 +31,7 @@
 #pragma once
 
 #include <cmath>
+#include <concepts>
 #include <cstddef>
 #include <type_traits>
 
@@ -41,6 +42,7 @@
 #include <equilibria/core/error.hpp>
 #include <equilibria/model/derivatives.hpp>
 #include <equilibria/model/model.hpp>
+#include <equilibria/model/sizes.hpp>
 
 namespace equilibria {
 
@@ -91,11 +93,15 @@ inline constexpr int n_constraints = detail::constraints_of<M>();
 template <class M>
 concept DynamicModel = PotentialModel<M> && detail::has_kinetic_energy<M>();
 
+/// What a motion is of: a model that is a type, or one whose sizes are known at run time (KineticFunctions).
+template <class M>
+concept MotionModel = DynamicModel<M> || std::same_as<M, RuntimeUnknowns>;
+
 /// Where a model is and how fast: unknowns in their order, angles in radians, and their rates.
-template <DynamicModel M>
+template <MotionModel M>
 struct MotionState {
-    Unknowns<M> q;         ///< unknowns
-    Unknowns<M> velocity;  ///< their rates, radians or units a unit of time
+    UnknownArray<M, double> q;         ///< unknowns
+    UnknownArray<M, double> velocity;  ///< their rates, radians or units a unit of time
 };
 
 /// A number for each constraint.
@@ -247,16 +253,24 @@ ConstraintValues<M> constraint_curvature(const Unknowns<M>& q, const Unknowns<M>
     return second;
 }
 
+namespace detail {
+
+/// Throws InvalidArgument unless the kinetic energy is that of the form, at one velocity.
+inline void require_equal_form(double energy, double form) {
+    if (!std::isfinite(energy)) return;  // a singular configuration: the motion's status says so
+    require(std::abs(energy - form) <= 1e-9 * (std::abs(energy) + std::abs(form)), "kinetic_energy", energy,
+            "must be a quadratic form in the velocities, here " + to_text(form));
+}
+
+}  // namespace detail
+
 /// Throws InvalidArgument unless T is a quadratic form in the velocities, as far as one random velocity tells.
 template <DynamicModel M>
 void require_quadratic_kinetic_energy(const Unknowns<M>& q, const Parameters<M>& p) {
     Unknowns<M> v;
     for (int i = 0; i < v.size(); ++i) v[i] = 0.25 + 1.0 / (3 + i);
     const Eigen::Map<const Eigen::Vector<double, n_unknowns<M>>> u(v.begin());
-    const double form = 0.5 * u.dot(mass_matrix<M>(q, p) * u), energy = kinetic_energy<M>(q, v, p);
-    if (!std::isfinite(energy)) return;  // a singular configuration: the motion's status says so
-    require(std::abs(energy - form) <= 1e-9 * (std::abs(energy) + std::abs(form)), "kinetic_energy", energy,
-            "must be a quadratic form in the velocities, here " + to_text(form));
+    detail::require_equal_form(kinetic_energy<M>(q, v, p), 0.5 * u.dot(mass_matrix<M>(q, p) * u));
 }
 
 }  // namespace equilibria

@@ -2,11 +2,15 @@
 /// The linearised motion of a model about an equilibrium.
 #pragma once
 
+#include <string>
+
 #include <Eigen/Core>
 
 #include <equilibria/core/dual.hpp>
 #include <equilibria/core/error.hpp>
+#include <equilibria/core/sized_array.hpp>
 #include <equilibria/model/derivatives.hpp>
+#include <equilibria/model/kinetic_functions.hpp>
 #include <equilibria/model/kinetics.hpp>
 #include <equilibria/stability/second_order_system.hpp>
 
@@ -35,6 +39,23 @@ SecondOrderSystem<UnknownMatrix<M>> linearise(const Unknowns<M>& q, const Parame
             y.damping(i, k) = damping[i].derivative[k] - by_velocity[i].derivative[k];
             y.stiffness(i, k) -= by_place[i].derivative[k];
         }
+    return y;
+}
+
+/// The same of a model whose sizes are known at run time, by its functions. Throws InvalidArgument where q or p has not
+/// as many entries as the model, or one that is not finite.
+inline SecondOrderSystem<Eigen::MatrixXd> linearise(const KineticFunctions& functions, const RuntimeArray<double>& q,
+                                                    const RuntimeArray<double>& p, double t = 0) {
+    require(q.size() == functions.unknowns(), "number of entries of q", q.size(),
+            "must be one for each unknown: " + std::to_string(functions.unknowns()));
+    require(p.size() == functions.parameters(), "number of entries of p", p.size(),
+            "must be one for each parameter: " + std::to_string(functions.parameters()));
+    require_finite(q, "q");
+    require_finite(p, "p");
+    SecondOrderSystem<Eigen::MatrixXd> y{functions.mass_matrix(q, p), {}, functions.hessian(q, p)};
+    Eigen::MatrixXd slope;
+    functions.linearize_forces(t, q, p, y.damping, slope);
+    y.stiffness -= slope;
     return y;
 }
 

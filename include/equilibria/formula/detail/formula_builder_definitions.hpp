@@ -27,6 +27,13 @@ inline constexpr std::string_view angle_rule =
 inline void require_number_like(const Formula& a, std::string_view what) {
     if (a.kind == FormulaKind::angle) refuse_formula(what, angle_rule);
 }
+inline bool has_unknowns(const Formula& a) {
+    return a.kind == FormulaKind::polynomial || a.kind == FormulaKind::motion;
+}
+inline FormulaKind joint_kind(FormulaKind a, FormulaKind b) {
+    if (a == FormulaKind::motion || b == FormulaKind::motion) return FormulaKind::motion;
+    return a == FormulaKind::constant && b == FormulaKind::constant ? FormulaKind::constant : FormulaKind::polynomial;
+}
 
 }  // namespace detail
 
@@ -47,6 +54,54 @@ EQUILIBRIA_INLINE int FormulaSteps::add(const AngleCombination& angle) {
     return static_cast<int>(angles_.size()) - 1;
 }
 
+EQUILIBRIA_INLINE std::vector<bool> FormulaSteps::needed_by(const std::vector<int>& results) const {
+    std::vector<bool> needed(steps_.size(), false);
+    const auto need = [&](int k) {
+        if (k >= 0) needed[static_cast<std::size_t>(k)] = true;
+    };
+    for (const int k : results) need(k);
+    for (std::size_t k = steps_.size(); k-- > 0;) {
+        if (!needed[k]) continue;
+        const FormulaStep& step = steps_[k];
+        if (detail::has_first_step(step.operation)) need(step.a);
+        if (detail::has_second_step(step.operation)) need(step.b);
+        if (step.operation == FormulaOperation::sine_of_angle || step.operation == FormulaOperation::cosine_of_angle)
+            need(angles_[static_cast<std::size_t>(step.a)].phase);
+    }
+    return needed;
+}
+EQUILIBRIA_INLINE FormulaSteps FormulaSteps::reached(std::vector<int>& results) const {
+    const std::vector<bool> needed = needed_by(results);
+    std::vector<int> now(steps_.size(), -1), angle_now(angles_.size(), -1);
+    FormulaSteps y;
+    for (std::size_t k = 0; k < steps_.size(); ++k) {
+        if (!needed[k]) continue;
+        FormulaStep step = steps_[k];
+        if (step.operation == FormulaOperation::sine_of_angle || step.operation == FormulaOperation::cosine_of_angle) {
+            int& number = angle_now[static_cast<std::size_t>(step.a)];
+            if (number < 0) {
+                AngleCombination angle = angles_[static_cast<std::size_t>(step.a)];
+                if (angle.phase >= 0) angle.phase = now[static_cast<std::size_t>(angle.phase)];
+                number = static_cast<int>(y.angles_.size());
+                y.angles_.push_back(std::move(angle));
+            }
+            step.a = number;
+        }
+        if (detail::has_first_step(step.operation)) step.a = now[static_cast<std::size_t>(step.a)];
+        if (detail::has_second_step(step.operation)) step.b = now[static_cast<std::size_t>(step.b)];
+        now[k] = static_cast<int>(y.steps_.size());
+        y.steps_.push_back(step);
+    }
+    for (int& k : results) k = now[static_cast<std::size_t>(k)];
+    return y;
+}
+EQUILIBRIA_INLINE bool FormulaSteps::depends_on(int step, FormulaOperation operation) const {
+    const std::vector<bool> needed = needed_by({step});
+    for (std::size_t k = 0; k < steps_.size(); ++k)
+        if (needed[k] && steps_[k].operation == operation) return true;
+    return false;
+}
+
 EQUILIBRIA_INLINE Formula FormulaBuilder::number(double value) {
     require(std::isfinite(value), "number", value, "must be finite");
     return {FormulaKind::constant, steps_.add({.operation = FormulaOperation::number, .value = value}), {}};
@@ -65,6 +120,22 @@ EQUILIBRIA_INLINE Formula FormulaBuilder::coordinate(int j) {
             steps_.add({.operation = FormulaOperation::coordinate, .a = j, .of_parameters = false}),
             {}};
 }
+EQUILIBRIA_INLINE Formula FormulaBuilder::rate(int i) {
+    require(i >= 0 && i < angles_ + coordinates_, "rate", i, "must be the number of an unknown");
+    has_motion_ = true;
+    return {FormulaKind::motion, steps_.add({.operation = FormulaOperation::rate, .a = i, .of_parameters = false}), {}};
+}
+EQUILIBRIA_INLINE Formula FormulaBuilder::time() {
+    has_motion_ = true;
+    return {FormulaKind::motion, steps_.add({.operation = FormulaOperation::time, .of_parameters = false}), {}};
+}
+
+EQUILIBRIA_INLINE void FormulaBuilder::require_fit(const Formula& a) const {
+    if (!moves() && a.kind == FormulaKind::motion)
+        detail::refuse_formula("a formula of a motion",
+                               "rates, the time and other functions of unknowns than "
+                               "polynomials must not stand in a potential or an equation");
+}
 
 EQUILIBRIA_INLINE bool FormulaBuilder::is_number(const Formula& a) const {
     return a.kind == FormulaKind::constant &&
@@ -74,12 +145,16 @@ EQUILIBRIA_INLINE double FormulaBuilder::number_of(const Formula& a) const {
     return steps_.steps()[static_cast<std::size_t>(a.step)].value;
 }
 EQUILIBRIA_INLINE Formula FormulaBuilder::of_step(FormulaOperation operation, const Formula& a, const Formula& b) {
-    const bool constant = a.kind == FormulaKind::constant && b.kind == FormulaKind::constant;
-    return {constant ? FormulaKind::constant : FormulaKind::polynomial,
-            steps_.add({.operation = operation, .a = a.step, .b = b.step, .of_parameters = constant}),
-            {}};
+    require_fit(a);
+    require_fit(b);
+    const FormulaKind kind = detail::joint_kind(a.kind, b.kind);
+    return {
+        kind,
+        steps_.add({.operation = operation, .a = a.step, .b = b.step, .of_parameters = kind == FormulaKind::constant}),
+        {}};
 }
 EQUILIBRIA_INLINE Formula FormulaBuilder::of_step(FormulaOperation operation, const Formula& a) {
+    require_fit(a);
     return {a.kind,
             steps_.add({.operation = operation, .a = a.step, .of_parameters = a.kind == FormulaKind::constant}),
             {}};
@@ -120,7 +195,7 @@ EQUILIBRIA_INLINE Formula FormulaBuilder::combined(const Formula& a, const Formu
 
 EQUILIBRIA_INLINE Formula FormulaBuilder::sum(const Formula& a, const Formula& b) {
     const bool angles = a.kind == FormulaKind::angle || b.kind == FormulaKind::angle;
-    if (angles && (a.kind == FormulaKind::polynomial || b.kind == FormulaKind::polynomial))
+    if (angles && (detail::has_unknowns(a) || detail::has_unknowns(b)))
         detail::refuse_formula("an angle + an expression of unknowns", detail::angle_rule);
     if (angles) return combined(a, b, 1);
     if (is_number(a) && is_number(b)) return number(number_of(a) + number_of(b));
@@ -128,7 +203,7 @@ EQUILIBRIA_INLINE Formula FormulaBuilder::sum(const Formula& a, const Formula& b
 }
 EQUILIBRIA_INLINE Formula FormulaBuilder::difference(const Formula& a, const Formula& b) {
     const bool angles = a.kind == FormulaKind::angle || b.kind == FormulaKind::angle;
-    if (angles && (a.kind == FormulaKind::polynomial || b.kind == FormulaKind::polynomial))
+    if (angles && (detail::has_unknowns(a) || detail::has_unknowns(b)))
         detail::refuse_formula("an angle - an expression of unknowns", detail::angle_rule);
     if (angles) return combined(a, b, -1);
     if (is_number(a) && is_number(b)) return number(number_of(a) - number_of(b));
@@ -165,7 +240,12 @@ EQUILIBRIA_INLINE Formula FormulaBuilder::product(const Formula& a, const Formul
 EQUILIBRIA_INLINE Formula FormulaBuilder::quotient(const Formula& a, const Formula& b) {
     detail::require_number_like(b, "division by an angle");
     detail::require_number_like(a, "an angle / something");
-    if (b.kind == FormulaKind::polynomial)
+    if (moves() && detail::has_unknowns(b)) {
+        Formula y = of_step(FormulaOperation::quotient, a, b);
+        y.kind = FormulaKind::motion;
+        return y;
+    }
+    if (detail::has_unknowns(b))
         detail::refuse_formula(
             "division by an expression of unknowns",
             "a divisor may hold parameters and numbers alone: multiply the equations out, or make the "
@@ -181,11 +261,14 @@ EQUILIBRIA_INLINE Formula FormulaBuilder::power(const Formula& a, const Formula&
     detail::require_number_like(b, "a power by an angle");
     const bool integer =
         is_number(b) && number_of(b) == std::round(number_of(b)) && std::abs(number_of(b)) <= largest_power;
-    if (a.kind == FormulaKind::polynomial || b.kind == FormulaKind::polynomial) {
-        if (b.kind == FormulaKind::polynomial || !integer || number_of(b) < 0)
-            detail::refuse_formula(b.kind == FormulaKind::polynomial ? "a power by an expression of unknowns"
-                                   : is_number(b)                    ? "the power " + to_text(number_of(b))
-                                                                     : std::string("a power by a parameter"),
+    if (moves() && (detail::has_unknowns(b) || (detail::has_unknowns(a) && (!integer || number_of(b) < 0))))
+        return motion_power(a, b, integer);
+    if (detail::has_unknowns(a) || detail::has_unknowns(b)) {
+        require_fit(a);
+        if (detail::has_unknowns(b) || !integer || number_of(b) < 0)
+            detail::refuse_formula(detail::has_unknowns(b) ? "a power by an expression of unknowns"
+                                   : is_number(b)          ? "the power " + to_text(number_of(b))
+                                                           : std::string("a power by a parameter"),
                                    "the exponent of what holds unknowns must be an integer from 0 to 100");
     } else if (!integer) {
         return exponential(product(b, logarithm(a)));
@@ -202,6 +285,12 @@ EQUILIBRIA_INLINE Formula FormulaBuilder::power(const Formula& a, const Formula&
             {}};
 }
 
+EQUILIBRIA_INLINE Formula FormulaBuilder::motion_power(const Formula& a, const Formula& b, bool integer) {
+    if (integer) return quotient(number(1), power(a, negative(b)));
+    if (is_number(b) && number_of(b) == 0.5) return square_root(a);
+    return exponential(product(b, logarithm(a)));
+}
+
 EQUILIBRIA_INLINE Formula FormulaBuilder::of_angle(FormulaOperation operation, const Formula& a) {
     return {FormulaKind::polynomial,
             steps_.add({.operation = operation, .a = steps_.add(a.angle), .of_parameters = false}),
@@ -209,7 +298,12 @@ EQUILIBRIA_INLINE Formula FormulaBuilder::of_angle(FormulaOperation operation, c
 }
 EQUILIBRIA_INLINE Formula FormulaBuilder::of_constant(FormulaOperation operation, const char* name, const Formula& a) {
     detail::require_number_like(a, std::string(name) + " of an angle");
-    if (a.kind == FormulaKind::polynomial)
+    if (moves() && detail::has_unknowns(a)) {
+        Formula y = of_step(operation, a);
+        y.kind = FormulaKind::motion;
+        return y;
+    }
+    if (detail::has_unknowns(a))
         detail::refuse_formula(std::string(name) + " of an expression of unknowns",
                                "unknowns may enter by polynomials of their sines, cosines and values alone, parameters "
                                "by any function");
@@ -225,7 +319,7 @@ EQUILIBRIA_INLINE Formula FormulaBuilder::cosine(const Formula& a) {
                                         : of_constant(FormulaOperation::cosine, "cos", a);
 }
 EQUILIBRIA_INLINE Formula FormulaBuilder::tangent(const Formula& a) {
-    detail::require_number_like(a, "tan of an angle");
+    if (!moves()) detail::require_number_like(a, "tan of an angle");
     return quotient(sine(a), cosine(a));
 }
 EQUILIBRIA_INLINE Formula FormulaBuilder::square_root(const Formula& a) {

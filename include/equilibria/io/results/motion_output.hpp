@@ -65,11 +65,11 @@ inline std::vector<std::string> motion_columns(int n, int m, const std::vector<s
     return columns;
 }
 
-/// A line a time, with motion_columns.
+/// A line a time, with motion_columns. n: the number of unknowns, to be given of models at run time.
 template <class M>
-CsvTable motion_csv(const Motion<M>& motion) {
-    constexpr int m = static_cast<int>(decltype(MotionPoint<M>::multipliers)().size());
-    CsvTable table(motion_columns(n_unknowns<M>, m));
+CsvTable motion_csv(const Motion<M>& motion, int n = n_unknowns<M>) {
+    constexpr int m = n_constraints<M>;
+    CsvTable table(motion_columns(n, m));
     for (const auto& x : motion.points) {
         CsvRow row;
         row.add(x.time).add_all(x.q).add_all(x.velocity).add_all(x.momentum);

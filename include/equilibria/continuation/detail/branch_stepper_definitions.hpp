@@ -170,34 +170,22 @@ std::optional<BranchPoint<Erased>> AnyBranchStepper<Matrix>::assess(const AnyCon
 
 template <class Matrix>
 std::optional<BranchPoint<Erased>> AnyBranchStepper<Matrix>::assess_from(const AnyConfiguration& q, double p,
-                                                                         BorderedSolution r, BorderedSolution s,
-                                                                         bool same, const Point& from,
+                                                                         detail::BorderedPair pair,
+                                                                         const Eigen::VectorXd* g_p, const Point& from,
                                                                          const Direction& along) {
-    Eigen::VectorXd g;
-    if (same) {
-        g = problem_.residual(q, p);
-    } else {
-        // r and s for the K here, by the factors of the one before it
-        const Linearization<Matrix> here = problem_.linearization(q, p);
-        if (!here.residual.allFinite()) return std::nullopt;
-        Eigen::MatrixXd rest(here.residual.size(), 2);
-        rest.col(0) = -(here.tangent * r.x);
-        rest.col(1) = -here.parameter_derivative - here.tangent * s.x;
-        rest(border_.row, 0) -= r.tau;
-        rest(border_.row, 1) -= s.tau;
-        const BorderedSolutions correction = solver_.solve(rest, Eigen::Vector2d::Zero());
-        r.x += correction.x.col(0);
-        s.x += correction.x.col(1);
-        r.tau += correction.tau(0);
-        s.tau += correction.tau(1);
-        g = here.residual;
-    }
+    Linearization<Matrix> here;
+    if (g_p)
+        here.residual = problem_.residual(q, p);
+    else
+        here = problem_.linearization(q, p);
+    if (!here.residual.allFinite()) return std::nullopt;
+    pair.refine(solver_, g_p ? solver_.matrix() : here.tangent, g_p ? *g_p : here.parameter_derivative);
     const Border before = border_;
-    const auto weak =
-        weakest_direction(solver_, r, weights_, problem_.multipliers(), border_, from.weak_directions(), watched());
+    const auto weak = weakest_direction(solver_, pair.r, weights_, problem_.multipliers(), border_,
+                                        from.weak_directions(), watched());
     if (!weak) return std::nullopt;
     if (border_ != before) return assess(q, p, along);
-    return point_of(q, p, g, *weak, s, along);
+    return point_of(q, p, here.residual, *weak, pair.s, along);
 }
 
 template <class Matrix>
@@ -363,7 +351,7 @@ std::optional<BranchPoint<Erased>> AnyBranchStepper<Matrix>::correct_from(
             Eigen::MatrixXd right = Eigen::MatrixXd::Zero(g.size(), 3);
             right.col(0) = -g;
             right.col(1) = -g_p;
-            const BorderedSolutions solutions = solver_.solve(right, Eigen::Vector3d(0, 0, 1));
+            const BorderedSolutions solutions = solver_.solve_roughly(right, Eigen::Vector3d(0, 0, 1));
             factored = detail::BorderedPair{solutions[2], solutions[1]};
             corrected = factored->combine(solutions[0], normal, -value);
             if (iterate && k == 0) last = last_factors();
@@ -395,9 +383,10 @@ std::optional<BranchPoint<Erased>> AnyBranchStepper<Matrix>::correct_from(
             Direction along = from.tangent;
             along.q = problem_.transport(from.q, moved.q, along.q);
             q = problem_.rebase(q, p);
+            // K, but for a correction of next to nothing, is the one that was factored
+            const bool same = size <= 0.01 * tolerance(moved);
             auto point = size > tolerance(moved) ? assess(q, p, along)
-                                                 : assess_from(q, p, factored->r, factored->s,
-                                                               size <= 0.01 * tolerance(moved), from, along);
+                                                 : assess_from(q, p, *factored, same ? &g_p : nullptr, from, along);
             if (!point) return std::nullopt;
             point->corrections = k + 1;
             point->step = h;

@@ -28,6 +28,21 @@ struct BorderedPair {
         const double z = (e * d - b * f) / determinant, dp = (a * f - e * c) / determinant;
         return {q0.x + z * r.x + dp * s.x, dp};
     }
+    /// Makes them those of this K and dg/dp, next to the K that the solver has factored.
+    template <class Matrix>
+    void refine(const BorderedSolver<Matrix>& solver, const Matrix& k, const Eigen::VectorXd& g_p) {
+        Eigen::MatrixXd rest(g_p.size(), 2);
+        rest.col(0) = -(k * r.x);
+        rest.col(1) = -g_p - k * s.x;
+        const Eigen::Index row = solver.border().row;
+        rest(row, 0) -= r.tau;
+        rest(row, 1) -= s.tau;
+        const BorderedSolutions correction = solver.solve_roughly(rest);
+        r.x += correction.x.col(0);
+        s.x += correction.x.col(1);
+        r.tau += correction.tau(0);
+        s.tau += correction.tau(1);
+    }
 };
 
 /// The factors that a solver has, of whatever K of the same problem.
@@ -46,7 +61,7 @@ public:
         if (!pair_) {
             Eigen::MatrixXd right = Eigen::MatrixXd::Zero(n, 2);
             right.col(1) = -here.parameter_derivative;
-            const BorderedSolutions solutions = solver_->solve(right, Eigen::Vector2d(1, 0));
+            const BorderedSolutions solutions = solver_->solve_roughly(right, Eigen::Vector2d(1, 0));
             pair_ = BorderedPair{solutions[0], solutions[1]};
         }
         // all in multiples of the lengths' units, the parameter last

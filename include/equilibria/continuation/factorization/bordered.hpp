@@ -125,9 +125,13 @@ public:
     }
     /// Of each column of f with its xi: quicker than one after the other.
     BorderedSolutions solve(const Eigen::MatrixXd& f, const Eigen::VectorXd& xi) const { return solve(f, xi, false); }
-    /// With xi = 0, without iterative refinement.
+    /// Without iterative refinement.
+    BorderedSolutions solve_roughly(const Eigen::MatrixXd& f, const Eigen::VectorXd& xi) const {
+        return solve(f, xi, false, 1);
+    }
+    /// With xi = 0.
     BorderedSolutions solve_roughly(const Eigen::MatrixXd& f) const {
-        return solve(f, Eigen::VectorXd::Zero(f.cols()), false, 1);
+        return solve_roughly(f, Eigen::VectorXd::Zero(f.cols()));
     }
     /// With B^T.
     BorderedSolution solve_transposed(const Eigen::VectorXd& f, double xi) const {

@@ -40,8 +40,8 @@ struct BranchOptions {
     Predictor predictor = Predictor::cubic;                    ///< where the corrector starts
     Eigen::Index controlled = 0;                               ///< the unknown of StepConstraint::unknown
     double parameter_weight = 0;  ///< theta; 0: so that the parameter makes half of the first tangent's square
-    /// From so many times the multiplications of a solution on that a factorisation takes, corrections are made by
-    /// GMRES with the last factors, and K is factored at converged points alone.
+    /// From so many times the multiplications of a solution on that a factorisation takes, all corrections but the last
+    /// one are made by GMRES with the last factors.
     double iterate_from = 75;
     int most_sign_changes = 1;  ///< of eigenvalues in a step, before it is halved
     double resolution = 1e-4;   ///< a step is not halved below this, nor below 1e-4 of the way from the start, for the

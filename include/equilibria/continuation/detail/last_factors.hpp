@@ -1,7 +1,7 @@
 /// \file
 /// Newton's corrections along a branch without a factorisation: by GMRES, with the factors of a K nearby as its
 /// preconditioner. Of a K whose factorisation takes many times the work of a solution by its factors, as those of
-/// equations in three dimensions do, one factorisation a step is left: that of the converged point.
+/// equations in three dimensions do, one factorisation a step is left: that of the last correction.
 #pragma once
 
 #include <cmath>

@@ -17,7 +17,6 @@
 #include <array>
 #include <cstddef>
 #include <memory>
-#include <mutex>
 #include <vector>
 
 #include <Eigen/SparseCore>
@@ -102,7 +101,7 @@ public:
 
 private:
     struct Symmetries {
-        std::once_flag once;
+        detail::OnceFlag once;
         std::vector<Symmetry> found;
     };
     static std::size_t node_of(const NodalLoad& load) { return static_cast<std::size_t>(load.node); }
@@ -150,4 +149,5 @@ using NonconservativeStructure = BasicStructure<false>;
 #ifndef EQUILIBRIA_COMPILED
 #include <equilibria/fem/detail/structure_definitions.hpp>
 #include <equilibria/fem/detail/structure_symmetries_definitions.hpp>
+#include <equilibria/run/mutex.hpp>
 #endif

@@ -37,11 +37,12 @@ function lengths_and_masses(links, p) {
 }
 
 const labels = {length: 'length ℓ', ratio: 'ratio ℓ₂ / ℓ₁', alpha: 'mass ratio α', omega: 'speed ω'};
-const symbols = {length: 'ℓ', ratio: 'ℓ₂/ℓ₁'};
+const symbols = {length: 'ℓ', ratio: 'ℓ₂/ℓ₁', alpha: 'α', omega: 'ω'};
 for (const i of range(5)) {
     labels[`t${i}`] = symbols[`t${i}`] = `θ${written(String(i))}`;
     labels[`l${i}`] = `length ℓ${written(String(i))}`;
     labels[`m${i}`] = `mass m${written(String(i))}`;
+    symbols[`m${i}`] = `m${written(String(i))}`;
     symbols[`l${i}`] = `ℓ${written(String(i))}`;
 }
 
@@ -55,7 +56,7 @@ const starts = {
 
 export const chain = {
     id: 'chain', tab: 'Rotating chain',
-    hint: 'A chain hangs in a plane that turns about the dashed axis. Drag the point: where it crosses a curve, shapes at rest are born or die.',
+    hint: 'A chain hangs in a plane that turns about the dashed axis. Drag the point: where it crosses a curve, equilibria are born or die.',
     labels, symbols,
     model: ({links}) => model(links),
     start: ({links}) => ({links, ...starts[links], line: 'omega', parameters: {...model(links).parameters, ...starts[links].parameters}}),

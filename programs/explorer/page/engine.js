@@ -1,6 +1,7 @@
 // The page's side of the engine: it is unpacked and compiled once, and each worker is given the module. A worker does one thing at a
 // time; what is asked of it meanwhile waits, and only the newest question waits.
 import worker_source from 'inline:worker';
+import {Host, lean} from './host.js';
 
 let compiled;
 function module() {
@@ -8,12 +9,17 @@ function module() {
         const packed = document.getElementById('engine').textContent.trim();
         const bytes = Uint8Array.from(atob(packed), c => c.charCodeAt(0));
         const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream('deflate-raw'));
-        return WebAssembly.compile(await new Response(stream).arrayBuffer());
+        const made = await WebAssembly.compile(await new Response(stream).arrayBuffer());
+        setTimeout(() => {
+            here = new Host(made);
+            here.start();
+        }, 1500);  // after the first picture
+        return made;
     })());
 }
 
 const worker_url = URL.createObjectURL(new Blob([worker_source], {type: 'text/javascript'}));
-let next_id = 1;
+let next_id = 1, here = null;
 
 export class Overtaken extends Error {}
 
@@ -76,8 +82,16 @@ export class Engine {
         return this.#ask({request, full});
     }
     // Solves at many points; rows is called with each part of the answer.
-    sweep(request, points, rows) {
-        return this.#ask({sweep: {request, points}}, rows);
+    sweep(request, points, rows, keep = false) {
+        return this.#ask({sweep: {request, points, keep}}, rows);
+    }
+    // The same at once, on the page itself, if that has lately taken no more than a few milliseconds: a worker's answer would have to
+    // wait for its turn. Null if it may take longer.
+    run_here(request) {
+        if (!here || !(this.quick < 3.5)) return null;
+        const started = performance.now(), response = lean(here.run(request)), milliseconds = performance.now() - started;
+        this.quick = milliseconds > 12 ? Infinity : Math.max(milliseconds, 0.7 * this.quick);
+        return {response, milliseconds};
     }
     // Drops what is under way and what waits.
     stop() {

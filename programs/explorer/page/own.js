@@ -59,7 +59,7 @@ export const own = {
             line: names[0],
         };
     },
-    range: (name, value = 1) => (value > 0 ? [0, 2 * value] : value < 0 ? [2 * value, 0] : [-1, 1]),
+    range: (name, value = 1) => (value > 0 ? [0.25 * value, 2 * value] : value < 0 ? [2 * value, 0.25 * value] : [-1, 1]),
     locus: () => 'traced', diagram: () => 'traced',
     presets: [],
     sketch(state, q, p, {angles}) {

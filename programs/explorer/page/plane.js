@@ -3,7 +3,7 @@ import {scale, tics, svg, clamp} from './axes.js';
 import {colour, tint, index_colour} from './colours.js';
 import {short, written} from './names.js';
 
-const margin = {left: 50, right: 14, top: 12, bottom: 44};
+const margin = {left: 54, right: 14, top: 12, bottom: 44};
 
 export class Plane {
     constructor(host, {moved, viewed}) {
@@ -77,7 +77,8 @@ export class Plane {
         }
         front.append(
             svg('text', {x: (left + right) / 2, y: bottom + 38, 'text-anchor': 'middle', class: 'name'}, written(nx, symbols)),
-            svg('text', {x: 4, y: top + 12, class: 'name'}, written(ny, symbols)));
+            written(ny, symbols).length < 3 ? svg('text', {x: 2, y: (top + bottom) / 2 + 5 - (bottom - top) / 24, class: 'name'}, written(ny, symbols))
+                : svg('text', {transform: `translate(12 ${(top + bottom) / 2}) rotate(-90)`, 'text-anchor': 'middle', class: 'name'}, written(ny, symbols)));
     }
 
     #path(points, closed = false) {
@@ -108,8 +109,8 @@ export class Plane {
             curves.append(svg('rect', {x: this.sx(p[nx]) - 3.5, y: this.sy(p[ny]) - 3.5, width: 7, height: 7, class: 'cusp'}, svg('title', {}, 'degenerate pitchfork')));
         for (const {region, x, y, room} of this.#places()) {
             if (room < 9) continue;
-            const size = clamp(room * 0.8, 12, 24), both = room > 21;
-            const text = svg('text', {x, y: y + size * (both ? 0.18 : 0.35), 'text-anchor': 'middle', class: 'count', 'font-size': size}, String(region.count));
+            const size = clamp(room * 0.8, 12, 24), both = room > 19 && Math.min(x - this.box[0], this.box[1] - x) > 3.4 * region.by_index.join(' + ').length;
+            const text = svg('text', {x, y: y + size * (both ? 0.18 : 0.35), 'text-anchor': 'middle', class: 'count', style: `font-size: ${size.toFixed(1)}px`}, String(region.count));
             labels.append(text);
             if (both) labels.append(svg('text', {x, y: y + size * 0.18 + 15, 'text-anchor': 'middle', class: 'by-index'}, region.by_index.join(' + ')));
         }
@@ -221,6 +222,7 @@ export class Plane {
             this.svg.setPointerCapture(event.pointerId);
             if (pointers.size === 2) pinch = spread();
             else go(event);
+            this.svg.classList.remove('keys');
             this.handle.focus({preventScroll: true});
             this.svg.classList.add('dragging');
             event.preventDefault();
@@ -248,6 +250,7 @@ export class Plane {
             event.preventDefault();
             this.zoom(Math.exp(clamp(event.deltaY, -200, 200) * 0.0015), place(event));
         }, {passive: false});
+        this.handle.addEventListener('keyup', () => this.svg.classList.add('keys'));
         this.handle.addEventListener('keydown', event => {
             const direction = {ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1]}[event.key];
             if (direction) {

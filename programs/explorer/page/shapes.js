@@ -10,7 +10,7 @@ const heading = 22, gap = 8, flash = 1100;
 export function draw_sketch(context, sketch, extent, [bx, by, bw, bh], {stroke, stable, faint = 1}) {
     const [x0, x1, y0, y1] = extent, s = Math.min(bw / (x1 - x0), bh / (y1 - y0));
     const X = x => bx + bw / 2 + (x - (x0 + x1) / 2) * s, Y = y => by + bh / 2 - (y - (y0 + y1) / 2) * s;
-    const small = Math.min(bw, bh), heavy = clamp(small / (stable ? 26 : 48), 0.7, stable ? 5 : 3);
+    const small = Math.min(bw, bh), heavy = clamp(small / (stable ? 24 : 42), small < 40 ? 1 : 0.7, stable ? 5 : 3);
     const line = points => {
         context.beginPath();
         points.forEach(([x, y], i) => (i ? context.lineTo(X(x), Y(y)) : context.moveTo(X(x), Y(y))));
@@ -39,9 +39,9 @@ export function draw_sketch(context, sketch, extent, [bx, by, bw, bh], {stroke, 
     for (const points of sketch.thin ?? []) line(points);
     context.lineWidth = heavy;
     for (const rod of sketch.rods ?? []) line(rod);
-    context.fillStyle = stable ? stroke : colour('panel');
+    context.fillStyle = stable ? stroke : colour('cell');
     context.lineWidth = clamp(small / 70, 0.6, 1.8);
-    const unit = clamp(small / 22, 0.9, 6.5);
+    const unit = clamp(small / 20, 0.9, 7);
     for (const [x, y, r] of sketch.masses ?? []) {
         context.beginPath();
         context.arc(X(x), Y(y), unit * r, 0, 2 * Math.PI);
@@ -110,8 +110,8 @@ export class Shapes {
         return this.shown.find(e => e.id === (this.hover ?? this.pinned)) ?? null;
     }
 
-    show(equilibria, {sketch, extent, potential, aspect = 1}) {
-        Object.assign(this, {shown: equilibria, sketch, extent, potential, aspect});
+    show(equilibria, {sketch, extent, potential, aspect = 1, followed = null}) {
+        Object.assign(this, {shown: equilibria, sketch, extent, potential, aspect, followed});
         if (this.pinned && !equilibria.some(e => e.id === this.pinned)) this.pinned = null;
         this.draw();
     }
@@ -128,7 +128,7 @@ export class Shapes {
         for (const e of this.shown) (groups.get(e.index) ?? groups.set(e.index, []).get(e.index)).push(e);
         const ordered = [...groups].sort((a, b) => a[0] - b[0]);
         const rows = s => ordered.reduce((sum, [, list]) => sum + Math.ceil(list.length / Math.max(1, Math.floor(width / (s * this.aspect)))), 0);
-        let s = 150;
+        let s = 210;
         while (s > 7 && rows(s) * s + ordered.length * (heading + gap) > height) s -= s > 40 ? 2 : 0.5;
         const w = s * this.aspect, inset = s > 40 ? 3 : s > 18 ? 1.5 : 0.5;
         this.cells = [];
@@ -155,7 +155,7 @@ export class Shapes {
                 const cell = {x: (k % columns) * w, y: y + Math.floor(k / columns) * s, w, h: s, equilibrium};
                 this.cells.push(cell);
                 const box = [cell.x + inset, cell.y + inset, w - 2 * inset, s - 2 * inset], age = (now - equilibrium.born) / flash;
-                context.fillStyle = colour(stable ? 'stable-panel' : 'panel');
+                context.fillStyle = colour(stable ? 'stable-panel' : 'cell');
                 context.beginPath();
                 context.roundRect(...box, Math.min(6, s / 8));
                 context.fill();
@@ -165,7 +165,12 @@ export class Shapes {
                     context.lineWidth = picked ? 2 : s > 24 ? 1.2 : 0.6;
                     context.stroke();
                 }
-                const pad = s * 0.07;
+                if (equilibrium.id === this.followed && s > 60) {
+                    context.fillStyle = colour('ink');
+                    context.font = '600 12px system-ui, sans-serif';
+                    context.fillText('here', box[0] + 7, box[1] + 17);
+                }
+                const pad = s * 0.02;
                 draw_sketch(context, this.sketch(equilibrium.q), this.extent, [box[0] + pad, box[1] + pad, box[2] - 2 * pad, box[3] - 2 * pad], {stroke, stable});
                 if (age < 1 && !this.still.matches) {
                     lively = true;

@@ -10,9 +10,9 @@ const file = {
 
 export const zeeman = {
     id: 'zeeman', tab: 'Zeeman’s machine',
-    hint: 'Two elastics hold the rim of a disc: one is fixed below, the other one ends at the point that you drag. Leave the diamond on the other side than you came in, and the disc jumps.',
+    hint: 'Two elastics hold the rim of a disc; you drag the end of one. Leave the diamond on another side than you came in, and the disc jumps.',
     labels: {t: 'angle of the disc', x: 'x of the free end', y: 'y of the free end', anchor: 'distance of the fixed end', rest: 'length of the elastics at rest'},
-    symbols: {t: 'θ'},
+    symbols: {t: 'θ', x: 'x', y: 'y'},
     model: () => file,
     start: () => ({parameters: {...file.parameters}, x: ['x', -4, 4], y: ['y', 0, 8], line: 'x'}),
     range(name) {

@@ -90,7 +90,7 @@ export const chain = {
         return {axis: true, rods: [rod], masses, pivots: [[0, 0]]};
     },
     extent({links}, p) {
-        const r = lengths_and_masses(links, p)[0].reduce((a, b) => a + b) * 1.02;
+        const r = lengths_and_masses(links, p)[0].reduce((a, b) => a + b) * 1.09;
         return [-r, r, -r, r];
     },
 };

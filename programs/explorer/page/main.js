@@ -69,7 +69,8 @@ function adopt_model() {
     plane.set_raster(null);
     line.set_samples(null);
     line.set_branches(null);
-    $('#change').textContent = '';
+    $('#change').textContent = $('#locus-status').textContent = $('#diagram-status').textContent = '';
+    $('#argument').hidden = $('#locus-stop').hidden = $('#locus-trace').hidden = true;
     $('#chosen').textContent = '';
     build_controls();
     frame();
@@ -174,6 +175,7 @@ function build_controls() {
     if (current === own && $('#text').value !== state.text) $('#text').value = state.text;
     $('#motion-panel').hidden = !current.motion;
     $('main').classList.toggle('moves', Boolean(current.motion));
+    $('main').classList.toggle('own', current === own);
 }
 
 function build_axes(names) {
@@ -470,8 +472,10 @@ async function trace_plane(how = kind().locus(state)) {
             const counts = [...plane.raster.cells.values()].map(c => c.count);
         return say(`Counted at points: from ${Math.min(...counts)} (light) to ${Math.max(...counts)} equilibria. The borders between the colours are not traced; that takes minutes.`);
         }
-        say('Tracing the curves …');
-        const {response, milliseconds} = await slow.run({command: 'locus', model, set, x: {name: nx, low: x0, high: x1}, y: {name: ny, low: y0, high: y1}}, {full: true});
+        const began = performance.now(), tracing = () => say(`Tracing the curves …${performance.now() - began > 2000 ? ` ${Math.round((performance.now() - began) / 1000)} s` : ''}`);
+        tracing();
+        const clock = setInterval(tracing, 1000);
+        const {response, milliseconds} = await slow.run({command: 'locus', model, set, x: {name: nx, low: x0, high: x1}, y: {name: ny, low: y0, high: y1}}, {full: true}).finally(() => clearInterval(clock));
         if (asked !== generation) return;
         times.locus = milliseconds;
         locus = response;
@@ -517,7 +521,7 @@ async function count_plane(set, say) {
 
 function tell_locus() {
     const {curves, cusps, regions, evidence, argument} = locus, folds = curves.filter(c => c.kind === 'fold').length;
-    const parts = [counted(folds, 'fold curve'), counted(curves.length - folds, 'pitchfork curve'), counted(cusps.length, 'cusp'), counted(regions.length, 'region')];
+    const parts = [[folds, 'fold curve'], [curves.length - folds, 'pitchfork curve'], [cusps.length, 'cusp'], [regions.length, 'region']].filter(([n]) => n).map(([n, one]) => counted(n, one));
     $('#locus-status').textContent = `${parts.join(', ')}; ${evidence.complete ? 'none is missing' : 'some may be missing'} (${short(times.locus / 1000, 2)} s).`;
     $('#argument').hidden = false;
     $('#argument p').textContent = argument;
@@ -642,6 +646,6 @@ open_address();
 
 // For tests: what is shown, and how long it took.
 window.explorer = {
-    get state() { return state; }, get solution() { return solution; }, get locus() { return locus; }, get diagram() { return diagram; }, get proof() { return proof; },
+    get state() { return state; }, get model() { return model; }, get solution() { return solution; }, get locus() { return locus; }, get diagram() { return diagram; }, get proof() { return proof; },
     get equilibria() { return equilibria; }, times, open, move_to, saved,
 };

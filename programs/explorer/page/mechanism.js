@@ -23,8 +23,7 @@ export const mechanism = {
         {name: 'no force', note: 'four pitchforks as c₂ grows', state: {parameters: {stiffness_2: 60, force: 0}, line: 'stiffness_2'}},
     ],
     motion: {
-        until: 12, rates: ['w1', 'w2'],
-        starts: e => ({q1: e.q[0] + 0.4, q2: e.q[1] + 0.3}),
+        until: 60, speed: 4,
     },
     sketch(state, [q1, q2], p) {
         const l = p.length, x1 = l * Math.cos(q1), y1 = l * Math.sin(q1);

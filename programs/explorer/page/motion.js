@@ -1,4 +1,4 @@
-// A motion from rest, played back in the time that it takes.
+// A motion from rest, played back.
 import {draw_sketch} from './shapes.js';
 import {colour, index_colour} from './colours.js';
 import {slider} from './sliders.js';
@@ -44,7 +44,7 @@ export class Motion {
         const {model, set, unknowns, motion} = this.what, start = Object.fromEntries(unknowns.map((name, i) => [name, this.start[i]]));
         this.status.textContent = 'computing the motion …';
         try {
-            const {response} = await this.engine.run({command: 'motion', model, set, start, rates: {}, until: motion.until, points: motion.until * 60}, {full: true});
+            const {response} = await this.engine.run({command: 'motion', model, set, start, rates: {}, until: motion.until, points: motion.until * 30}, {full: true});
             this.points = response.points;
             this.balance = response.largest_balance;
             this.response = response;
@@ -57,7 +57,7 @@ export class Motion {
         const began = performance.now(), last = this.points.at(-1).t;
         const frame = () => {
             if (!this.playing) return;
-            const t = (performance.now() - began) / 1000;
+            const t = ((performance.now() - began) / 1000) * this.what.motion.speed;
             this.at = Math.min(this.points.length - 1, Math.floor((t / last) * (this.points.length - 1)));
             this.draw();
             if (t < last) requestAnimationFrame(frame);
@@ -94,6 +94,6 @@ export class Motion {
             }
         const point = this.points?.[this.playing || this.at ? this.at : 0];
         draw_sketch(context, sketch(point?.q ?? this.start), extent, box, {stroke: colour('born'), stable: true});
-        if (point && this.playing) this.status.textContent = `t = ${point.t.toFixed(1)} s`;
+        if (point && this.playing) this.status.textContent = `t = ${point.t.toFixed(1)} s, shown ${this.what.motion.speed} times as fast`;
     }
 }

@@ -24,25 +24,29 @@ export function parsed(text) {
         const at = /position (\d+)/.exec(error.message), end = /end of JSON/.test(error.message);
         const offset = at ? Number(at[1]) : end ? text.length : null;
         const where = offset === null ? null : place(text, offset);
-        const failure = new Error(where ? `line ${where.line}, column ${where.column}: ${error.message.replace(/ \(line .*\)$| at position \d+.*/, '')}` : error.message);
+        const failure = new Error(where ? `not JSON: line ${where.line}, column ${where.column}: ${error.message.replace(/ \(line .*\)$| at position \d+.*/, '')}` : error.message);
         failure.offset = offset;
         throw failure;
     }
 }
 
-// Where in the text of a model stands the place that the engine names, "potential, line 1, column 7 = ..."; null if it names none.
-// Lines and columns are those of the formula, or, of a file, of the file: both are tried.
+// Where in the text of a model stands the place that the engine names: "potential, line 1, column 7 = ..", "definitions.x2, ..",
+// "equations[1], ..", line and column in the formula; null if it names none.
 export function offset_of(text, message) {
-    const found = /(?:^|[ :])([A-Za-z_][\w ]*?)?(?:[ ,]+(?:number|entry)? ?(\d+))?, line (\d+), column (\d+)/.exec(message);
+    const found = /(\w+)(?:\.(\w+))?(?:\[(\d+)\])?, line (\d+), column (\d+)/.exec(message);
     if (!found) return null;
-    const [, what = '', , line, column] = found, key = what.trim().split(' ').pop();
-    const keyed = key && new RegExp(`"${key}"\\s*:\\s*\\[?\\s*"`).exec(text);
-    if (!keyed || Number(line) !== 1) {
-        const lines = text.split('\n');
-        if (Number(line) > lines.length) return null;
-        return lines.slice(0, line - 1).reduce((sum, l) => sum + l.length + 1, 0) + Number(column) - 1;
+    const [, key, member, entry, line, column] = found;
+    const behind = (pattern, from) => {
+        const at = pattern.exec(text.slice(from));
+        return at ? from + at.index + at[0].length : null;
+    };
+    let start = behind(new RegExp(`"${key}"\\s*:\\s*`), 0);
+    if (start !== null && member) start = behind(new RegExp(`"${member}"\\s*:\\s*`), start);
+    if (start !== null && entry !== undefined) {
+        start = behind(/\[\s*/, start);
+        for (let k = 0; k < Number(entry) && start !== null; ++k) start = behind(/"(?:[^"\\]|\\.)*"\s*,\s*/, start);
     }
-    return keyed.index + keyed[0].length + Number(column) - 1;
+    return start === null || Number(line) !== 1 ? null : start + Number(column);
 }
 
 export const own = {
@@ -76,7 +80,7 @@ export const own = {
                 masses.push([x, y, 0.5]);
             }
         }
-        return {discs: angles ? [[0, 0, 1]] : [], rods: [...rods, ...bars], masses, pivots: [[0, 0]]};
+        return {discs: angles ? [[0, 0, 1]] : [], rods: [...rods, ...bars], masses, pivots: angles ? [[0, 0]] : []};
     },
-    extent: (state, p, {angles, size}) => [-1.1, 1.1, -1.15 - 0.22 * (size - angles), 1.1],
+    extent: (state, p, {angles, size}) => [-1.1, 1.1, -1.15 - 0.22 * (size - angles), angles ? 1.1 : -1.05],
 };

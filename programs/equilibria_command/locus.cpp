@@ -2,7 +2,7 @@
 #include <cstdio>
 #include <string>
 
-#include <equilibria/studies/formula_model/formula_searches.hpp>
+#include <equilibria/io/results/singular_point_output.hpp>
 
 #include "command.hpp"
 #include "plots/bifurcation_locus.hpp"

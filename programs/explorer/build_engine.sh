@@ -36,6 +36,6 @@ for unit in $units; do echo "$(wc -c < "$root/$unit") $unit"; done | cut -d' ' -
         nice $compiler $flags -c "$root/{}" -o "$object"'
 
 for unit in $units; do echo "$out/$(echo "$unit" | tr / _).o"; done > "$out/objects"
-clang++-19 --target=wasm32-wasi -mexec-model=reactor -fwasm-exceptions "@$out/objects" -lwasi-emulated-getpid -o "$out/engine.wasm" \
+clang++-19 --target=wasm32-wasi -mexec-model=reactor -fwasm-exceptions "@$out/objects" -lwasi-emulated-getpid -lc-printscan-long-double -o "$out/engine.wasm" \
     -Wl,--gc-sections,--strip-all,-z,stack-size=4194304 -Wl,--export=engine_alloc,--export=engine_free,--export=engine_run,--export=engine_error
 mv "$out/engine.wasm" "$1/engine.wasm"

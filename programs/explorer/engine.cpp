@@ -11,6 +11,7 @@
 #include <equilibria/io/read_model.hpp>
 #include <equilibria/io/strict_json.hpp>
 
+#include "engine.hpp"
 #include "equilibria_command/documents.hpp"
 
 namespace explorer {
@@ -139,12 +140,19 @@ std::string motion(const JsonPlace& request, const Json& ordered) {
     return document(input, asked, moved(input, asked, {}));
 }
 
+std::string structure(const JsonPlace& request, const Json&) {
+    request.keys("structure", {"command", "case"});
+    return structure_document(request.at("case").choice({"star_dome", "right_angle_frame"}) == 0
+                                  ? Structure::star_dome
+                                  : Structure::right_angle_frame);
+}
+
 struct Command {
     std::string_view name;
     std::string (*run)(const JsonPlace& request, const Json& ordered);
 };
-constexpr Command known[] = {{"describe", describe}, {"solve", solve}, {"events", events},
-                             {"diagram", diagram},   {"locus", locus}, {"motion", motion}};
+constexpr Command known[] = {{"describe", describe}, {"solve", solve},   {"events", events},      {"diagram", diagram},
+                             {"locus", locus},       {"motion", motion}, {"structure", structure}};
 
 std::string answer(std::string_view text) {
     const auto parsed = equilibria::detail::parse_json(text, std::size_t{16} << 20, 6);

@@ -26,6 +26,7 @@
 #include <equilibria/fem/assembly.hpp>
 #include <equilibria/fem/structure_model.hpp>
 #include <equilibria/fem/symmetry.hpp>
+#include <equilibria/run/mutex.hpp>
 
 namespace equilibria::fem {
 
@@ -101,7 +102,7 @@ public:
 
 private:
     struct Symmetries {
-        detail::OnceFlag once;
+        equilibria::detail::OnceFlag once;
         std::vector<Symmetry> found;
     };
     static std::size_t node_of(const NodalLoad& load) { return static_cast<std::size_t>(load.node); }
@@ -149,5 +150,4 @@ using NonconservativeStructure = BasicStructure<false>;
 #ifndef EQUILIBRIA_COMPILED
 #include <equilibria/fem/detail/structure_definitions.hpp>
 #include <equilibria/fem/detail/structure_symmetries_definitions.hpp>
-#include <equilibria/run/mutex.hpp>
 #endif

@@ -21,6 +21,7 @@ const cases = {chain, mechanism, zeeman, own};
 const $ = selector => document.querySelector(selector);
 const live = new Engine(), calm = new Engine(), slow = new Engine();
 const times = {first: null, drag: [], locus: null};
+let structures = null;
 let state, model, unknowns, angles, equilibria = [], solution = null, locus = null, diagram = null, proof = null;
 let locus_key = '', diagram_key = '', rest_timer = 0, locus_timer = 0, moved_at = 0, generation = 0, diagram_time = 1e9;
 
@@ -45,6 +46,7 @@ function open(given, {keep_address = false} = {}) {
     state.y = known(state.y) ?? start.y;
     if (state.x && state.y && state.x[0] === state.y[0]) [state.x, state.y] = [start.x, start.y];
     if (!(state.line in state.parameters)) state.line = start.line;
+    structures?.stop();
     state.home = {x: state.x, y: state.y};
     ++generation;
     adopt_model();
@@ -567,12 +569,14 @@ function show_motion() {
     });
 }
 
-let structures;
 function open_structures() {
+    for (const engine of [live, calm, slow]) engine.stop();
+    clearTimeout(rest_timer);
+    clearTimeout(locus_timer);
+    ++generation;
     choose_tab('structures');
-    $('#hint').textContent = 'Two structures under load. Move along a branch, or click a critical point.';
     history.replaceState(null, '', '#structures');
-    if (structures) return;
+    if (structures) return void structures.open(structures.data?.case ?? 'star_dome');
     const script = document.createElement('script');
     script.textContent = $('#structures-script').textContent;
     document.body.append(script);

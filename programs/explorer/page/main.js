@@ -62,7 +62,7 @@ function adopt_model() {
     equilibria = [];
     followed = null;
     live.quick = Infinity;
-    $('#shapes').style.height = state.view === 'chain' && state.links > 3 ? (state.links === 4 ? '640px' : '820px') : '';
+    $('#shapes').style.flexBasis = state.view === 'chain' && state.links > 3 ? (state.links === 4 ? '640px' : '820px') : '';
     solution = locus = diagram = proof = null;
     locus_key = diagram_key = '';
     slow.stop();
@@ -304,7 +304,7 @@ async function solve(time) {
     if (state.x && state.y) plane.move([parameters[state.x[0]], parameters[state.y[0]]], point_in_words());
     if (state.line) line.now(parameters[state.line], equilibria, shapes.choice);
     tell_chosen(shapes.choice);
-    if (proof) {
+    if (proof && proof.at !== JSON.stringify(parameters)) {
         proof = null;
         $('#proof').innerHTML = '';
     }
@@ -379,7 +379,7 @@ async function rest() {
     try {
         const {response} = await calm.run({command: 'solve', model, set: state.parameters, prove: true});
         if (asked !== generation || at !== JSON.stringify(state.parameters)) return;
-        proof = response.proof;
+        proof = {...response.proof, at};
         tell_proof(response);
     } catch (error) {
         if (error instanceof Overtaken) return;

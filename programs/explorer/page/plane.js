@@ -178,7 +178,7 @@ export class Plane {
         this.lines = [svg('path', {class: 'cross'}), svg('path', {class: 'cross'})];
         this.handle = svg('g', {
             class: 'handle', tabindex: 0, role: 'slider', 'aria-roledescription': 'movable point', 'aria-label': 'Point in the plane; arrow keys move it',
-        }, svg('circle', {r: 22, class: 'touch'}), svg('circle', {r: 10, class: 'halo'}), svg('circle', {r: 7, class: 'dot'}));
+        }, svg('circle', {r: 22, class: 'touch'}), svg('circle', {r: 10, class: 'halo'}), svg('circle', {r: 7, class: 'dot'}), svg('text', {class: 'cue', x: 15, y: -12}, 'drag me'));
         point.append(...this.lines, this.handle);
     }
 
@@ -209,6 +209,7 @@ export class Plane {
             return [event.clientX - box.left, event.clientY - box.top];
         };
         const go = event => {
+            this.handle.querySelector('.cue')?.remove();
             const [px, py] = place(event), [, x0, x1] = this.axes.x, [, y0, y1] = this.axes.y;
             this.moved([clamp(this.sx.back(px), x0, x1), clamp(this.sy.back(py), y0, y1)], event.timeStamp);
         };
@@ -254,6 +255,7 @@ export class Plane {
         this.handle.addEventListener('keydown', event => {
             const direction = {ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1]}[event.key];
             if (direction) {
+                this.handle.querySelector('.cue')?.remove();
                 const [, x0, x1] = this.axes.x, [, y0, y1] = this.axes.y, step = event.shiftKey ? 0.05 : event.altKey ? 0.0005 : 0.005;
                 this.moved([
                     clamp(this.at[0] + direction[0] * step * (x1 - x0), x0, x1), clamp(this.at[1] + direction[1] * step * (y1 - y0), y0, y1),

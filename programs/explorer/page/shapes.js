@@ -148,7 +148,13 @@ export class Shapes {
             context.lineWidth = 1.6;
             context.stroke();
             context.fillStyle = colour('ink');
-            context.fillText(`${list.length} ${this.potential && index ? `of index ${index}` : name}`, 18, y + 15.5);
+            const text = `${list.length} ${this.potential && index ? `of index ${index}` : name}`;
+            context.fillText(text, 18, y + 15.5);
+            if (this.potential && index && width > 300) {
+                const end = 18 + context.measureText(text).width;
+                context.fillStyle = colour('soft');
+                context.fillText(`: unstable in ${['', 'one direction', 'two directions', 'three directions', 'four directions', 'five directions'][index] ?? `${index} directions`}`, end, y + 15.5);
+            }
             y += heading;
             const columns = Math.max(1, Math.floor(width / w));
             list.forEach((equilibrium, k) => {

@@ -78,7 +78,7 @@ class Structures {
         this.select.value = branch;
         this.range.max = points.length - 1;
         this.range.value = point;
-        this.host.querySelector('.now').textContent = `${event ? `${words[event.kind] ?? event.kind} at ` : ''}${this.data.parameter} = ${short(here.load, 6)}, displacement ${short(here.displacement, 5)}: ${here.stable ? 'stable' : 'unstable'}`;
+        this.host.querySelector('.now').textContent = `${event ? `${words[event.kind] ?? event.kind} at ` : ''}${this.data.parameter} = ${short(here.load, 6)}, displacement ${short(here.displacement, 5)}: ${event ? 'critical' : here.stable ? 'stable' : 'unstable'}`;
         this.#shape(here);
         this.draw();
     }
@@ -141,7 +141,7 @@ class Structures {
         this.still = new LineSegments(geometry, new LineBasicMaterial());
         this.scene.add(this.still);
         this.controls.target.copy(centre);
-        this.camera.position.copy(centre).add(new Vector3(0.5, -1.1, 0.55).multiplyScalar(this.size * 1.5));
+        this.camera.position.copy(centre).add(new Vector3(0.5, -1.1, 0.55).multiplyScalar(this.size * 1.15));
         this.controls.update();
     }
 
@@ -248,4 +248,5 @@ class Structures {
     }
 }
 
+// For the page: made when its tab is opened first.
 window.equilibria_structures = (host, engine) => new Structures(host, engine);

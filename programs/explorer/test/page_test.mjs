@@ -168,6 +168,15 @@ try {
     await traced();
     check((await page.evaluate(() => explorer.locus.cusps.length)) === 4, 'Zeeman’s diamond has four cusps');
 
+    // Structures in space: a critical point is clicked.
+    await page.goto('about:blank');
+    await page.goto(address + '#structures');
+    await until('/branches and \\d+ critical points/.test(document.querySelector("#structures .status")?.textContent)', 'the branches of the dome');
+    note(`structures: ${await page.$eval('#structures .status', e => e.textContent)}`);
+    await page.$eval('#structures .critical:last-of-type', e => e.dispatchEvent(new MouseEvent('click', {bubbles: true})));
+    check(/^(fold|pitchfork|multiple).*critical$/.test(await page.$eval('#structures .now', e => e.textContent)), 'a critical point is told');
+    check((await page.$eval('#space canvas', e => e.toDataURL().length)) > 5000, 'the dome is drawn in space');
+
     // Four links: counted at points, and fast enough to drag.
     await open('#chain&links=4');
     await until('explorer.proof', 'the proof of four links');
@@ -177,12 +186,20 @@ try {
 
     // Pictures, and no page wider than its window.
     if (options.screenshots) mkdirSync(options.screenshots, {recursive: true});
-    for (const [view, hash] of [['chain', '#chain&links=2&p.alpha=0.3&p.omega=2.4'], ['mechanism', '#mechanism'], ['zeeman', '#zeeman'], ['own', '#own']])
+    for (const [view, hash] of [['chain', '#chain&links=2&p.alpha=0.3&p.omega=2.4'], ['mechanism', '#mechanism'], ['zeeman', '#zeeman'], ['own', '#own'], ['structures', '#structures']])
         for (const [width, height] of [[1440, 1000], [820, 1180], [390, 844]])
             for (const scheme of ['light', 'dark']) {
                 if (scheme === 'dark' && view !== 'chain' && width !== 1440) continue;
-                await open(hash, width, height, scheme);
-                await traced();
+                if (view === 'structures') {
+                    await page.emulateMediaFeatures([{name: 'prefers-color-scheme', value: scheme}]);
+                    await page.setViewport({width, height, isMobile: width < 500, hasTouch: width < 500});
+                    await page.goto('about:blank');
+                    await page.goto(address + hash);
+                    await until('/traced/.test(document.querySelector("#structures .status")?.textContent)', 'the branches of the dome');
+                } else {
+                    await open(hash, width, height, scheme);
+                    await traced();
+                }
                 await sleep(300);
                 check(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth), `${view} fits into ${width} pixels`);
                 if (options.screenshots) await page.screenshot({path: join(options.screenshots, `${view}_${width}_${scheme}.png`), fullPage: true});

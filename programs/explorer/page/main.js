@@ -10,6 +10,8 @@ import {matched} from './match.js';
 import {clamp} from './axes.js';
 import {colour, index_word} from './colours.js';
 import {written, short, counted} from './names.js';
+import {by_index_in_words, change_in_words, proof_in_words, locus_in_words, line_in_words} from './words.js';
+import {button, choices} from './controls.js';
 import {address, read_address} from './state.js';
 import {svg_text, equilibria_csv, curves_csv, download} from './save.js';
 import {chain} from './chain.js';
@@ -93,27 +95,6 @@ function put_address() {
 }
 
 // --- controls ------------------------------------------------------------------------------------------------------------------
-
-const button = (text, attributes, act) => {
-    const made = document.createElement('button');
-    made.textContent = text;
-    for (const [key, value] of Object.entries(attributes)) made.setAttribute(key, value);
-    made.addEventListener('click', act);
-    return made;
-};
-// Buttons of which one is chosen; arrow keys go from one to the next.
-function choices(host, options, chosen, act) {
-    host.replaceChildren(...options.map(([value, text]) =>
-        button(text, {role: 'radio', 'aria-checked': value === chosen, tabindex: value === chosen ? 0 : -1}, () => act(value))));
-    host.onkeydown = event => {
-        const step = {ArrowRight: 1, ArrowDown: 1, ArrowLeft: -1, ArrowUp: -1}[event.key];
-        if (!step) return;
-        event.preventDefault();
-        const next = options[(options.findIndex(o => o[0] === chosen) + step + options.length) % options.length][0];
-        act(next);
-        host.querySelector('[aria-checked=true]')?.focus();
-    };
-}
 
 function build_tabs() {
     const tabs = Object.values(cases).map(c => [c.id, c.tab]);
@@ -299,7 +280,7 @@ async function solve(time) {
         aspect: (([x0, x1, y0, y1]) => clamp((x1 - x0) / (y1 - y0), 0.6, 1.4))(kind().extent(state, parameters, context)),
     });
     $('#count strong').textContent = solution.real;
-    $('#count .what').textContent = has_potential() ? `${solution.real === 1 ? 'equilibrium' : 'equilibria'}: ${in_words(solution.by_index)}` : solution.real === 1 ? 'equilibrium' : 'equilibria';
+    $('#count .what').textContent = has_potential() ? `${solution.real === 1 ? 'equilibrium' : 'equilibria'}: ${by_index_in_words(solution.by_index)}` : solution.real === 1 ? 'equilibrium' : 'equilibria';
     tell_change(before, solution.by_index);
     if (state.x && state.y) plane.move([parameters[state.x[0]], parameters[state.y[0]]], point_in_words());
     if (state.line) line.now(parameters[state.line], equilibria, shapes.choice);
@@ -329,16 +310,12 @@ function follow() {
     if (jump) say_change('The equilibrium that held the disc is gone: it jumps.');
 }
 
-const in_words = by_index => by_index.map((n, i) => [n, i]).filter(([n]) => n).map(([n, i]) => `${n} ${i ? `of index ${i}` : 'stable'}`).join(', ');
 const point_in_words = () => `${[state.x[0], state.y[0]].map(name => `${written(name, symbols())} = ${short(state.parameters[name], 4)}`).join(', ')}: ${counted(solution.real, 'equilibrium', 'equilibria')}`;
 
 let change_timer = 0, said_until = 0;
 function tell_change(before, now) {
-    if (!before || before.length !== now.length) return;
-    const list = sign => now.map((n, i) => [(n - before[i]) * sign, i]).filter(([n]) => n > 0).map(([n, i]) => `${n} ${i ? `of index ${i}` : 'stable'}`).join(' and ');
-    const born = list(1), gone = list(-1);
-    if (!born && !gone) return;
-    if (!kind().follows || performance.now() > said_until - 3900) say_change([born && `born: ${born}`, gone && `gone: ${gone}`].filter(Boolean).join('; '));
+    const words = change_in_words(before, now);
+    if (words && !(kind().follows && performance.now() < said_until - 3900)) say_change(words);  // a jump just told stands
 }
 function say_change(words) {
     $('#change').textContent = words;
@@ -388,14 +365,11 @@ async function rest() {
     if (line_key() !== diagram_key) await trace_line();
 }
 
-function tell_proof({proof, real, clean, alarms, paths, finite, at_infinity}) {
-    const host = $('#proof'), mark = document.createElement('span');
-    mark.className = proof.complete ? 'yes' : 'no';
-    const all = real === 1 ? 'this one is' : `these ${real} are`;
-    mark.textContent = proof.complete ? `✓ Proved: ${all} all.` : proof.distinct === proof.distinct + proof.undecided && proof.real === real ? `✓ Proved: ${all} there. ` : '';
-    if (!proof.complete && mark.textContent) mark.className = 'yes';
-    const words = [proof.complete ? '' : 'That there are no others is not proved: ', proof.reason, proof.complete ? `; ${proof.real} of them real${proof.index === proof.real ? ', each with its index' : ''}.` : ''].join('');
-    host.replaceChildren(mark, ` ${words[0]?.toUpperCase() ?? ''}${words.slice(1)}${clean || proof.complete ? '' : ` ${alarms}`}`);
+function tell_proof(response) {
+    const {mark, text} = proof_in_words(response), sign = document.createElement('span');
+    sign.className = 'yes';
+    sign.textContent = mark;
+    $('#proof').replaceChildren(sign, ` ${text}`);
 }
 
 const line_key = () => (state.line ? JSON.stringify([line_range(), other_parameters([state.line]), generation]) : '');
@@ -429,10 +403,7 @@ async function trace_line() {
             diagram_time = milliseconds;
             line.set_branches(diagram);
             line.set_stale(key !== line_key());
-            const kinds = {};
-            for (const e of diagram.events) kinds[e.kind] = (kinds[e.kind] ?? 0) + 1;
-            const events = Object.entries(kinds).map(([k, n]) => counted(n, k)).join(', ');
-            say(`${events ? `${events} along the line` : 'No equilibrium is born or dies along the line'}${diagram.failed_paths ? `; ${diagram.failed_paths} paths failed` : ''}.`);
+            say(line_in_words(diagram));
         }
     } catch (error) {
         if (!(error instanceof Overtaken)) say(error.message);
@@ -522,11 +493,9 @@ async function count_plane(set, say) {
 }
 
 function tell_locus() {
-    const {curves, cusps, regions, evidence, argument} = locus, folds = curves.filter(c => c.kind === 'fold').length;
-    const parts = [[folds, 'fold curve'], [curves.length - folds, 'pitchfork curve'], [cusps.length, 'cusp'], [regions.length, 'region']].filter(([n]) => n).map(([n, one]) => counted(n, one));
-    $('#locus-status').textContent = `${parts.join(', ')}; ${evidence.complete ? 'none is missing' : 'some may be missing'} (${short(times.locus / 1000, 2)} s).`;
+    $('#locus-status').textContent = locus_in_words(locus, times.locus);
     $('#argument').hidden = false;
-    $('#argument p').textContent = argument;
+    $('#argument p').textContent = locus.argument;
 }
 
 // --- the model of one's own ----------------------------------------------------------------------------------------------------

@@ -22,7 +22,7 @@ export const zeeman = {
     presets: [
         {name: 'the diamond', note: 'four cusps', state: {}},
         {name: 'its lower cusp', note: 'y = 2.48', state: {parameters: {x: 0.05, y: 2.6}, x: ['x', -0.6, 0.6], y: ['y', 2.2, 3.2]}},
-        {name: 'long elastics', note: 'the elastics are slack for part of a turn', state: {parameters: {rest: 3.2}}},
+        {name: 'long elastics', note: 'elastics longer at rest: more folds, more cusps', state: {parameters: {rest: 3.2}}},
     ],
     sketch(state, [t], p) {
         const rim = [Math.sin(t), Math.cos(t)];

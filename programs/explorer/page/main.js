@@ -8,7 +8,7 @@ import {Motion} from './motion.js';
 import {slider} from './sliders.js';
 import {matched} from './match.js';
 import {clamp} from './axes.js';
-import {colour, index_word} from './colours.js';
+import {index_word} from './colours.js';
 import {written, short, counted} from './names.js';
 import {by_index_in_words, change_in_words, proof_in_words, locus_in_words, line_in_words} from './words.js';
 import {button, choices} from './controls.js';
@@ -152,7 +152,7 @@ function build_controls() {
     $('#legend').innerHTML = key('M0 6H28', 'class="k-fold" stroke="var(--fold)" stroke-width="2.6"', 'folds')
         + key('M0 6H28', 'stroke="var(--pitchfork)" stroke-width="2.2" stroke-dasharray="7 3"', 'pitchforks')
         + key('M14 1.5a4.5 4.5 0 1 0 .01 0', 'fill="var(--ink)"', 'cusps')
-        + (has_potential() ? '<span>12 = 2 + 6 + 4: stable + index 1 + index 2</span>' : '');
+        + (has_potential() ? '<span class="sum">12 = 2 + 6 + 4: stable + index 1 + index 2</span>' : '');
     $('#legend').hidden = !state.x || !state.y;
     $('#own').hidden = current !== own;
     if (current === own && $('#text').value !== state.text) $('#text').value = state.text;

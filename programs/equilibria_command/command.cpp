@@ -51,6 +51,7 @@ Input read(const Command& c) {
         const std::string what = error.what();
         support::refuse(what.starts_with("path = ") ? what : c.file + ": " + what);
     }
+    y.file = c.file;
     y.p = y.model.values;
     for (const std::string& part : split(c.fixed, ',')) {
         const std::size_t equal = part.find('=');
@@ -75,22 +76,6 @@ Varied varied(const Input& input, const std::string& option, const std::string& 
     return {number_of(input.model.parameters, option, name), name, *low, *high};
 }
 
-Json heading(const Command& c, const Input& input) {
-    Json out{{"file", c.file}};
-    if (!input.model.name.empty()) out["model"] = input.model.name;
-    out["unknowns"] = unknowns(input.model);
-    Json parameters = Json::object();
-    for (int k = 0; k < input.p.size(); ++k)
-        parameters[input.model.parameters[static_cast<std::size_t>(k)]] = input.p[k];
-    out["parameters"] = std::move(parameters);
-    return out;
-}
-
-std::vector<std::string> unknowns(const FormulaModel& model) {
-    std::vector<std::string> y = model.angles;
-    y.insert(y.end(), model.coordinates.begin(), model.coordinates.end());
-    return y;
-}
 void print_names(const FormulaModel& model) {
     for (const std::string& name : unknowns(model)) std::printf("%13s", name.c_str());
 }

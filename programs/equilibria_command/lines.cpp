@@ -7,7 +7,6 @@
 #include <string>
 
 #include <equilibria/io/results/diagram_output.hpp>
-#include <equilibria/io/results/line_events_output.hpp>
 #include <equilibria/studies/formula_model/formula_searches.hpp>
 
 #include "command.hpp"
@@ -27,10 +26,6 @@ void print(const Event& e) {
     std::printf("%-18.14g  %-24s", e.value, std::string(equilibria::kind_name(e.kind)).c_str());
     print_unknowns(e.q);
     std::printf("\n");
-}
-
-equilibria::RuntimeSizes sizes(const FormulaModel& model) {
-    return {static_cast<int>(model.angles.size()), static_cast<int>(model.coordinates.size())};
 }
 
 /// An angle's branch is turned as a whole into (-pi, pi], so that one at pi does not flicker between the edges.
@@ -93,11 +88,7 @@ int events(int argc, char** argv) {
     const Varied by = varied(input, "--vary", vary);
 
     const auto found = equilibria::find_events(input.model, input.p, by.parameter, {by.low, by.high}, c.run());
-    if (c.json) {
-        Json out = heading(c, input);
-        equilibria::add_keys(out, equilibria::json_of(found, by.name));
-        c.json->write(equilibria::json_text(out));
-    }
+    if (c.json) c.json->write(document(input, by, found));
     if (!to_stdout(c.json)) {
         std::printf("%s; %s from %g to %g\n\n%-18s  %-24s", in_words(input).c_str(), by.name.c_str(), by.low, by.high,
                     by.name.c_str(), "event");
@@ -140,11 +131,7 @@ int diagram(int argc, char** argv) {
         pictures.draw({120 + 430 * across, 130 + 400 * down}, plotted(input, by, found), plots::model_diagram);
     }
     if (csv) csv->write(equilibria::diagram_csv(found, by.name, sizes(input.model)).text());
-    if (c.json) {
-        Json out = heading(c, input);
-        equilibria::add_keys(out, equilibria::json_of(found, by.name, sizes(input.model)));
-        c.json->write(equilibria::json_text(out));
-    }
+    if (c.json) c.json->write(document(input, by, found));
     if (!to_stdout(c.json) && !to_stdout(csv)) {
         std::printf("%s; %s from %g to %g\n\n%-18s  %-24s", in_words(input).c_str(), by.name.c_str(), by.low, by.high,
                     by.name.c_str(), "event");

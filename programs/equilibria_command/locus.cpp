@@ -2,8 +2,7 @@
 #include <cstdio>
 #include <string>
 
-#include <equilibria/io/results/locus_output.hpp>
-#include <equilibria/studies/formula_model/formula_searches.hpp>
+#include <equilibria/io/results/singular_point_output.hpp>
 
 #include "command.hpp"
 #include "plots/bifurcation_locus.hpp"
@@ -18,7 +17,7 @@ int locus(int argc, char** argv) {
     Command c;
     std::string x, y;
     equilibria::LocusOptions options;
-    options.lines = 12;
+    options.lines = locus_lines;
     support::Pictures pictures;
     support::CommandLine app{
         "Folds, pitchforks and cusps of a model in the plane of two of its parameters, and the regions between them "
@@ -46,13 +45,7 @@ int locus(int argc, char** argv) {
                                   .x = support::axis_name(across.name),
                                   .y = support::axis_name(up.name)}),
                       plots::bifurcation_locus);
-    if (c.json) {
-        Json out = heading(c, input);
-        equilibria::add_keys(out, equilibria::json_of(found, {.x = across.name, .y = up.name},
-                                                      {static_cast<int>(input.model.angles.size()),
-                                                       static_cast<int>(input.model.coordinates.size())}));
-        c.json->write(equilibria::json_text(out, 1));
-    }
+    if (c.json) c.json->write(document(input, across, up, found));
     if (to_stdout(c.json)) return 0;
     std::printf("%s\n\n", in_words(input).c_str());
     const auto point = [&](const char* kind, const auto& at) {

@@ -109,18 +109,16 @@ int motion(int argc, char** argv) {
     const Input input = read(c);
     if (!input.model.kinetics)
         support::fail(c.file, "", "must have \"kinetic_energy\" and \"rates\": the model does not move");
-    const equilibria::MotionState<equilibria::RuntimeUnknowns> from{
-        values_of("--start", start, unknowns(input.model)), values_of("--rates", rates, input.model.kinetics->rates)};
-    std::vector<double> times;
-    for (int k = 0; k + 1 < points; ++k) times.push_back(until * k / (points - 1));
-    times.push_back(until);
+    const MotionRequest asked{
+        {values_of("--start", start, unknowns(input.model)), values_of("--rates", rates, input.model.kinetics->rates)},
+        until,
+        tolerance,
+        points,
+        formulation == "hamilton"};
 
     equilibria::RunOptions run;
     run.cancel = &support::cancelled_by_signal();
-    const Motion found =
-        equilibria::integrate_motion(input.model, input.p, from, times, {tolerance, tolerance, 0, 100'000'000}, run,
-                                     formulation == "hamilton" ? equilibria::FormulaFormulation::hamilton
-                                                               : equilibria::FormulaFormulation::lagrange);
+    const Motion found = moved(input, asked, run);
     if (found.status == equilibria::MotionStatus::cancelled) {
         std::fprintf(stderr, "equilibria motion: interrupted at t = %g\n", found.time);
         return 130;
@@ -131,13 +129,7 @@ int motion(int argc, char** argv) {
         pictures.draw({120 + 430 * across, 130 + 300 * down}, plotted(input, found, until), plots::model_motion);
     }
     if (csv) csv->write(equilibria::motion_csv(found, input.model.unknowns()).text());
-    if (c.json) {
-        Json out = heading(c, input);
-        out["rates"] = input.model.kinetics->rates;
-        out["formulation"] = formulation;
-        equilibria::add_keys(out, equilibria::json_of(found));
-        c.json->write(equilibria::json_text(out));
-    }
+    if (c.json) c.json->write(document(input, asked, found));
     if (!to_stdout(c.json) && !to_stdout(csv)) print(input, found, formulation);
     return found.status == equilibria::MotionStatus::finished ? 0 : 1;
 }

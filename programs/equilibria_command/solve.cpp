@@ -1,16 +1,8 @@
 // equilibria solve, equilibria prove
 #include <cstdio>
 #include <iostream>
-#include <optional>
 #include <sstream>
 #include <string>
-#include <vector>
-
-#include <equilibria/io/results/proof_output.hpp>
-#include <equilibria/io/results/root_set_output.hpp>
-#include <equilibria/io/results/stability_output.hpp>
-#include <equilibria/studies/formula_model/formula_motion.hpp>
-#include <equilibria/studies/formula_model/formula_searches.hpp>
 
 #include "command.hpp"
 #include "support/interrupt.hpp"
@@ -37,35 +29,18 @@ int enumerated(const char* name, bool proved, int argc, char** argv) {
 
     equilibria::RunOptions run = c.run();
     run.cancel = &support::cancelled_by_signal();
-    const auto set = equilibria::enumerate(input.model, input.p, run,
-                                           start == "total-degree" ? equilibria::FormulaStart::total_degree
-                                           : start == "polyhedral" ? equilibria::FormulaStart::polyhedral
-                                                                   : equilibria::FormulaStart::least_cost,
-                                           more_digits);
+    const Solved found = solved(input, run,
+                                {.start = start == "total-degree" ? equilibria::FormulaStart::total_degree
+                                          : start == "polyhedral" ? equilibria::FormulaStart::polyhedral
+                                                                  : equilibria::FormulaStart::least_cost,
+                                 .more_digits = more_digits,
+                                 .prove = proved});
+    const auto& [set, proof, poles] = found;
     if (set.cancelled()) {
         std::fprintf(stderr, "%s: interrupted\n", name);
         return 130;
     }
-    std::optional<equilibria::ProofOfRoots> proof;
-    if (proved) proof = equilibria::prove(input.model, set, c.run());
-
-    std::vector<std::optional<equilibria::PoleCount<Eigen::MatrixXd>>> poles;  // of models that move
-    if (input.model.kinetics)
-        for (const auto& e : set.equilibria)
-            poles.push_back(equilibria::count_poles_at_rest(input.model, e.q, input.p));
-
-    if (c.json) {
-        Json out = heading(c, input), found = equilibria::json_of(set, {input.model.parameters});
-        found.erase("parameters");
-        for (std::size_t k = 0; k < poles.size(); ++k) {
-            Json& e = found["equilibria"][k];
-            e["verdict"] = poles[k] ? Json(to_string(poles[k]->verdict())) : Json();
-            e["poles"] = poles[k] ? equilibria::json_list(poles[k]->poles) : Json();
-        }
-        equilibria::add_keys(out, found);
-        if (proof) out["proof"] = equilibria::json_of(*proof);
-        c.json->write(equilibria::json_text(out));
-    }
+    if (c.json) c.json->write(document(input, found));
     if (!to_stdout(c.json)) {
         std::printf("%s\n\n", in_words(input).c_str());
         print_names(input.model);

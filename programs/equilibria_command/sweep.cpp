@@ -87,7 +87,7 @@ int sweep(int argc, char** argv) {
         return 130;
     }
     if (c.json) {
-        Json out = heading(c, input);
+        Json out = heading(input);
         equilibria::add_keys(out, support::sweep_json(counts));
         c.json->write(equilibria::json_text(out));
     }

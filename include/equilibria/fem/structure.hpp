@@ -17,7 +17,6 @@
 #include <array>
 #include <cstddef>
 #include <memory>
-#include <mutex>
 #include <vector>
 
 #include <Eigen/SparseCore>
@@ -27,6 +26,7 @@
 #include <equilibria/fem/assembly.hpp>
 #include <equilibria/fem/structure_model.hpp>
 #include <equilibria/fem/symmetry.hpp>
+#include <equilibria/run/mutex.hpp>
 
 namespace equilibria::fem {
 
@@ -102,7 +102,7 @@ public:
 
 private:
     struct Symmetries {
-        std::once_flag once;
+        equilibria::detail::OnceFlag once;
         std::vector<Symmetry> found;
     };
     static std::size_t node_of(const NodalLoad& load) { return static_cast<std::size_t>(load.node); }

@@ -1,6 +1,7 @@
 /// \file
 /// Pictures are drawn by gnuplot, which must be on the PATH: a script goes in, an image comes out. What a script file
 /// draws, data and settings, stands before it (GnuplotData), so that the file itself never changes.
+/// Where the C++ library knows no files there are data alone.
 #pragma once
 
 #include <cstddef>
@@ -15,9 +16,11 @@
 #include <string>
 #include <string_view>
 #include <vector>
+#include <version>
 
 namespace equilibria {
 
+#ifdef __cpp_lib_filesystem
 /// The image that gnuplot makes of a script; `terminal` is the argument of `set terminal`, for instance "svg size
 /// 900,700" or "pngcairo size 900,700". Throws std::runtime_error where gnuplot is missing or refuses the script.
 inline std::string gnuplot(const std::string& terminal, const std::string& script) {
@@ -38,6 +41,7 @@ inline std::string gnuplot(const std::string& terminal, const std::string& scrip
                                  ")");
     return image;
 }
+#endif
 
 /// A gnuplot data block: `$name << EOD`, the rows, `EOD`.
 inline std::string gnuplot_block(const std::string& name, const std::string& rows) {

@@ -42,12 +42,18 @@
 
 namespace equilibria {
 
+/// What an error in a formula counts lines and columns in.
+enum class FormulaPlaces {
+    in_text,     ///< the text of the model, as who reads a file wants it
+    in_formula,  ///< the formula, as who typed that alone wants it
+};
+
 namespace detail {
 
 class ModelReader {
 public:
-    ModelReader(std::string_view text, std::size_t most_bytes)
-        : text_(text), json_(parse_json(text, most_bytes, 4)), root_(json_.root, ""), model_(names()),
+    ModelReader(std::string_view text, std::size_t most_bytes, FormulaPlaces places = FormulaPlaces::in_text)
+        : text_(text), places_(places), json_(parse_json(text, most_bytes, 4)), root_(json_.root, ""), model_(names()),
           builder_(static_cast<int>(model_.angles.size()), static_cast<int>(model_.coordinates.size()),
                    static_cast<int>(model_.parameters.size())) {
         add(model_.angles, "an angle", [this](int k) { return builder_.angle(k); });
@@ -124,8 +130,8 @@ private:
             const std::string what = error.what(), before = "kinetic_energy = ";
             if (!what.starts_with(before)) throw;
             const std::size_t colon = what.find(": ");
-            throw JsonError("kinetic_energy, " + in_text(energy.name(), 0),
-                            what.substr(before.size(), colon - before.size()), what.substr(colon + 2));
+            throw JsonError("kinetic_energy, " + line_of(energy, 0), what.substr(before.size(), colon - before.size()),
+                            what.substr(colon + 2));
         }
     }
 
@@ -197,27 +203,29 @@ private:
         try {
             return formula_text::parse(place.string(), builder_, resolve);
         } catch (const formula_text::FormulaError& error) {
-            throw JsonError(place.name() + ", " + in_text(place.name(), error.byte), error.what_is_there,
+            throw JsonError(place.name() + ", " + line_of(place, error.byte), error.what_is_there,
                             error.what_is_allowed);
         }
     }
 
-    /// Line and column in the text of the byte of a string's value.
-    std::string in_text(const std::string& place, std::size_t byte) const {
-        const std::size_t begin = string_at(text_, place);
-        std::size_t at = begin;
-        for (std::size_t k = 0; k < byte && at < text_.size(); ++k) {
-            if (text_[at] == '\\') at += at + 1 < text_.size() && text_[at + 1] == 'u' ? 5 : 1;
+    /// Line and column of the byte of a string's value.
+    std::string line_of(const JsonPlace& place, std::size_t byte) const {
+        const bool in_formula = places_ == FormulaPlaces::in_formula;
+        const std::string_view text = in_formula ? std::string_view(place.string()) : text_;
+        std::size_t at = in_formula ? byte : string_at(text_, place.name());
+        for (std::size_t k = 0; !in_formula && k < byte && at < text.size(); ++k) {
+            if (text[at] == '\\') at += at + 1 < text.size() && text[at + 1] == 'u' ? 5 : 1;
             ++at;
         }
-        at = std::min(at, text_.size());
-        const auto line = std::count(text_.begin(), text_.begin() + static_cast<std::ptrdiff_t>(at), '\n') + 1;
-        const std::size_t last = text_.substr(0, at).rfind('\n');
-        const std::size_t column = at - (last == text_.npos ? 0 : last + 1) + 1;
+        at = std::min(at, text.size());
+        const auto line = std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n') + 1;
+        const std::size_t last = text.substr(0, at).rfind('\n');
+        const std::size_t column = at - (last == text.npos ? 0 : last + 1) + 1;
         return "line " + std::to_string(line) + ", column " + std::to_string(column);
     }
 
     std::string_view text_;
+    FormulaPlaces places_;
     JsonText json_;
     JsonPlace root_;
     FormulaModel model_;
@@ -233,8 +241,9 @@ private:
 
 /// The model that a text says. Throws InvalidArgument for a text that is not one, with the place in it, and for
 /// formulas that are none of a model, with line and column.
-inline FormulaModel parse_model(std::string_view text, std::size_t most_bytes = std::size_t{16} << 20) {
-    return detail::ModelReader(text, most_bytes).read();
+inline FormulaModel parse_model(std::string_view text, std::size_t most_bytes = std::size_t{16} << 20,
+                                FormulaPlaces places = FormulaPlaces::in_text) {
+    return detail::ModelReader(text, most_bytes, places).read();
 }
 /// The model in a file. Throws InvalidArgument also where the file cannot be read.
 inline FormulaModel read_model(const std::string& path, std::size_t most_bytes = std::size_t{16} << 20) {

@@ -1,5 +1,5 @@
 /// \file
-/// Text from a file, of a limited size.
+/// Text from a file, of a limited size. Where the C++ library knows no files every name is refused.
 #pragma once
 
 #include <array>
@@ -10,6 +10,7 @@
 #include <fstream>
 #include <string>
 #include <system_error>
+#include <version>
 
 #include <equilibria/core/error.hpp>
 
@@ -18,6 +19,10 @@ namespace equilibria {
 /// What is in a file. Throws InvalidArgument where it cannot be read, or has more than so many bytes.
 inline std::string read_text(const std::string& path, std::size_t most_bytes) {
     const auto refuse = [&](const std::string& allowed) { throw InvalidArgument("path", '"' + path + '"', allowed); };
+#ifndef __cpp_lib_filesystem
+    refuse("must be a file of at most " + std::to_string(most_bytes) + " bytes, and there are no files here");
+    return {};
+#else
     const std::string limit = "must be a file of at most " + std::to_string(most_bytes) + " bytes";
     std::error_code error;
     if (std::filesystem::is_directory(path, error)) refuse("must be a file, not a folder");
@@ -35,6 +40,7 @@ inline std::string read_text(const std::string& path, std::size_t most_bytes) {
     }
     if (file.bad()) refuse("must be a file that can be read to its end");
     return text;
+#endif
 }
 
 }  // namespace equilibria

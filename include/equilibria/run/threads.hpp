@@ -7,8 +7,8 @@
 
 namespace equilibria {
 
-/// An executor over so many threads, the caller's among them; 0: all of the machine's. Throws InvalidArgument above
-/// 1024.
+/// An executor over so many threads, the caller's among them; 0: all of the machine's. With EQUILIBRIA_NO_THREADS
+/// (run/mutex.hpp) the serial one, whatever the number. Throws InvalidArgument above 1024.
 Executor threads(unsigned count);
 
 }  // namespace equilibria

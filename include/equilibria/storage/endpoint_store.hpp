@@ -8,7 +8,6 @@
 #include <cstdint>
 #include <map>
 #include <memory>
-#include <mutex>
 #include <set>
 #include <span>
 #include <string>
@@ -16,6 +15,7 @@
 #include <vector>
 
 #include <equilibria/core/huge_pages.hpp>
+#include <equilibria/run/mutex.hpp>
 #include <equilibria/storage/checkpoint.hpp>
 
 namespace equilibria::detail {
@@ -125,7 +125,7 @@ public:
 
     /// Keeps a finished block; with a checkpoint it is on the disk afterwards. From any thread, each block once.
     void put(std::uint64_t which, std::span<const Endpoint> ends, std::uint64_t retracked) {
-        const std::lock_guard lock(*guard_);
+        const Lock lock(*guard_);
         if (file_) file_->append(which, ends, retracked);
         enter(which, ends, retracked);
     }
@@ -136,7 +136,7 @@ public:
         BlockCodec(sizes_).append(to, paths, 0, [&](std::uint64_t k) { return ends_.fields(which * block_ + k); });
     }
     void put(std::uint64_t which, std::span<const std::uint8_t> encoded, std::uint64_t paths) {
-        const std::lock_guard lock(*guard_);
+        const Lock lock(*guard_);
         if (file_) file_->append(which, encoded);
         if (!ends_.empty()) {
             Reader read(encoded.subspan(BlockCodec::head));
@@ -213,7 +213,7 @@ private:
     std::vector<std::uint8_t> has_;
     EndpointTable ends_;
     std::unique_ptr<Checkpoint> file_;
-    std::unique_ptr<std::mutex> guard_ = std::make_unique<std::mutex>();
+    std::unique_ptr<Mutex> guard_ = std::make_unique<Mutex>();
     std::map<std::uint64_t, Endpoint> replaced_;
     std::set<std::uint64_t> unsettled_;
     std::array<Window, 3> windows_;

@@ -1,5 +1,6 @@
 /// \file
-/// A file that one process reads and writes and no other one, as bytes; every error names it. POSIX, locked with flock.
+/// A file that one process reads and writes and no other one, as bytes; every error names it. POSIX, locked with flock;
+/// refused where there are no locks, as under WASI.
 #pragma once
 
 #include <fcntl.h>
@@ -119,9 +120,13 @@ private:
         file_ = -1;
     }
     void lock() const {
+#ifdef __wasi__
+        refuse("cannot be locked: this system has no locks");
+#else
         if (::flock(file_, LOCK_EX | LOCK_NB) == 0) return;
         if (errno == EWOULDBLOCK) refuse("is in use by another run");
         refuse("cannot be locked", errno);
+#endif
     }
 
     std::string path_;

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -14,6 +13,7 @@
 #include <boost/algorithm/string/split.hpp>
 #include <boost/algorithm/string/trim.hpp>
 
+#include <equilibria/core/read_number.hpp>
 #include <equilibria/core/splitmix.hpp>
 #include <equilibria/enumerate/parameter_points.hpp>
 #include <equilibria/paths/complex_roots.hpp>
@@ -111,7 +111,7 @@ EQUILIBRIA_INLINE ParameterPoints listed_parameters(const std::string& csv, cons
                 std::to_string(cells.size()) + " values", "must have " + std::to_string(columns.size()));
         for (std::size_t k = 0; k < cells.size(); ++k) {
             double value = 0;
-            const auto [rest, error] = std::from_chars(cells[k].data(), cells[k].data() + cells[k].size(), value);
+            const auto [rest, error] = detail::read_number(cells[k].data(), cells[k].data() + cells[k].size(), value);
             require(error == std::errc() && rest == cells[k].data() + cells[k].size() && std::isfinite(value), place(k),
                     '"' + cells[k] + '"', "must be a finite number");
             values->push_back(value);

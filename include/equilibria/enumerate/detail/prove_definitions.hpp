@@ -9,7 +9,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
-#include <mutex>
 #include <numbers>
 #include <optional>
 #include <ostream>
@@ -29,6 +28,7 @@
 #include <equilibria/enumerate/prove.hpp>
 #include <equilibria/evaluation/point_of.hpp>
 #include <equilibria/run/elapsed.hpp>
+#include <equilibria/run/mutex.hpp>
 #include <equilibria/run/ranks.hpp>
 #include <equilibria/storage/endpoint_bytes.hpp>
 
@@ -186,7 +186,7 @@ private:
             set_lane(q.x[j], l, root[static_cast<std::size_t>(sizes_.angles + j)]);
     }
     void keep_enclosure(std::size_t k, Enclosure<double> enclosure) {
-        const std::lock_guard lock(guard_);
+        const detail::Lock lock(guard_);
         enclosures_.insert_or_assign(k, std::move(enclosure));
     }
 
@@ -232,7 +232,7 @@ private:
         }
         keep_enclosure(k, std::move(rounded));
         if constexpr (std::is_same_v<S, Most>) {
-            const std::lock_guard lock(guard_);
+            const detail::Lock lock(guard_);
             sharp_.insert_or_assign(k, enclosure);
         }
     }
@@ -373,7 +373,7 @@ private:
     std::vector<EnclosureInterval> intervals_;
     std::map<std::size_t, Enclosure<double>> enclosures_;  // of those that may be others, or took more digits
     std::map<std::size_t, Enclosure<Most>> sharp_;         // those that took the most digits
-    std::mutex guard_;
+    detail::Mutex guard_;
 };
 
 EQUILIBRIA_INLINE ProofOfRoots prove_roots(const RootsToProve& set, const RunOptions& run,

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <algorithm>
-#include <mutex>
 #include <numeric>
 #include <ostream>
 #include <string>
@@ -13,6 +12,7 @@
 #include <equilibria/paths/generic_instance.hpp>
 #include <equilibria/paths/over_ranks.hpp>
 #include <equilibria/run/elapsed.hpp>
+#include <equilibria/run/mutex.hpp>
 #include <equilibria/storage/checkpoint.hpp>
 
 namespace equilibria {
@@ -179,7 +179,7 @@ private:
         }
         std::optional<RootSet<RuntimeUnknowns>> best;
         for (int k = 0; k < most_instances; ++k) {
-            std::call_once(begun_[static_cast<std::size_t>(k)], [&] {
+            detail::call_once(begun_[static_cast<std::size_t>(k)], [&] {
                 if (k > 0) instances_[static_cast<std::size_t>(k)] = instance(k);
             });
             auto set = from_instance(*instances_[static_cast<std::size_t>(k)], member, p);
@@ -317,7 +317,7 @@ private:
     RunOptions run_;
     SweepOptions options_;
     SweptPointCodec codec_;
-    std::array<std::once_flag, most_instances> begun_;
+    std::array<detail::OnceFlag, most_instances> begun_;
     std::array<std::unique_ptr<const GenericInstance>, most_instances> instances_;
     std::vector<Ranks::Bytes> waiting_;
     std::vector<std::uint64_t> offsets_;  // of each block in the file, 0 where it is not there

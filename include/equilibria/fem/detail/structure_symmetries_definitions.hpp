@@ -19,7 +19,7 @@ namespace equilibria::fem {
 
 template <bool Conservative>
 const std::vector<Symmetry>& BasicStructure<Conservative>::symmetries() const {
-    std::call_once(symmetries_->once, [this] {
+    equilibria::detail::call_once(symmetries_->once, [this] {
         std::vector<Eigen::Vector3d> places;
         for (int k = 0; k < model_->nodes(); ++k) places.push_back(model_->at(k));
         for (Symmetry& s : symmetries_of(places))

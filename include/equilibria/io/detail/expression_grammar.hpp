@@ -8,7 +8,6 @@
 #error "reading polynomial systems needs <tao/pegtl.hpp>: Debian's package tao-pegtl-dev, or github.com/taocpp/PEGTL"
 #endif
 
-#include <charconv>
 #include <cmath>
 #include <complex>
 #include <cstddef>
@@ -23,6 +22,7 @@
 
 #include <equilibria/algebra/polynomial_system.hpp>
 #include <equilibria/core/error.hpp>
+#include <equilibria/core/read_number.hpp>
 #include <equilibria/io/detail/polynomial_expansion.hpp>
 #include <equilibria/io/polynomial_limits.hpp>
 
@@ -101,7 +101,7 @@ Number value_of(const Input& in) {
     const std::string text = in.string();
     const char* first = text.data() + (text[0] == '+' ? 1 : 0);
     Number value{};
-    const auto [end, error] = std::from_chars(first, text.data() + text.size(), value);
+    const auto [end, error] = detail::read_number(first, text.data() + text.size(), value);
     if (error != std::errc{} || end != text.data() + text.size()) refuse("must be a number that fits its type", in);
     return value;
 }

@@ -6,7 +6,6 @@
 #error "reading models needs <tao/pegtl.hpp>: Debian's package tao-pegtl-dev, or github.com/taocpp/PEGTL"
 #endif
 
-#include <charconv>
 #include <cstddef>
 #include <functional>
 #include <numbers>
@@ -19,6 +18,7 @@
 #include <tao/pegtl.hpp>
 
 #include <equilibria/core/error.hpp>
+#include <equilibria/core/read_number.hpp>
 #include <equilibria/formula/formula_builder.hpp>
 
 namespace equilibria::detail::formula_text {
@@ -97,7 +97,7 @@ struct Action<grammar::number> {
     static void apply(const Input& in, Reading& r) {
         const std::string text = in.string();
         double value{};
-        const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+        const auto [end, error] = detail::read_number(text.data(), text.data() + text.size(), value);
         if (error != std::errc{} || end != text.data() + text.size())
             throw tao::pegtl::parse_error("must be a number that a double can hold", in);
         at(in, [&] { r.values.push_back(r.builder.number(value)); });

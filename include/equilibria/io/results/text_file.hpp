@@ -1,5 +1,6 @@
 /// \file
-/// Text into a file, whole or not at all: what stood there before stays until all is written.
+/// Text into a file, whole or not at all: what stood there before stays until all is written. Where the C++ library
+/// knows no files nothing can be written.
 #pragma once
 
 #include <cerrno>
@@ -9,8 +10,11 @@
 #include <string>
 #include <string_view>
 #include <system_error>
+#include <version>
 
 namespace equilibria {
+
+#ifdef __cpp_lib_filesystem
 
 namespace detail {
 
@@ -43,5 +47,14 @@ inline void write_text(const std::filesystem::path& path, std::string_view text)
     if (!special) std::filesystem::remove(part, ignored);
     throw std::system_error(error, path.string());
 }
+
+#else
+
+/// There are no files. Throws std::system_error.
+inline void write_text(const std::filesystem::path& path, std::string_view) {
+    throw std::system_error(std::make_error_code(std::errc::not_supported), path.string());
+}
+
+#endif
 
 }  // namespace equilibria

@@ -7,7 +7,6 @@
 #include <atomic>
 #include <chrono>
 #include <cstdint>
-#include <mutex>
 #include <numeric>
 #include <optional>
 #include <span>
@@ -22,6 +21,7 @@
 #include <equilibria/paths/over_ranks.hpp>
 #include <equilibria/paths/path_set.hpp>
 #include <equilibria/run/elapsed.hpp>
+#include <equilibria/run/mutex.hpp>
 #include <equilibria/run/ranks.hpp>
 #include <equilibria/run/run_options.hpp>
 #include <equilibria/storage/checkpoint.hpp>
@@ -202,7 +202,7 @@ private:
     }
     void report(std::uint64_t more, std::uint64_t all) {
         if (!run_->progress || !run_->ranks.first()) return;
-        const std::lock_guard lock(progress_guard_);
+        const Lock lock(progress_guard_);
         run_->progress(done_ += more, all);
     }
 
@@ -359,7 +359,7 @@ private:
     const RunOptions* run_;
     TrackerOptions options_;
     MoreDigits<H> more_digits_;
-    std::mutex progress_guard_;
+    Mutex progress_guard_;
     std::uint64_t done_ = 0;
 };
 

@@ -10,7 +10,6 @@
 #include <functional>
 #include <limits>
 #include <memory>
-#include <mutex>
 #include <utility>
 #include <vector>
 
@@ -22,6 +21,7 @@
 #include <equilibria/polyhedral/mixed_cells.hpp>
 #include <equilibria/polyhedral/supports.hpp>
 #include <equilibria/run/executor.hpp>
+#include <equilibria/run/mutex.hpp>
 
 namespace equilibria::detail {
 
@@ -128,7 +128,7 @@ inline WalkCounts walk_tree(const Supports& supports, const RegenerationPlan& pl
     std::vector<char> done(branches.size(), 0);
     std::size_t turn = 0;
     bool telling = false;
-    std::mutex mutex;
+    Mutex mutex;
     std::atomic<bool> stopped = false;
     executor.for_blocks(branches.size(), 1, [&](std::size_t begin, std::size_t end) {
         for (std::size_t b = begin; b < end; ++b) {
@@ -138,7 +138,7 @@ inline WalkCounts walk_tree(const Supports& supports, const RegenerationPlan& pl
             std::vector<StoredCell> found;
             std::uint64_t left = most;
             if (most != std::numeric_limits<std::uint64_t>::max()) {
-                const std::lock_guard lock(mutex);
+                const Lock lock(mutex);
                 if (counts.volume > most)
                     stopped = true;
                 else
@@ -153,7 +153,7 @@ inline WalkCounts walk_tree(const Supports& supports, const RegenerationPlan& pl
                     return !stopped;
                 });
             branches[b].reset();
-            std::unique_lock lock(mutex);
+            Lock lock(mutex);
             counts.add(walk);
             waiting[b] = std::move(found);
             done[b] = 1;

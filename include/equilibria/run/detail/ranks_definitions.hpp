@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <exception>
-#include <mutex>
 
 #include <boost/endian/conversion.hpp>
 
+#include <equilibria/run/mutex.hpp>
 #include <equilibria/run/ranks.hpp>
 
 namespace equilibria {
@@ -17,11 +17,11 @@ EQUILIBRIA_INLINE void Ranks::for_blocks(const Loop& loop, const Executor& execu
     std::vector<std::size_t> open;
     for (std::size_t k = 0; k < loop.size; ++k)
         if (!loop.done || !loop.done(k)) open.push_back(k);
-    std::mutex guard;
+    detail::Mutex guard;
     executor.for_blocks(open.size(), 1, [&](std::size_t at, std::size_t) {
         if (loop.cancelled && loop.cancelled()) return;
         const Bytes bytes = loop.work(open[at]);
-        const std::lock_guard lock(guard);
+        const detail::Lock lock(guard);
         loop.take(open[at], bytes);
     });
 }

@@ -2,6 +2,7 @@
 /// See run/threads.hpp.
 #pragma once
 
+#ifndef EQUILIBRIA_NO_THREADS
 #include <algorithm>
 #include <atomic>
 #include <cstddef>
@@ -10,12 +11,14 @@
 #include <mutex>
 #include <thread>
 #include <vector>
+#endif
 
 #include <equilibria/core/error.hpp>
 #include <equilibria/run/threads.hpp>
 
 namespace equilibria {
 
+#ifndef EQUILIBRIA_NO_THREADS
 namespace detail {
 
 /// Threads that live as long as one loop and take its blocks in order.
@@ -50,12 +53,17 @@ private:
 };
 
 }  // namespace detail
+#endif
 
 EQUILIBRIA_INLINE Executor threads(unsigned count) {
     require(count <= 1024, "threads", count, "must be 0 (all) to 1024");
+#ifdef EQUILIBRIA_NO_THREADS
+    return {};
+#else
     if (count == 0) count = std::max(1u, std::thread::hardware_concurrency());
     if (count == 1) return {};
     return Executor(std::make_shared<const detail::ThreadBackend>(count));
+#endif
 }
 
 }  // namespace equilibria

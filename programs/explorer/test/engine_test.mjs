@@ -187,6 +187,19 @@ same(
     native("motion", springFile, "--start", `${angle}=0.3,${coordinate}=1`, "--until", "5", "--points", "11", "--json", "-"),
 );
 
+// Structures: their critical loads are known (docs/finite-rotations.md)
+for (const [name, kind, load, branches] of [["star_dome", "pitchfork", 0.00086436745, 9], ["right_angle_frame", "pitchfork", 1.08752, 3]]) {
+    const found = JSON.parse(engine.run({ command: "structure", case: name }));
+    const [first] = found.branches[0].events;
+    check(first.kind === kind && Math.abs(first.load / load - 1) < 1e-5 && found.branches.length === branches,
+        `${name}: ${first.kind} at ${first.load}, ${found.branches.length} branches`);
+    const wrong = found.branches.flatMap(({ points, events }) => [
+        ...points.filter((point) => point.shape.length !== found.nodes.length),
+        ...events.filter((event) => points[event.point].load !== event.load),
+    ]);
+    check(wrong.length === 0, `${name}: a shape at each point, and a point at each event`);
+}
+
 // Errors
 function error(request) {
     try {

@@ -33,4 +33,9 @@ TEST_CASE("Numbers are read to the last bit, and no farther than they go") {
     CHECK(read("1e999", value).second == std::errc::result_out_of_range);
     CHECK(read("1e-999", value).second == std::errc::result_out_of_range);
     CHECK(value == 7);
+
+    const std::string text = "12,";
+    int integer = 0;
+    CHECK(read_number(text.data(), text.data() + text.size(), integer).ptr == text.data() + 2);
+    CHECK(integer == 12);
 }

@@ -77,13 +77,15 @@ std::string structure_document(Structure which) {
                             {"points", std::move(points)},
                             {"events", Json::array()}});
     }
+    std::vector<std::size_t> next(t.branches.size());  // a closed branch comes by the same loads again
     for (const auto& event : t.critical_points) {
         const auto number = event.json["branch"].get<std::size_t>();
         const double load = event.json["parameter"].get<double>();
         const auto& points = t.branches[number].points;
-        std::size_t at = 0;
+        std::size_t at = next[number];
         while (at + 1 < points.size() && points[at].parameter != load) ++at;
         branches[number]["events"].push_back({{"kind", event.json["kind"]}, {"load", load}, {"point", at}});
+        next[number] = at + 1;
     }
     return Json{{"case", t.name},
                 {"parameter", buckling.parameter},

@@ -233,6 +233,11 @@ TEST_CASE("models that are refused, with line and column") {
     CHECK_THAT(formula(R"json(x + \u0000)json"),
                Catch::Contains("line 4, column 20 = ?: ") && Catch::Contains("must stand here"));
 
+    const std::string two_lines = with_potential(R"json(cos(t) +\n  c)json");
+    CHECK_THAT(refusal(two_lines), Catch::Contains("line 4, column 28 = c"));
+    CHECK_THROWS_WITH(equilibria::parse_model(two_lines, 1000, equilibria::FormulaPlaces::in_formula),
+                      Catch::StartsWith("potential, line 2, column 3 = c: no name c"));
+
     CHECK_THAT(refusal("{"), Catch::Contains("must be JSON"));
     CHECK_THAT(refusal(R"json({"angles": ["t"]})json"), Catch::Contains(R"(either "potential" or "equations")"));
     CHECK_THAT(refusal(R"json({"angles": ["t"], "potential": "cos(t)", "equations": ["t"]})json"),

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <charconv>
+#include <concepts>
+#include <cstddef>
 #include <string>
 #include <system_error>
 #include <version>
@@ -35,6 +37,11 @@ inline std::from_chars_result read_number(const char* first, const char* last, d
     value = read;
     return {first + length, {}};
 #endif
+}
+/// An integer, as std::from_chars.
+template <std::integral T>
+std::from_chars_result read_number(const char* first, const char* last, T& value) {
+    return std::from_chars(first, last, value);
 }
 
 }  // namespace equilibria::detail

@@ -3,6 +3,9 @@ import {written} from './names.js';
 
 const range = n => Array.from({length: n}, (_, i) => i + 1);
 
+// Of three links those of examples/models/rotating_chain_of_three_links.json; all different, as equal ones are a special case.
+const lengths = [1.1, 1.2, 1.3, 1.15, 1.25], masses = [1.05, 1.2, 1.45, 1.1, 1.3];
+
 // Two links as Baillieul writes them, with alpha = m2 / (m1 + m2) and the ratio of the lengths; others by lengths and masses.
 function model(links) {
     const angles = range(links).map(i => `t${i}`);
@@ -18,8 +21,8 @@ function model(links) {
             potential: '-0.5*omega^2*length^2*sin(t1)^2 - length*cos(t1)',
         };
     const parameters = {omega: 1.7}, definitions = {};
-    for (const i of range(links)) parameters[`l${i}`] = 1;
-    for (const i of range(links)) parameters[`m${i}`] = 1;
+    for (const i of range(links)) parameters[`l${i}`] = lengths[i - 1];
+    for (const i of range(links)) parameters[`m${i}`] = masses[i - 1];
     for (const i of range(links)) {
         definitions[`x${i}`] = `${i > 1 ? `x${i - 1} + ` : ''}l${i}*sin(t${i})`;
         definitions[`z${i}`] = `${i > 1 ? `z${i - 1} + ` : ''}l${i}*cos(t${i})`;
@@ -75,7 +78,7 @@ export const chain = {
         {name: 'ratio 1.1', note: 'the same plane at another ratio of the lengths', state: {links: 2, parameters: {ratio: 1.1}}},
         {name: 'ratio 2.2', note: 'the same plane at another ratio of the lengths', state: {links: 2, parameters: {ratio: 2.2}}},
         {name: 'one link', note: 'a pendulum that turns: one pitchfork, ω² ℓ = g', state: {links: 1}},
-        {name: 'three links', note: 'mass 3 and speed: 25 regions', state: {links: 3}},
+        {name: 'three links', note: 'the mass of the last one, and the speed', state: {links: 3}},
     ],
     sketch({links}, q, p) {
         const [l, m] = lengths_and_masses(links, p), rod = [[0, 0]], masses = [];

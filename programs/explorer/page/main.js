@@ -67,8 +67,7 @@ function adopt_model() {
     $('#shapes').style.flexBasis = state.view === 'chain' && state.links > 3 ? (state.links === 4 ? '640px' : '820px') : '';
     solution = locus = diagram = proof = null;
     locus_key = diagram_key = '';
-    slow.stop();
-    calm.stop();
+    for (const engine of [live, calm, slow]) if (engine.busy) engine.stop();
     plane.set_locus(null);
     plane.set_raster(null);
     line.set_samples(null);
@@ -560,7 +559,7 @@ async function saved(what) {
     if (what === 'diagram-svg') return [`${name}_diagram.svg`, 'image/svg+xml', svg_text($('#diagram svg'))];
     if (what === 'equilibria-csv') return [`${name}_equilibria.csv`, 'text/csv', equilibria_csv(solution?.equilibria ?? [])];
     if (what === 'curves-csv') return locus ? [`${name}_curves.csv`, 'text/csv', curves_csv(locus, state.x[0], state.y[0])] : null;
-    const {response} = await new Engine().run({command: 'solve', model, set: state.parameters, prove: true}, {full: true});
+    const engine = new Engine(), {response} = await engine.run({command: 'solve', model, set: state.parameters, prove: true}, {full: true}).finally(() => setTimeout(() => engine.stop()));
     return [`${name}.json`, 'application/json', JSON.stringify({model, address: address(state), solution: response, locus, diagram}, null, 2)];
 }
 for (const made of document.querySelectorAll('[data-save]'))

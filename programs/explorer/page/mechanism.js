@@ -23,7 +23,7 @@ export const mechanism = {
         {name: 'no force', note: 'four pitchforks as c₂ grows', state: {parameters: {stiffness_2: 60, force: 0}, line: 'stiffness_2'}},
     ],
     motion: {
-        until: 60, speed: 4,
+        until: 60, speed: 4, start: [0.9666, 0.4488],
     },
     sketch(state, [q1, q2], p) {
         const l = p.length, x1 = l * Math.cos(q1), y1 = l * Math.sin(q1);

@@ -21,7 +21,7 @@ export class Motion {
         const fresh = this.what?.model !== what.model;
         this.what = what;
         if (fresh || !this.start) {
-            this.start = what.unknowns.map((_, i) => [2.4, 2.0][i] ?? 0.5);
+            this.start = [...what.motion.start];
             const host = this.root.querySelector('#motion-sliders');
             host.replaceChildren(...what.unknowns.map((name, i) => slider({
                 name: `start-${name}`, label: `${written(name, what.labels)} at the start [rad]`, low: -Math.PI, high: Math.PI, value: this.start[i],
@@ -74,7 +74,7 @@ export class Motion {
         const q = this.points.at(-1).q, away = e => Math.hypot(...e.q.map((v, i) => Math.sin((v - q[i]) / 2) * 2));
         const nearest = [...this.what.equilibria].sort((a, b) => away(a) - away(b))[0];
         this.draw();
-        const near = nearest && away(nearest) < 0.05 ? `in the ${nearest.index === 0 ? 'stable equilibrium' : `equilibrium of index ${nearest.index}`}` : 'still on its way';
+        const near = nearest && away(nearest) < 0.12 ? `at rest, or nearly, in the ${nearest.index === 0 ? 'stable equilibrium' : `equilibrium of index ${nearest.index}`}` : 'still swinging';
         this.status.textContent = `After ${short(this.points.at(-1).t, 3)} s: ${near}. Energy is balanced to ${short(this.balance, 2)} of itself.`;
     }
 

@@ -198,10 +198,12 @@ class Structures {
         parts.push(svg('text', {x: (left + width - right) / 2, y: height - 6, 'text-anchor': 'middle'}, `displacement ${this.data.displacement}`),
             svg('text', {transform: `translate(12 ${height / 2}) rotate(-90)`, 'text-anchor': 'middle', class: 'name'}, this.data.parameter));
         this.data.branches.forEach((branch, k) => {
+            // a branch that leaves a critical point is what its next point is
+            const holds = i => (branch.points[i].stable || i === 0) && branch.points[i + 1].stable;
             for (let from = 0; from + 1 < branch.points.length; ) {
                 let to = from + 1;
-                const stable = branch.points[from].stable && branch.points[to].stable;
-                while (to + 1 < branch.points.length && (branch.points[to].stable && branch.points[to + 1].stable) === stable) ++to;
+                const stable = holds(from);
+                while (to + 1 < branch.points.length && holds(to) === stable) ++to;
                 const d = branch.points.slice(from, to + 1).map((p, i) => `${i ? 'L' : 'M'}${sx(p.displacement).toFixed(1)} ${sy(p.load).toFixed(1)}`).join('');
                 parts.push(svg('path', {d, class: stable ? 'branch stable' : 'branch', stroke: colour(stable ? 'index-0' : 'index-2'), opacity: k === this.branch ? 1 : 0.45}));
                 from = to;

@@ -119,6 +119,26 @@ try {
     await page.keyboard.press('ArrowDown');
     check((await page.evaluate(() => explorer.state.parameters.omega)) < omega, 'an arrow key moves the point');
 
+    // A finger on a phone; names of all that can be used.
+    await open('', 390, 844);
+    await traced();
+    const plane = await (await page.$('#plane svg')).boundingBox(), count = await page.evaluate(() => explorer.solution.real);
+    await page.touchscreen.touchStart(plane.x + 160, plane.y + 200);
+    for (let i = 1; i <= 20; ++i) {
+        await page.touchscreen.touchMove(plane.x + 160, plane.y + 200 - 6 * i);
+        await sleep(20);
+    }
+    await page.touchscreen.touchEnd();
+    await sleep(300);
+    check((await page.evaluate(() => explorer.solution.real)) !== count, 'a finger drags the point');
+    check(/^born: /.test(await page.$eval('#change', e => e.textContent)), 'births are told');
+    const unnamed = [], visit = part => {
+        if (['button', 'slider', 'radio', 'tab', 'combobox', 'image', 'img', 'spinbutton', 'textbox'].includes(part.role) && !part.name) unnamed.push(part.role);
+        part.children?.forEach(visit);
+    };
+    visit(await page.accessibility.snapshot());
+    check(unnamed.length === 0, `every control has a name: ${unnamed}`);
+
     // What is saved reads back.
     await open('#chain&links=2&p.alpha=0.3&p.omega=2.5&line=alpha');
     await traced();

@@ -101,11 +101,11 @@ private:
     bool factor(Matrix&& k);
     /// How many directions are watched beside the weakest one, where the eigenvalues are not known.
     int watched() const { return BorderedSolver<Matrix>::sparse && problem_.properties().symmetric ? 2 : 0; }
-    /// The converged point (q, p), by the factors of the last correction and the r and s that it solved for, which are
-    /// refined. g_p: dg/dp at the K that was factored, where K here is the same; null: both are computed here. `from`:
-    /// the last point of the branch.
-    std::optional<Point> assess_from(const AnyConfiguration& q, double p, detail::BorderedPair pair,
-                                     const Eigen::VectorXd* g_p, const Point& from, const Direction& along);
+    /// The converged point (q, p), by the factors of the last correction, the r and s that it solved for, and, unless K
+    /// is the `same` but for a correction of next to nothing, a refinement of these. `from`: the last point of the
+    /// branch.
+    std::optional<Point> assess_from(const AnyConfiguration& q, double p, detail::BorderedPair pair, bool same,
+                                     const Point& from, const Direction& along);
     /// The point (q, p) with this residual and weakest direction; s: [s; -mu] of bordered.hpp.
     std::optional<Point> point_of(const AnyConfiguration& q, double p, const Eigen::VectorXd& g,
                                   const WeakDirection& weak, const BorderedSolution& s,

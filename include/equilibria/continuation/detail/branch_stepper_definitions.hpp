@@ -170,16 +170,16 @@ std::optional<BranchPoint<Erased>> AnyBranchStepper<Matrix>::assess(const AnyCon
 
 template <class Matrix>
 std::optional<BranchPoint<Erased>> AnyBranchStepper<Matrix>::assess_from(const AnyConfiguration& q, double p,
-                                                                         detail::BorderedPair pair,
-                                                                         const Eigen::VectorXd* g_p, const Point& from,
-                                                                         const Direction& along) {
+                                                                         detail::BorderedPair pair, bool same,
+                                                                         const Point& from, const Direction& along) {
     Linearization<Matrix> here;
-    if (g_p)
+    if (same) {
         here.residual = problem_.residual(q, p);
-    else
+    } else {
         here = problem_.linearization(q, p);
-    if (!here.residual.allFinite()) return std::nullopt;
-    pair.refine(solver_, g_p ? solver_.matrix() : here.tangent, g_p ? *g_p : here.parameter_derivative);
+        if (!here.residual.allFinite()) return std::nullopt;
+        pair.refine(solver_, here.tangent, here.parameter_derivative);
+    }
     const Border before = border_;
     const auto weak = weakest_direction(solver_, pair.r, weights_, problem_.multipliers(), border_,
                                         from.weak_directions(), watched());
@@ -351,7 +351,7 @@ std::optional<BranchPoint<Erased>> AnyBranchStepper<Matrix>::correct_from(
             Eigen::MatrixXd right = Eigen::MatrixXd::Zero(g.size(), 3);
             right.col(0) = -g;
             right.col(1) = -g_p;
-            const BorderedSolutions solutions = solver_.solve_roughly(right, Eigen::Vector3d(0, 0, 1));
+            const BorderedSolutions solutions = solver_.solve(right, Eigen::Vector3d(0, 0, 1));
             factored = detail::BorderedPair{solutions[2], solutions[1]};
             corrected = factored->combine(solutions[0], normal, -value);
             if (iterate && k == 0) last = last_factors();
@@ -383,10 +383,9 @@ std::optional<BranchPoint<Erased>> AnyBranchStepper<Matrix>::correct_from(
             Direction along = from.tangent;
             along.q = problem_.transport(from.q, moved.q, along.q);
             q = problem_.rebase(q, p);
-            // K, but for a correction of next to nothing, is the one that was factored
-            const bool same = size <= 0.01 * tolerance(moved);
-            auto point = size > tolerance(moved) ? assess(q, p, along)
-                                                 : assess_from(q, p, *factored, same ? &g_p : nullptr, from, along);
+            auto point = size > tolerance(moved)
+                             ? assess(q, p, along)
+                             : assess_from(q, p, *factored, size <= 0.01 * tolerance(moved), from, along);
             if (!point) return std::nullopt;
             point->corrections = k + 1;
             point->step = h;

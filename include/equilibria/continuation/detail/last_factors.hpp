@@ -37,7 +37,7 @@ struct BorderedPair {
         const Eigen::Index row = solver.border().row;
         rest(row, 0) -= r.tau;
         rest(row, 1) -= s.tau;
-        const BorderedSolutions correction = solver.solve_roughly(rest);
+        const BorderedSolutions correction = solver.solve(rest, Eigen::Vector2d::Zero());
         r.x += correction.x.col(0);
         s.x += correction.x.col(1);
         r.tau += correction.tau(0);

@@ -10,6 +10,7 @@
 
 #include <equilibria/continuation/branch_stepper.hpp>
 #include <equilibria/continuation/corrector.hpp>
+#include <equilibria/continuation/detail/bordered_pair.hpp>
 #include <equilibria/continuation/detail/last_factors.hpp>
 #include <equilibria/continuation/factorization/generic_vector.hpp>
 #include <equilibria/continuation/factorization/orthonormalize.hpp>

@@ -4,46 +4,17 @@
 /// equations in three dimensions do, one factorisation a step is left: that of the last correction.
 #pragma once
 
-#include <cmath>
 #include <optional>
 #include <utility>
 
 #include <Eigen/Core>
 
-#include <equilibria/continuation/branch_point.hpp>
+#include <equilibria/continuation/detail/bordered_pair.hpp>
 #include <equilibria/continuation/factorization/bordered.hpp>
 #include <equilibria/continuation/factorization/gmres.hpp>
 #include <equilibria/continuation/problem.hpp>
 
 namespace equilibria::detail {
-
-/// The bordered solutions that a factored K gives for a correction: r, and s for some dg/dp.
-struct BorderedPair {
-    BorderedSolution r, s;
-    /// x and dp with K x + dg/dp dp = f and normal.(x, dp) = value, q0 being K^-1 f by the border.
-    Direction combine(const BorderedSolution& q0, const Direction& normal, double value) const {
-        // [sigma, t_s; n.r, n.s + n_p] [z; dp] = [-t0; value - n.q0]
-        const double a = r.tau, b = s.tau, c = normal.q.dot(r.x), d = normal.q.dot(s.x) + normal.p;
-        const double e = -q0.tau, f = value - normal.q.dot(q0.x), determinant = a * d - b * c;
-        const double z = (e * d - b * f) / determinant, dp = (a * f - e * c) / determinant;
-        return {q0.x + z * r.x + dp * s.x, dp};
-    }
-    /// Makes them those of this K and dg/dp, next to the K that the solver has factored.
-    template <class Matrix>
-    void refine(const BorderedSolver<Matrix>& solver, const Matrix& k, const Eigen::VectorXd& g_p) {
-        Eigen::MatrixXd rest(g_p.size(), 2);
-        rest.col(0) = -(k * r.x);
-        rest.col(1) = -g_p - k * s.x;
-        const Eigen::Index row = solver.border().row;
-        rest(row, 0) -= r.tau;
-        rest(row, 1) -= s.tau;
-        const BorderedSolutions correction = solver.solve(rest, Eigen::Vector2d::Zero());
-        r.x += correction.x.col(0);
-        s.x += correction.x.col(1);
-        r.tau += correction.tau(0);
-        s.tau += correction.tau(1);
-    }
-};
 
 /// The factors that a solver has, of whatever K of the same problem.
 template <class Matrix>
@@ -55,7 +26,7 @@ public:
         : solver_(&solver), scale_(std::move(scale)), parameter_scale_(parameter_scale) {}
 
     /// The correction at a point with this K, dg/dp and g, in the plane of that normal; nothing where GMRES does not
-    /// get there with fewer solutions than a factorisation is worth.
+    /// get there in most_iterations products. value: that normal.(x, dp) is to have.
     std::optional<Direction> correction(const Linearization<Matrix>& here, const Direction& normal, double value) {
         const Eigen::Index n = here.residual.size();
         if (!pair_) {

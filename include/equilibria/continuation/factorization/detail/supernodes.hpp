@@ -52,6 +52,8 @@ public:
         make_rows(neighbours(k, place, true));
         make_relative();
         make_entries(k, place);
+        for (const Node& node : nodes_)
+            for (int below = node.below(); below < node.rows; ++below) work_ += 0.5 * below * (below + 3.0);
     }
 
     const std::vector<Node>& nodes() const { return nodes_; }
@@ -78,12 +80,7 @@ public:
     /// Entries of L that are not zero by structure, below its diagonal.
     Eigen::Index fill() const { return fill_; }
     /// Multiplications of a factorisation: half the square of the entries of each column of the panels.
-    double work() const {
-        double y = 0;
-        for (const Node& node : nodes_)
-            for (int below = node.rows - node.width; below < node.rows; ++below) y += 0.5 * below * (below + 3.0);
-        return y;
-    }
+    double work() const { return work_; }
 
 private:
     static std::size_t at(int k) { return static_cast<std::size_t>(k); }
@@ -261,6 +258,7 @@ private:
     std::vector<std::ptrdiff_t> entries_;
     std::size_t panel_size_ = 0;
     Eigen::Index fill_ = 0;
+    double work_ = 0;
 };
 
 }  // namespace equilibria::detail

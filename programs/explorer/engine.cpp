@@ -12,6 +12,7 @@
 #include <equilibria/io/strict_json.hpp>
 
 #include "engine.hpp"
+#include "engine_request.hpp"
 #include "equilibria_command/documents.hpp"
 
 namespace explorer {
@@ -22,8 +23,6 @@ using commands::Input;
 using commands::Json;
 using commands::Varied;
 using equilibria::InvalidArgument;
-using equilibria::number_of_name;
-using equilibria::detail::JsonPlace;
 
 /// The model and its parameters. A model is an object, whose errors name line and column in a formula, or the text of a
 /// model file, whose errors name them in the text.
@@ -37,29 +36,8 @@ Input input_of(const JsonPlace& request, const Json& ordered) {
                                           equilibria::FormulaPlaces::in_formula);
     y.p = y.model.values;
     if (const auto file = request.find("file")) y.file = file->string();
-    if (const auto set = request.find("set"))
-        for (const auto& [name, value] : set->object().items())
-            y.p[number_of_name(y.model.parameters, name, "set")] = set->at(name).number();
+    set_values(y.model.parameters, request, "set", y.p);
     return y;
-}
-
-Varied varied(const Input& input, const JsonPlace& request, const char* key) {
-    const JsonPlace range = request.at(key);
-    range.keys("a range", {"name", "low", "high"});
-    const std::string& name = range.at("name").string();
-    const Varied y{number_of_name(input.model.parameters, name, key), name, range.at("low").number(),
-                   range.at("high").number()};
-    if (!(y.low < y.high)) range.refuse("must have low < high");
-    return y;
-}
-
-equilibria::RunOptions run_of(const JsonPlace& request) {
-    equilibria::RunOptions run;
-    if (const auto seed = request.find("seed")) {
-        if (!seed->json().is_number_unsigned()) seed->refuse("must be an integer, 0 or more");
-        run.seed = seed->json().get<std::uint64_t>();
-    }
-    return run;
 }
 
 std::string describe(const JsonPlace& request, const Json& ordered) {
@@ -86,21 +64,22 @@ std::string solve(const JsonPlace& request, const Json& ordered) {
 std::string events(const JsonPlace& request, const Json& ordered) {
     request.keys("events", {"command", "model", "vary"}, {"set", "file", "seed"});
     const Input input = input_of(request, ordered);
-    const Varied by = varied(input, request, "vary");
+    const Varied by = varied(input.model.parameters, request, "vary");
     return document(input, by, find_events(input.model, input.p, by.parameter, {by.low, by.high}, run_of(request)));
 }
 
 std::string diagram(const JsonPlace& request, const Json& ordered) {
     request.keys("diagram", {"command", "model", "vary"}, {"set", "file", "seed"});
     const Input input = input_of(request, ordered);
-    const Varied by = varied(input, request, "vary");
+    const Varied by = varied(input.model.parameters, request, "vary");
     return document(input, by, trace_diagram(input.model, input.p, by.parameter, {by.low, by.high}, run_of(request)));
 }
 
 std::string locus(const JsonPlace& request, const Json& ordered) {
     request.keys("locus", {"command", "model", "x", "y"}, {"set", "file", "seed", "lines"});
     const Input input = input_of(request, ordered);
-    const Varied across = varied(input, request, "x"), up = varied(input, request, "y");
+    const Varied across = varied(input.model.parameters, request, "x"),
+                 up = varied(input.model.parameters, request, "y");
     if (across.parameter == up.parameter) request.at("y").refuse("must be another parameter than that of x");
     equilibria::LocusOptions options;
     options.lines = commands::locus_lines;
@@ -114,9 +93,7 @@ std::string locus(const JsonPlace& request, const Json& ordered) {
 commands::RuntimeArray<double> values_of(const JsonPlace& request, const char* key,
                                          const std::vector<std::string>& names) {
     commands::RuntimeArray<double> y(static_cast<int>(names.size()));
-    if (const auto values = request.find(key))
-        for (const auto& [name, value] : values->object().items())
-            y[number_of_name(names, name, key)] = values->at(name).number();
+    set_values(names, request, key, y);
     return y;
 }
 
@@ -158,6 +135,8 @@ std::string answer(std::string_view text) {
     const auto parsed = equilibria::detail::parse_json(text, std::size_t{16} << 20, 6);
     const JsonPlace request(parsed.root, "");
     const std::string& name = request.at("command").string();
+    if (const auto model = request.find("model"); model && model->json().is_object() && model->find("study"))
+        return body_beam_document(name, request);
     std::string names;
     for (const Command& c : known) {
         if (c.name == name) return c.run(request, Json::parse(text));

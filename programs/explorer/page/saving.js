@@ -8,7 +8,7 @@ import {$, panels} from './parts.js';
 // Name, type and text; null where there is nothing yet.
 export async function saved(what) {
     const {state, model, solution, locus} = shown, name = model.name?.replace(/[^\w]+/g, '_') ?? 'model';
-    if (what === 'plane-svg') return [`${name}_plane.svg`, 'image/svg+xml', svg_text($('#plane svg'), {behind: !locus && panels.plane.raster ? $('#plane canvas') : undefined})];
+    if (what === 'plane-svg') return [`${name}_plane.svg`, 'image/svg+xml', svg_text($('#plane svg'), {behind: panels.plane.counted ? $('#plane canvas') : undefined})];
     if (what === 'diagram-svg') return [`${name}_diagram.svg`, 'image/svg+xml', svg_text($('#diagram svg'))];
     if (what === 'equilibria-csv') return [`${name}_equilibria.csv`, 'text/csv', equilibria_csv(solution?.equilibria ?? [])];
     if (what === 'curves-csv') return locus ? [`${name}_curves.csv`, 'text/csv', curves_csv(locus, state.x[0], state.y[0])] : null;

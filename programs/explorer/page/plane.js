@@ -151,15 +151,17 @@ export class Plane {
         return best;
     }
 
-    // Counts at the points of a grid, while there are no curves, or where they would take minutes.
+    // Counts at the points of a grid, while there are no curves, or where they would take minutes, or bound no regions that are known.
+    get counted() {
+        return Boolean(this.raster?.cells.size && !(this.locus?.regions.length && !this.stale));
+    }
     #draw_raster() {
         const context = this.canvas.getContext('2d'), ratio = devicePixelRatio || 1;
         this.canvas.width = this.size?.[0] * ratio || 1;
         this.canvas.height = this.size?.[1] * ratio || 1;
-        const raster = this.raster;
-        const shown = raster && !(this.locus && !this.stale) && raster.cells.size > 0;
-        this.svg.classList.toggle('counted', Boolean(shown));
-        if (!shown) return;
+        const {raster, counted} = this;
+        this.svg.classList.toggle('counted', counted);
+        if (!counted) return;
         context.scale(ratio, ratio);
         const [left, right, bottom, top] = this.box;
         context.beginPath();

@@ -6,14 +6,18 @@ import {counted} from './names.js';
 
 const heading = 22, gap = 8, flash = 1100;
 
-// A drawing of a sketch in a box of pixels; the same for small pictures, the followed one and motions.
+// A drawing of a sketch in a box of pixels; the same for small pictures, the followed one and motions. A sketch has, each optional, axis
+// (is there one?), dashes, ground, thin and rods (poly-lines), discs, masses and blocks (x, y, size), faces (polygons), pivots, arrows.
 export function draw_sketch(context, sketch, extent, [bx, by, bw, bh], {stroke, stable, faint = 1}) {
     const [x0, x1, y0, y1] = extent, s = Math.min(bw / (x1 - x0), bh / (y1 - y0));
     const X = x => bx + bw / 2 + (x - (x0 + x1) / 2) * s, Y = y => by + bh / 2 - (y - (y0 + y1) / 2) * s;
     const small = Math.min(bw, bh), heavy = clamp(small / (stable ? 24 : 42), small < 40 ? 1 : 0.7, stable ? 5 : 3);
-    const line = points => {
+    const trace = points => {
         context.beginPath();
         points.forEach(([x, y], i) => (i ? context.lineTo(X(x), Y(y)) : context.moveTo(X(x), Y(y))));
+    };
+    const line = points => {
+        trace(points);
         context.stroke();
     };
     context.save();
@@ -21,15 +25,20 @@ export function draw_sketch(context, sketch, extent, [bx, by, bw, bh], {stroke, 
     context.lineJoin = context.lineCap = 'round';
     context.strokeStyle = colour('guide');
     context.lineWidth = clamp(small / 110, 0.5, 1.2);
-    if (sketch.axis) {
-        context.setLineDash([clamp(small / 26, 1, 5), clamp(small / 26, 1, 4)]);
-        line([[0, y0], [0, y1]]);
-        context.setLineDash([]);
-    }
+    context.setLineDash([clamp(small / 26, 1, 5), clamp(small / 26, 1, 4)]);
+    for (const points of [...(sketch.axis ? [[[0, y0], [0, y1]]] : []), ...(sketch.dashes ?? [])]) line(points);
+    context.setLineDash([]);
     if (sketch.ground) line(sketch.ground);
     for (const [x, y, r] of sketch.discs ?? []) {
         context.beginPath();
         context.arc(X(x), Y(y), r * s, 0, 2 * Math.PI);
+        context.fillStyle = colour('disc');
+        context.fill();
+        context.stroke();
+    }
+    for (const points of sketch.faces ?? []) {
+        trace(points);
+        context.closePath();
         context.fillStyle = colour('disc');
         context.fill();
         context.stroke();

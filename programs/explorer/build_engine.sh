@@ -26,15 +26,14 @@ flags="--target=wasm32-wasi -std=c++20 -nostdlibinc -nostdinc++ -isystem $root/p
     -DNDEBUG -DEQUILIBRIA_COMPILED -DEQUILIBRIA_NO_THREADS -DEQUILIBRIA_JSON_COMPILED
     -DBOOST_DISABLE_THREADS -DBOOST_SP_DISABLE_THREADS -DBOOST_NO_CXX98_FUNCTION_BASE -D_WASI_EMULATED_GETPID"
 
-# Paths are tracked by one unit, which is compiled for speed; all of them so make a locus a third faster and the engine half as large
-# again. It comes first: of functions that several units have the linker keeps the first.
-fast=src/paths.cpp
-units="$(cd "$root" && ls src/*.cpp | grep -vx $fast) programs/support/json.cpp programs/support/buckling_cases.cpp
-    programs/equilibria_command/documents.cpp $(cd "$root" && ls programs/explorer/engine*.cpp programs/explorer/shims/*.cpp)"
+# Paths are tracked by one unit and branches followed by another, which are compiled for speed; all of them so make a locus a third
+# faster and the engine half as large again. They come first: of functions that several units have the linker keeps the first.
+fast="src/paths.cpp src/continuation_dense.cpp programs/explorer/engine_body_beam.cpp"
+units=$(cd "$root" && ls src/*.cpp programs/support/json.cpp programs/support/buckling_cases.cpp programs/equilibria_command/documents.cpp \
+    programs/explorer/engine*.cpp programs/explorer/shims/*.cpp | grep -vxF "$(printf '%s\n' $fast)")
 export compiler flags root out fast
 for unit in $fast $units; do echo "$unit"; done | xargs -P "${JOBS:-$(nproc)}" -I{} sh -ec '
-    level=-Oz
-    test {} != $fast || level=-O3
+    case " $fast " in *" {} "*) level=-O3 ;; *) level=-Oz ;; esac
     nice $compiler $flags $level -c "$root/{}" -o "$out/$(echo {} | tr / _).o"'
 
 for unit in $fast $units; do echo "$out/$(echo "$unit" | tr / _).o"; done > "$out/objects"

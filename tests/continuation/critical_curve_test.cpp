@@ -86,6 +86,23 @@ TEST_CASE("fold curve of the shallow arch: its cusp at rise 1, its hilltops at t
     for (const auto& point : down.special) CHECK(point.residual < 1e-11);
 }
 
+TEST_CASE("a fold curve ends where the load leaves its range") {
+    const auto fold = first_of(ShallowArch{2}, Eigen::Vector2d(2, 0), CriticalKind::fold);
+    REQUIRE(fold.p == Approx(4));
+    const auto curve = continue_folds(Arches{}, fold, 2.0, -1, between(0.5, 3), {0.5, 10});
+    CHECK(curve.branch.end == BranchEnd::event);
+    CHECK(std::string(to_string(curve.branch.end)) == "event");
+    REQUIRE(curve.special.size() == 1);  // not the border
+    CHECK(curve.special[0].kind == CriticalKind::cusp);
+    REQUIRE(curve.branch.crossings.size() == 1);
+    const auto& border = curve.branch.crossings[0];
+    CHECK(border.step + 2 == curve.branch.points.size());
+    CHECK(border.point.q.p == Approx(0.5).epsilon(1e-10));
+    CHECK(border.point.p - fold_offset(border.point.p) == Approx(0.5).epsilon(1e-9));
+    CHECK(curve.branch.points.back().q.p < 0.5);
+    CHECK(curve.branch.points[border.step].q.p > 0.5);
+}
+
 TEST_CASE("curve of bifurcations of the shallow arch: gamma 0, turning back at rise 2") {
     const auto pitchfork = first_of(ShallowArch{2.5}, Eigen::Vector2d(2.5, 0), CriticalKind::pitchfork);
     const auto curve = continue_bifurcations(Arches{}, pitchfork, 2.5, -1, between(1.5, 3));

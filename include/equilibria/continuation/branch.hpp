@@ -44,10 +44,11 @@ enum class BranchEnd {
     closed,    ///< back at its first point
     stopped,   ///< the smallest step did not converge
     critical,  ///< as many critical points as allowed
+    event,     ///< an event function that ends it vanished on its last step
 };
-/// One word: "steps", "window", "closed", "stopped" or "critical".
+/// One word: "steps", "window", "closed", "stopped", "critical" or "event".
 constexpr const char* to_string(BranchEnd end) {
-    constexpr const char* names[] = {"steps", "window", "closed", "stopped", "critical"};
+    constexpr const char* names[] = {"steps", "window", "closed", "stopped", "critical", "event"};
     return names[static_cast<int>(end)];
 }
 

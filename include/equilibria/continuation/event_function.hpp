@@ -16,13 +16,15 @@ template <class P>
 struct EventFunction {
     std::string name;                                    ///< what reports call it
     std::function<double(const BranchPoint<P>&)> value;  ///< the scalar at a point; continuous along the branch
+    bool ends = false;                                   ///< the branch ends with the step on which it vanishes
 };
 
 /// The same function or functions, of points of any type.
 /// \{
 template <ContinuationProblem P>
 EventFunction<Erased> erased(const EventFunction<P>& function) {
-    return {function.name, [value = function.value](const BranchPoint<Erased>& at) { return value(typed<P>(at)); }};
+    return {function.name, [value = function.value](const BranchPoint<Erased>& at) { return value(typed<P>(at)); },
+            function.ends};
 }
 template <ContinuationProblem P>
 std::vector<EventFunction<Erased>> erased(const std::vector<EventFunction<P>>& functions) {

@@ -56,7 +56,7 @@ function follow() {
 }
 
 function show_shapes(parameters) {
-    const {state, angles, unknowns} = shown, context = {angles, size: unknowns.length}, extent = kind().extent(state, parameters, context), [x0, x1, y0, y1] = extent;
+    const {state, angles, unknowns} = shown, context = {angles, size: unknowns.length, equilibria: shown.equilibria}, extent = kind().extent(state, parameters, context), [x0, x1, y0, y1] = extent;
     panels.shapes.show(shown.equilibria, {
         sketch: q => kind().sketch({links: shown.state.links}, q, parameters, context), extent, potential: has_potential(), followed: shown.followed?.id,
         aspect: clamp((x1 - x0) / (y1 - y0), 0.6, 1.4),
@@ -112,7 +112,7 @@ function show_motion(parameters) {
     const {state, model, unknowns, equilibria} = shown, current = kind(), set = {...parameters};
     panels.motion.show({
         model, set, unknowns, labels: symbols(), motion: current.motion, equilibria,
-        sketch: q => current.sketch(state, q, set, {}), extent: current.extent(state, set, {}),
+        sketch: q => current.sketch(state, q, set, {}), extent: current.extent(state, set, {equilibria: shown.equilibria}),
     });
 }
 

@@ -68,6 +68,8 @@ export const chain = {
         if (name === 'omega') return [0, 6];
         return [name === 'length' || name === 'ratio' ? 0.1 : 0.05, 3];
     },
+    // Of the shapes; as much as the plane has if it says nothing.
+    room: ({links}) => ({4: '640px', 5: '820px'})[links],
     // Curves are traced at once, counted at points first, or only counted and traced when asked for.
     locus: ({links}) => (links < 3 ? 'traced' : links === 3 ? 'both' : 'counted'),
     diagram: ({links}) => (links < 3 ? 'traced' : links === 3 ? 'both' : 'counted'),

@@ -30,7 +30,7 @@ function adopt_model() {
     });
     state.show = Math.min(state.show, Math.max(unknowns.length - 1, 0));
     live.quick = Infinity;
-    $('#shapes').style.flexBasis = state.view === 'chain' && state.links > 3 ? (state.links === 4 ? '640px' : '820px') : '';
+    $('#shapes').style.flexBasis = kind().room?.(state) ?? '';
     for (const engine of engines) if (engine.busy) engine.stop();
     panels.plane.set_locus(null);
     panels.plane.set_raster(null);
@@ -39,6 +39,10 @@ function adopt_model() {
     $('#change').textContent = $('#locus-status').textContent = $('#diagram-status').textContent = '';
     $('#argument').hidden = $('#locus-stop').hidden = $('#locus-trace').hidden = true;
     $('#chosen').textContent = '';
+    if (kind().wait) {
+        $('#count strong').textContent = '…';
+        $('#count .what').textContent = kind().wait;
+    }
     panels.controls.show();
     frame();
     changed();

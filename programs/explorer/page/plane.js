@@ -2,6 +2,7 @@
 import {scale, tics, svg, clamp} from './axes.js';
 import {colour, tint, index_colour} from './colours.js';
 import {short, written} from './names.js';
+import {counted_regions} from './counted.js';
 
 const margin = {left: 54, right: 14, top: 12, bottom: 44};
 
@@ -107,29 +108,46 @@ export class Plane {
                 svg('title', {}, `cusp: ${written(nx)} = ${short(cusp[nx], 10)}, ${written(ny)} = ${short(cusp[ny], 10)}`)));
         for (const p of locus.degenerate_pitchforks ?? [])
             curves.append(svg('rect', {x: this.sx(p[nx]) - 3.5, y: this.sy(p[ny]) - 3.5, width: 7, height: 7, class: 'cusp'}, svg('title', {}, 'degenerate pitchfork')));
-        for (const {region, x, y, room} of this.#places()) {
+        this.#label(this.#places());
+    }
+
+    #label(places) {
+        for (const {region, x, y, room} of places) {
             if (room < 9) continue;
-            const size = clamp(room * 0.8, 12, 24), both = room > 19 && Math.min(x - this.box[0], this.box[1] - x) > 3.4 * region.by_index.join(' + ').length;
+            const by_index = region.by_index.slice(0, region.by_index.findLastIndex(n => n > 0) + 1).join(' + ');
+            const size = clamp(room * 0.8, 12, 24), both = room > 19 && Math.min(x - this.box[0], this.box[1] - x) > 3.4 * by_index.length;
             const text = svg('text', {x, y: y + size * (both ? 0.18 : 0.35), 'text-anchor': 'middle', class: 'count', style: `font-size: ${size.toFixed(1)}px`}, String(region.count));
-            labels.append(text);
-            if (both) labels.append(svg('text', {x, y: y + size * 0.18 + 15, 'text-anchor': 'middle', class: 'by-index'}, region.by_index.join(' + ')));
+            this.layers.labels.append(text);
+            if (both) this.layers.labels.append(svg('text', {x, y: y + size * 0.18 + 15, 'text-anchor': 'middle', class: 'by-index'}, by_index));
         }
+    }
+
+    // Points of the curves, close together.
+    #walls() {
+        const [left, right, bottom, top] = this.box, walls = [];
+        for (const curve of this.locus?.curves ?? []) {
+            let last = null;
+            for (const [x, y] of curve.points) {
+                const p = [this.sx(x), this.sy(y)];
+                if (last && Math.max(p[0], last[0]) > left && Math.min(p[0], last[0]) < right && Math.max(p[1], last[1]) > top && Math.min(p[1], last[1]) < bottom)
+                    for (let s = 0, n = Math.ceil(Math.hypot(p[0] - last[0], p[1] - last[1]) / 8); s < n; ++s)
+                        walls.push([last[0] + (p[0] - last[0]) * s / n, last[1] + (p[1] - last[1]) * s / n]);
+                last = p;
+            }
+        }
+        return walls;
+    }
+    // How far (x, y) is from curves and borders; no more than `enough` where that is less.
+    #room(x, y, walls, enough) {
+        const [left, right, bottom, top] = this.box;
+        let room = Math.min(x - left, right - x, y - top, bottom - y);
+        for (let w = 0; w < walls.length && room > enough; ++w) room = Math.min(room, Math.hypot(walls[w][0] - x, walls[w][1] - y));
+        return room;
     }
 
     // Where each region has the most room for its label: the sample of it that is farthest from curves and borders.
     #places() {
-        const [left, right, bottom, top] = this.box, walls = [], columns = 44, rows = 44;
-        for (const curve of this.locus.curves) {
-            let last = null;
-            for (const [x, y] of curve.points) {
-                const p = [this.sx(x), this.sy(y)];
-                if (p[0] < left - 20 || p[0] > right + 20 || p[1] < top - 20 || p[1] > bottom + 20) { last = null; continue; }
-                if (last) for (let s = 0, n = Math.ceil(Math.hypot(p[0] - last[0], p[1] - last[1]) / 8); s < n; ++s)
-                    walls.push([last[0] + (p[0] - last[0]) * s / n, last[1] + (p[1] - last[1]) * s / n]);
-                last = p;
-                walls.push(p);
-            }
-        }
+        const [left, right, bottom, top] = this.box, walls = this.#walls(), columns = 44, rows = 44;
         const shapes = this.locus.regions.map(region => region.polygons.map(polygon => {
             const points = polygon.map(([x, y]) => [this.sx(x), this.sy(y)]);
             const xs = points.map(p => p[0]), ys = points.map(p => p[1]);
@@ -137,8 +155,7 @@ export class Plane {
         }));
         const best = this.locus.regions.map(region => ({region, room: 0}));
         const consider = (x, y, k) => {
-            let room = Math.min(x - left, right - x, y - top, bottom - y);
-            for (let w = 0; w < walls.length && room > best[k].room; ++w) room = Math.min(room, Math.hypot(walls[w][0] - x, walls[w][1] - y));
+            const room = this.#room(x, y, walls, best[k].room);
             if (room > best[k].room) Object.assign(best[k], {x, y, room});
         };
         for (let i = 0; i < columns; ++i)
@@ -149,6 +166,23 @@ export class Plane {
             }
         this.locus.regions.forEach(({point}, k) => consider(this.sx(point[0]), this.sy(point[1]), k));
         return best;
+    }
+
+    // The same of what is counted: the farthest cell from the border of its part and from curves.
+    #counted_places() {
+        const walls = this.#walls(), cells = [...this.raster.cells.values()], {wide, high} = cells[0];
+        const [, x0, x1] = this.axes.x, [, y0, y1] = this.axes.y, [left, right, bottom, top] = this.box;
+        const unit = Math.min((right - left) * wide / (x1 - x0), (bottom - top) * high / (y1 - y0));
+        return counted_regions(cells, x0, y0).map(({count, by_index, cells}) => {
+            const best = {region: {count, by_index}, room: 0};
+            for (const cell of cells) {
+                const x = this.sx(cell.x), y = this.sy(cell.y), inside = unit * (cell.steps - 0.5);
+                if (inside <= best.room) continue;
+                const room = Math.min(inside, this.#room(x, y, walls, best.room));
+                if (room > best.room) Object.assign(best, {x, y, room});
+            }
+            return best;
+        });
     }
 
     // Counts at the points of a grid, while there are no curves, or where they would take minutes, or bound no regions that are known.
@@ -173,6 +207,9 @@ export class Plane {
             context.fillStyle = tint(counts.indexOf(count), counts.length);
             context.fillRect(x0, y0, x1 - x0 + 0.6, y1 - y0 + 0.6);
         }
+        if (!raster.finished) return;
+        this.layers.labels.replaceChildren();
+        this.#label(this.#counted_places());
     }
 
     #build_point() {

@@ -17,28 +17,30 @@ export async function trace_plane(how = kind().locus(shown.state)) {
     $('#argument').hidden = true;
     try {
         busy(true);
-        if (how !== 'traced' && how !== 'curves') {
+        if (how === 'both' || how === 'counted') {
             if (shown.locus) panels.plane.set_locus((shown.locus = null));
             await count_plane(set, say);
         }
         if (how === 'counted') {
             busy(false);
-            $('#locus-trace').hidden = false;
+            const why = kind().why_not_traced;
+            $('#locus-trace').hidden = Boolean(why);
             const counts = [...panels.plane.raster.cells.values()].map(c => c.count), range = `from ${Math.min(...counts)} (light) to ${Math.max(...counts)} equilibria`;
-            return say(`Counted at points: ${range}. The borders between the colours are not traced; that takes minutes.`);
+            return say(`Counted at points: ${range}. The borders between the colours are not traced${why ? `: ${why}` : '; that takes minutes'}.`);
         }
         const {response, milliseconds} = await trace_curves(x, y, set);
         if (asked !== shown.generation) return;
         times.locus = milliseconds;
         shown.locus = Object.assign(response, {key_of_parameters: parameters});
         panels.plane.set_locus(shown.locus);
-        busy(false);
         tell_locus();
+        if (how === 'curves, then counted') await count_plane(set, text => say(`${locus_in_words(response, milliseconds)} ${text}`)).then(tell_locus);
+        busy(false);
     } catch (error) {
         if (error instanceof Overtaken) return;
         busy(false);
         say(`${error.message[0]?.toUpperCase() ?? ''}${error.message.slice(1)}`);
-        if (how === 'traced') {
+        if (how === 'traced' || how === 'curves, then counted') {
             panels.plane.set_locus((shown.locus = null));
             try {
                 busy(true);
@@ -59,9 +61,9 @@ function trace_curves([nx, x0, x1], [ny, y0, y1], set) {
 }
 
 async function count_plane(set, tell) {
-    const {x: [nx, x0, x1], y: [ny, y0, y1], links} = shown.state, finest = links >= 5 ? 24 : links === 4 ? 48 : 36;
+    const {x: [nx, x0, x1], y: [ny, y0, y1], links} = shown.state, finest = kind().grid ?? (links >= 5 ? 24 : links === 4 ? 48 : 36);
     const raster = {cells: new Map()};
-    for (const n of [8, 16, finest].filter((v, k, all) => all.indexOf(v) === k)) {
+    for (const n of [...[8, 16].filter(v => v < 0.7 * finest), finest]) {
         const wide = (x1 - x0) / n, high = (y1 - y0) / n, points = [];
         for (let j = 0; j < n; ++j)
             for (let i = 0; i < n; ++i) {
@@ -75,11 +77,13 @@ async function count_plane(set, tell) {
         });
     }
     for (const [key, cell] of raster.cells) if (cell.wide > 1.01 * (x1 - x0) / finest) raster.cells.delete(key);
+    raster.finished = true;
     panels.plane.set_raster(raster);
 }
 
 function tell_locus() {
     say(locus_in_words(shown.locus, times.locus));
     $('#argument').hidden = false;
+    $('#argument summary').textContent = shown.locus.evidence.complete ? 'Why no curve is missing' : 'How the curves were found';
     $('#argument p').textContent = shown.locus.argument;
 }

@@ -1,11 +1,12 @@
 // What is shown: one object that all parts of the page read, and what follows from it alone.
 import {chain} from './chain.js';
 import {mechanism} from './mechanism.js';
+import {body} from './body.js';
 import {zeeman} from './zeeman.js';
 import {own} from './own.js';
 import {address} from './state.js';
 
-export const cases = {chain, mechanism, zeeman, own};
+export const cases = {chain, mechanism, body, zeeman, own};
 
 export const shown = {
     state: null, model: null, unknowns: [], angles: 0,         // what is asked: a view, as the address holds it, and the model that it makes
@@ -17,7 +18,7 @@ export const shown = {
 
 export const kind = () => cases[shown.state.view];
 export const symbols = () => ({...kind().labels, ...kind().symbols});
-export const has_potential = () => shown.model.potential !== undefined;
+export const has_potential = () => shown.model.potential !== undefined || shown.model.study !== undefined;
 export const parameter_names = () => Object.keys(shown.model.parameters ?? {}).filter(name => !kind().hidden?.includes(name));
 
 export function line_range() {

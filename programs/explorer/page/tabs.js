@@ -7,7 +7,7 @@ export class Tabs {
     constructor(host, {opened}) {
         this.host = host;
         const tabs = Object.values(cases).map(c => [c.id, c.tab]);
-        if ($('#structures-script')) tabs.splice(3, 0, ['structures', 'Structures']);
+        if ($('#structures-script')) tabs.splice(-1, 0, ['structures', 'Structures']);
         host.replaceChildren(...tabs.map(([id, text]) => button(text, {role: 'tab', 'data-view': id}, () => opened(id))));
         host.onkeydown = event => {
             const step = {ArrowRight: 1, ArrowLeft: -1}[event.key], all = [...host.children];

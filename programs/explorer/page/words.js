@@ -33,9 +33,9 @@ export function locus_in_words({curves, cusps, regions, evidence}, milliseconds)
 }
 
 // 4 pitchforks, 6 folds along the line.
-export function line_in_words({events, failed_paths}) {
+export function line_in_words({events, failed_paths, complete = true}) {
     const kinds = {};
     for (const {kind} of events) kinds[kind] = (kinds[kind] ?? 0) + 1;
     const found = Object.entries(kinds).map(([kind, n]) => counted(n, kind)).join(', ');
-    return `${found ? `${found} along the line` : 'No equilibrium is born or dies along the line'}${failed_paths ? `; ${counted(failed_paths, 'path')} failed` : ''}.`;
+    return `${found ? `${found} along the line` : 'No equilibrium is born or dies along the line'}${failed_paths ? `; ${counted(failed_paths, 'path')} failed` : complete ? '' : '; some may be missing'}.`;
 }

@@ -200,6 +200,38 @@ for (const [name, kind, load, branches] of [["star_dome", "pitchfork", 0.0008643
     check(wrong.length === 0, `${name}: a shape at each point, and a point at each event`);
 }
 
+// A body with a beam: as the program body_beam, and a count of branches that fits its counts
+const body = {
+    study: "body_beam",
+    parameters: {
+        body_mass: 2, inertia_1: 1.2, inertia_2: 1.3, inertia_3: 0.8, length: 1, bending_1: 1, bending_2: 1.2, stretching: 100,
+        momentum: 9, coupling: 0, damping: 0.3,
+    },
+};
+for (const [momentum, coupling] of [[4, 0], [9, 0], [6, 1]]) {
+    const found = JSON.parse(engine.run({ command: "solve", model: body, set: { momentum, coupling }, prove: true }));
+    const strain = coupling ? "coupled" : "linear";
+    const words = ["--modes", "1", "--momentum", String(momentum), "--strain", strain, "--prove", "--json", "-"];
+    const expected = JSON.parse(spawnSync(path.join(path.dirname(program), "body_beam"), words, { encoding: "utf8" }).stdout);
+    const place = ({ axis, modes, moment, speed }) => [...axis, ...modes, moment, speed];
+    const near = (p, q) => p.every((x, i) => Math.abs(x - q[i]) < 1e-7);
+    check(found.equilibria.length === expected.equilibria.length && expected.equilibria.every((e) =>
+        found.equilibria.some((own) => own.index === e.index && near(own.coordinates, place(e)))),
+    `body_beam at momentum ${momentum}, ${strain}: ${found.real} equilibria, as the program has them`);
+    check(found.proof.proved === expected.proved_distinct && found.distinct === expected.distinct, `body_beam: ${found.proof.proved} proved`);
+}
+const branches = JSON.parse(engine.run({ command: "diagram", model: body, vary: { name: "momentum", low: 3, high: 9 } }));
+for (const momentum of [4.1, 6.1, 8.9]) {
+    const counts = [0, 0, 0, 0, 0, 0];
+    for (const { index, points } of branches.branches) if ((points[0][0] - momentum) * (points.at(-1)[0] - momentum) < 0) counts[index]++;
+    const { by_index } = JSON.parse(engine.run({ command: "solve", model: body, set: { momentum } }));
+    check(branches.complete && counts.join() === by_index.join(), `body_beam: branches by index at momentum ${momentum}: ${counts}`);
+}
+const settled = JSON.parse(engine.run({ command: "motion", model: body, set: { momentum: 7 }, start: { tilt: 1 }, until: 60, points: 61 }));
+check(settled.status === "finished" && settled.largest_balance < 1e-8 && settled.momentum_drift < 1e-8 &&
+    settled.points.every(({ momentum }) => Math.abs(Math.hypot(...momentum) - 7) < 1e-7),
+`body_beam: the motion keeps its momentum, energy balanced to ${settled.largest_balance}`);
+
 // Errors
 function error(request) {
     try {
@@ -236,6 +268,12 @@ for (const [request, expected] of [
     [{ command: "solve", model: pendulum, set: { mass: 1 } }, /mass.*must be/],
     [{ command: "events", model: pendulum, vary: { name: "omega", low: 1, high: 1 } }, /low < high/],
     [{ command: "motion", model: pendulum }, /does not move/],
+    [{ command: "solve", model: { study: "dance", parameters: {} } }, /model.study = "dance": must be "body_beam"/],
+    [{ command: "events", model: body }, /must be one of solve, diagram, locus, motion/],
+    [{ command: "solve", model: body, set: { inertia_3: 9 } }, /inertia = 9: must be at most/],
+    [{ command: "solve", model: body, set: { coupling: 0.5 } }, /coupling = 0.5: must be 0 or 1/],
+    [{ command: "diagram", model: body, vary: { name: "length", low: 1, high: 2 } }, /must be momentum/],
+    [{ command: "locus", model: body, x: { name: "length", low: 1, high: 2 }, y: { name: "body_mass", low: 1, high: 2 } }, /must be momentum/],
 ]) {
     const said = error(request);
     check(expected.test(said), `refused: ${said}`);

@@ -184,6 +184,18 @@ try {
     check(mechanism[0] === 10 && mechanism[1] === 6, `the mechanism's plane has 10 cusps and 6 regions: ${mechanism}`);
     await page.click('#motion-go');
     await until('/t = [\\d.]+ s/.test(document.querySelector("#motion-status").textContent)', 'the motion plays', 30);
+    await open('#body');
+    await until('explorer.locus && explorer.diagram && explorer.proof', 'curves, branches and proof of the body with a beam', 120);
+    note(`body with a beam: curves of the plane ${(await page.evaluate(() => explorer.times.locus)).toFixed(0)} ms`);
+    const beam = JSON.parse(execFileSync(join(dirname(options.equilibria), 'body_beam'), ['--modes', '1', '--momentum', '6', '--json', '-'], {encoding: 'utf8'}));
+    check((await page.evaluate(() => explorer.solution.real)) === beam.equilibria.length, 'the body has as many equilibria as the native program finds');
+    check(/^Proved: these 7 are there/.test((await page.$eval('#proof', e => e.textContent)).replace('✓ ', '')), 'the proof says what is proved of the body');
+    const whirl = 0.8 * beam.whirl_speeds[0][0], forks = await page.evaluate(() => explorer.diagram.events.map(e => e.momentum));
+    check(forks.some(momentum => Math.abs(momentum / whirl - 1) < 1e-10), 'the spin about the beam begins to whirl where the native program says');
+    await page.click('#motion-go');
+    await until('/t = [\\d.]+ units/.test(document.querySelector("#motion-status").textContent)', 'the motion of the body plays', 30);
+    await until('!document.querySelector("#locus-stop") || document.querySelector("#locus-stop").hidden', 'the counts of the body', 180);
+    check((await page.$$eval('#plane .labels .count', all => all.length)) > 3, 'regions of the body are labelled');
     await open('#zeeman');
     await traced();
     check((await page.evaluate(() => explorer.locus.cusps.length)) === 4, 'Zeeman’s diamond has four cusps');
@@ -206,7 +218,7 @@ try {
 
     // Pictures, and no page wider than its window.
     if (options.screenshots) mkdirSync(options.screenshots, {recursive: true});
-    for (const [view, hash] of [['chain', '#chain&links=2&p.alpha=0.3&p.omega=2.4'], ['mechanism', '#mechanism'], ['zeeman', '#zeeman'], ['own', '#own'], ['structures', '#structures']])
+    for (const [view, hash] of [['chain', '#chain&links=2&p.alpha=0.3&p.omega=2.4'], ['mechanism', '#mechanism'], ['body', '#body'], ['zeeman', '#zeeman'], ['own', '#own'], ['structures', '#structures']])
         for (const [width, height] of [[1440, 1000], [820, 1180], [390, 844]])
             for (const scheme of ['light', 'dark']) {
                 if (scheme === 'dark' && view !== 'chain' && width !== 1440) continue;

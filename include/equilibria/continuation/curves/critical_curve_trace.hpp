@@ -39,6 +39,8 @@ struct CriticalCurveTrace {
 
 namespace detail {
 
+inline constexpr Interval any_value{-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
+
 template <class P>
 CriticalConfiguration<Configuration<P>> configuration_of(const CriticalPoint<P>& point) {
     CriticalConfiguration<Configuration<P>> y;
@@ -81,17 +83,23 @@ struct CurveStart {
 };
 
 /// Follows a curve from a point, with event functions, the first of which is the second eigenvalue; the points where
-/// one of them vanishes are special, `kind_at` of its number.
+/// one of them vanishes are special, `kind_at` of its number. Where p leaves its range the curve ends.
 template <class Curve, class KindAt>
 CriticalCurveTrace<Curve> trace_curve(const Curve& curve, const CurveStart<Curve>& start,
-                                      const ContinuationOptions& options, std::vector<EventFunction<Curve>> functions,
-                                      const KindAt& kind_at) {
+                                      const ContinuationOptions& options, const Interval& p_range,
+                                      std::vector<EventFunction<Curve>> functions, const KindAt& kind_at) {
     functions.insert(functions.begin(), {"second eigenvalue", [&curve](const BranchPoint<Curve>& point) {
                                              return second_eigenvalue(curve, point);
                                          }});
+    const std::size_t special_functions = functions.size();
+    for (const double bound : {p_range.low, p_range.high})
+        if (std::isfinite(bound))
+            functions.push_back(
+                {"range of p", [bound](const BranchPoint<Curve>& point) { return point.q.p - bound; }, true});
     CriticalCurveTrace<Curve> trace;
     trace.branch = continue_branch(curve, start.at, start.r, start.direction, options, functions);
     for (const auto& [step, function, point] : trace.branch.crossings) {
+        if (function >= special_functions) continue;
         trace.special.push_back(
             {function == 0 ? CriticalKind::hilltop : kind_at(function, point), step, point.q, point.p, point.residual});
         // it explains its step: there the curve's own tangent may be singular
@@ -118,15 +126,16 @@ void sort_special(CriticalCurveTrace<Curve>& trace) {
 }  // namespace detail
 
 /// Follows the folds of a parametric problem from one of them, found at the value r of the second parameter, towards
-/// larger r (direction 1) or smaller (-1), through cusps. options.range.low and high bound r. Cusps, points where r
-/// turns back in a bifurcation, and points with a second null vector are located. Without points where the curve cannot
-/// be started. Throws as continue_branch does.
+/// larger r (direction 1) or smaller (-1), through cusps. options.range bounds r, and p_range p: where p leaves it the
+/// curve ends. Cusps, points where r turns back in a bifurcation, and points with a second null vector are located.
+/// Without points where the curve cannot be started. Throws as continue_branch does.
 template <ParametricProblem F>
 CriticalCurveTrace<FoldCurve<F>> continue_folds(const F& problems, const CriticalPoint<detail::MemberOf<F>>& fold,
-                                                double r, int direction, const ContinuationOptions& options = {}) {
+                                                double r, int direction, const ContinuationOptions& options = {},
+                                                const Interval& p_range = detail::any_value) {
     const auto start = detail::configuration_of(fold);
     const FoldCurve<F> curve(problems, r, detail::scale_of_parameter(problems(r), start));
-    auto trace = detail::trace_curve(curve, {start, r, direction}, options, {},
+    auto trace = detail::trace_curve(curve, {start, r, direction}, options, p_range, {},
                                      [](std::size_t, const auto&) { return CriticalKind::hilltop; });
     for (const auto& [step, point] : trace.branch.events) {
         CriticalKind kind = point.kind;
@@ -150,14 +159,15 @@ CriticalCurveTrace<FoldCurve<F>> continue_folds(const F& problems, const Critica
 template <ParametricProblem F>
 CriticalCurveTrace<BifurcationCurve<F>> continue_bifurcations(const F& problems,
                                                               const CriticalPoint<detail::MemberOf<F>>& point, double r,
-                                                              int direction, const ContinuationOptions& options = {}) {
+                                                              int direction, const ContinuationOptions& options = {},
+                                                              const Interval& p_range = detail::any_value) {
     using Curve = BifurcationCurve<F>;
     const auto start = detail::configuration_of(point);
     const auto member = problems(r);
     const Curve curve(problems, r, detail::scale_of_parameter(member, start));
     const double noise = 1e-10 * detail::largest_entry(member.tangent(point.q, point.p));
     auto trace = detail::trace_curve(
-        curve, {start, r, direction}, options,
+        curve, {start, r, direction}, options, p_range,
         {{"gamma", [noise](const BranchPoint<Curve>& at) { return std::abs(at.q.gamma) < noise ? 0.0 : at.q.gamma; }},
          {"dr/ds", [](const BranchPoint<Curve>& at) { return at.tangent.p; }}},
         [&](std::size_t function, const BranchPoint<Curve>& at) {

@@ -95,6 +95,12 @@ Branch<Erased> follow(AnyBranchStepper<Matrix>& stepper, const BranchPoint<Erase
             branch.end = BranchEnd::window;
             return branch;
         }
+        if (std::any_of(branch.crossings.begin(), branch.crossings.end(), [&](const auto& crossing) {
+                return crossing.step == step && functions[crossing.function].ends;
+            })) {
+            branch.end = BranchEnd::event;
+            return branch;
+        }
         if (k > 2) {
             // the start lies within the last step, and the branch goes through it in the same direction
             const Direction back = stepper.difference(last, start.q, start.p);

@@ -93,8 +93,8 @@ BodyBeamDiagram body_beam_diagram(const BodyBeamSolver<K, BeamControl::momentum>
                                   const Interval& momenta, const BodyBeamDiagramOptions& options = {});
 
 /// The curves in the plane of the parameter number `second` of RotatingBodyBeamBase (a mass, a moment, a place of the
-/// centre, the length or a stiffness) and the momentum. They are followed as far as half a range beyond the window's
-/// momenta. Throws InvalidArgument as body_beam_diagram does, and for another parameter.
+/// centre, the length or a stiffness) and the momentum. They are followed as far as the first point outside of the
+/// window. Throws InvalidArgument as body_beam_diagram does, and for another parameter.
 template <int K>
 BodyBeamCurves body_beam_curves(const BodyBeamSolver<K, BeamControl::momentum>& solver,
                                 const typename BodyBeamSolver<K, BeamControl::momentum>::Values& p, int second,

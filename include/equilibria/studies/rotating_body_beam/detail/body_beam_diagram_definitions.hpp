@@ -161,16 +161,17 @@ public:
         Line line;
         for (const int direction : {-1, 1}) {
             if (start->kind == CriticalKind::fold)
-                take(continue_folds(problems_, *start, y, direction, options_), line);
+                take(continue_folds(problems_, *start, y, direction, options_, window_.y), line);
             else
-                take(continue_bifurcations(problems_, *start, y, direction, options_), line);
+                take(continue_bifurcations(problems_, *start, y, direction, options_, window_.y), line);
             if (direction == -1) std::reverse(line.begin(), line.end());
         }
         if (line.size() < 2) {
             ++found.on_no_curve;
             return;
         }
-        draw(line, start->kind);
+        found.curves.push_back({start->kind, {}});
+        for (const At& at : line) found.curves.back().points.push_back({at.y, at.momentum});
         lines_.push_back(std::move(line));
     }
 
@@ -193,21 +194,6 @@ private:
                            std::abs(known[1] - special.at.p) < 1e-7 * window_.height();
                 }))
                 found.cusps.push_back({special.r, special.at.p});
-    }
-    /// What lies in reach of the window.
-    void draw(const Line& line, CriticalKind kind) {
-        BodyBeamCurve curve{kind, {}};
-        const auto close = [&] {
-            if (curve.points.size() > 1) found.curves.push_back(curve);
-            curve.points.clear();
-        };
-        for (const At& at : line) {
-            if (std::abs(at.momentum - 0.5 * (window_.y.low + window_.y.high)) < window_.height())
-                curve.points.push_back({at.y, at.momentum});
-            else
-                close();
-        }
-        close();
     }
     /// Mirror images have the moment and the momentum in common.
     template <class Solver>

@@ -7,7 +7,7 @@ cmake_minimum_required(VERSION 3.25)
 file(REMOVE_RECURSE ${BINARY})
 set(prefix ${BINARY}/installed)
 
-if(WAY MATCHES "find_package|pkg_config|cps|mixed")
+if(WAY MATCHES "find_package|pkg_config|cps|mixed|other_flags")
     execute_process(COMMAND ${CMAKE_COMMAND} --install ${BUILT} --prefix ${prefix} COMMAND_ERROR_IS_FATAL ANY)
     file(GLOB_RECURSE files ${prefix}/*.cmake ${prefix}/*.pc ${prefix}/*.cps)
     foreach(file IN LISTS files)

@@ -5,7 +5,7 @@ import {clamp} from './axes.js';
 import {index_word} from './colours.js';
 import {written, short, counted} from './names.js';
 import {by_index_in_words, change_in_words} from './words.js';
-import {shown, kind, symbols, has_potential, line_key} from './shown.js';
+import {shown, kind, symbols, has_potential} from './shown.js';
 import {$, put, live, panels, times} from './parts.js';
 import {follow_line} from './at_rest.js';
 

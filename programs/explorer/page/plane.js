@@ -1,6 +1,6 @@
 // The plane of two parameters: regions, curves, cusps, and the point that is dragged. Wheel, pinch and the keys + and - zoom.
 import {scale, tics, svg, clamp} from './axes.js';
-import {colour, tint, index_colour} from './colours.js';
+import {colour, tint} from './colours.js';
 import {short, written} from './names.js';
 
 const margin = {left: 54, right: 14, top: 12, bottom: 44};

@@ -5,8 +5,8 @@ import {clamp} from './axes.js';
 import {index_word} from './colours.js';
 import {written, short, counted} from './names.js';
 import {by_index_in_words, change_in_words} from './words.js';
-import {shown, kind, symbols, has_potential, line_key} from './shown.js';
-import {$, live, panels, times} from './parts.js';
+import {shown, kind, symbols, has_potential} from './shown.js';
+import {$, put, live, panels, times} from './parts.js';
 import {follow_line} from './at_rest.js';
 
 export async function solve(time) {
@@ -64,13 +64,12 @@ function show_shapes(parameters) {
 }
 
 function tell(before, parameters) {
-    const {state, solution, equilibria} = shown, choice = panels.shapes.choice, what = solution.real === 1 ? 'equilibrium' : 'equilibria';
-    $('#count strong').textContent = solution.real;
-    $('#count .what').textContent = has_potential() ? `${what}: ${by_index_in_words(solution.by_index)}` : what;
+    const {state, solution} = shown, what = solution.real === 1 ? 'equilibrium' : 'equilibria';
+    put($('#count strong'), String(solution.real));
+    put($('#count .what'), has_potential() ? `${what}: ${by_index_in_words(solution.by_index)}` : what);
     tell_change(before, solution.by_index);
-    if (state.x && state.y) panels.plane.move([parameters[state.x[0]], parameters[state.y[0]]], point_in_words());
-    if (state.line) panels.line.now(parameters[state.line], equilibria, choice);
-    tell_chosen(choice);
+    if (state.x && state.y) panels.plane.say(point_in_words());
+    tell_chosen(panels.shapes.choice);
     if (shown.proof && shown.proof.at !== JSON.stringify(parameters)) {
         shown.proof = null;
         $('#proof').innerHTML = '';
@@ -98,10 +97,7 @@ function say_change(words) {
 export function tell_chosen(choice) {
     const {state, unknowns, equilibria} = shown, host = $('#chosen');
     if (state?.line) panels.line.now(state.parameters[state.line], equilibria, choice);
-    if (!choice) {
-        host.textContent = '';
-        return;
-    }
+    if (!choice) return put(host, '');
     const place = unknowns.map((name, i) => `${written(name, symbols())} = ${short(choice.q[i], 7)}`).join(', ');
     const index = has_potential() ? `${index_word(choice.index)}${choice.degenerate ? ', degenerate' : ''}: ` : '';
     const energy = choice.energy !== null && choice.energy !== undefined ? `; energy ${short(choice.energy, 7)}` : '';

@@ -2,16 +2,16 @@
 import {scale, tics, svg, angle_tics, wrapped} from './axes.js';
 import {index_colour, colour} from './colours.js';
 import {written, short} from './names.js';
+import {watched_size} from './size.js';
 
 const margin = {left: 44, right: 12, top: 10, bottom: 40};
 
 export class Diagram {
     constructor(host, {moved}) {
         this.svg = host.querySelector('svg');
-        this.host = host;
         this.layers = {};
         for (const name of ['back', 'branches', 'events', 'front', 'now']) this.svg.append((this.layers[name] = svg('g', {class: name})));
-        new ResizeObserver(() => this.draw()).observe(host);
+        this.size = watched_size(host, () => this.draw());
         addEventListener('colours', () => this.draw());
         let held = false;
         const go = event => {
@@ -48,7 +48,7 @@ export class Diagram {
     }
 
     draw() {
-        const {width, height} = this.host.getBoundingClientRect();
+        const {width, height} = this.size();
         if (!width || !this.range) return;
         const {left, right, top, bottom} = margin, {back, branches, events, front} = this.layers;
         this.svg.setAttribute('viewBox', `0 0 ${width} ${height}`);
@@ -120,7 +120,7 @@ export class Diagram {
         this.at = at;
         this.equilibria = equilibria;
         if (!this.sx || at === undefined) return;
-        const {height} = this.host.getBoundingClientRect(), x = this.sx(at), parts = [svg('path', {d: `M${x} ${margin.top}V${height - margin.bottom}`, class: 'cross cut'})];
+        const {height} = this.size(), x = this.sx(at), parts = [svg('path', {d: `M${x} ${margin.top}V${height - margin.bottom}`, class: 'cross cut'})];
         const dots = new Map();
         for (const e of equilibria) dots.set(e.index, (dots.get(e.index) ?? '') + `M${x.toFixed(1)} ${this.sy(this.#value(e.q[this.show])).toFixed(1)}h0`);
         for (const [index, d] of dots) {

@@ -61,9 +61,9 @@ export class Engine {
         if (this.#busy || !this.#waiting) return;
         this.#busy = {id: next_id++, ...this.#waiting};
         this.#waiting = null;
-        this.#start().then(
-            () => this.#busy && this.#worker.postMessage({id: this.#busy.id, ...this.#busy.message}),
-            error => this.#settle('reject', error));
+        const post = () => this.#busy && this.#worker.postMessage({id: this.#busy.id, ...this.#busy.message});
+        if (this.#worker) post();  // at once: the worker begins while the last answer is drawn
+        else this.#start().then(post, error => this.#settle('reject', error));
     }
 
     #ask(message, rows) {

@@ -6,7 +6,7 @@ let next = 1;
 export function matched(before, now, angles) {
     const distance = (a, b) => {
         let sum = 0;
-        for (let i = 0; i < a.length; ++i) {
+        for (let i = 0; i < a.length && sum < 1; ++i) {
             const d = i < angles ? wrapped(a[i] - b[i]) : a[i] - b[i];
             sum += d * d;
         }

@@ -7,6 +7,7 @@ import {draw_sketch} from './shapes.js';
 import {colour, index_colour} from './colours.js';
 import {slider} from './sliders.js';
 import {short, written} from './names.js';
+import {watched_size} from './size.js';
 
 const defaults = {
     unit: 's',
@@ -24,7 +25,7 @@ export class Motion {
         this.button = root.querySelector('#motion-go');
         this.status = root.querySelector('#motion-status');
         this.button.addEventListener('click', () => (this.playing ? this.stop() : this.go()));
-        new ResizeObserver(() => this.draw()).observe(this.canvas);
+        this.size = watched_size(this.canvas, () => this.draw());
         addEventListener('colours', () => this.draw());
     }
 
@@ -96,7 +97,7 @@ export class Motion {
     }
 
     draw() {
-        const {width, height} = this.canvas.getBoundingClientRect(), ratio = devicePixelRatio || 1;
+        const {width, height} = this.size(), ratio = devicePixelRatio || 1;
         if (!width || !this.what) return;
         this.canvas.width = width * ratio;
         this.canvas.height = height * ratio;

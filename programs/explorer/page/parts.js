@@ -3,6 +3,7 @@
 import {Engine} from './engine.js';
 
 export const $ = selector => document.querySelector(selector);
+export const put = (element, text) => void (element.textContent !== text && (element.textContent = text));  // the same again would be laid out again
 export const live = new Engine(), calm = new Engine(), slow = new Engine();
 export const engines = [live, calm, slow];
 export const panels = {};

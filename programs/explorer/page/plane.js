@@ -1,6 +1,6 @@
 // The plane of two parameters: regions, curves, cusps, and the point that is dragged. Wheel, pinch and the keys + and - zoom.
 import {scale, tics, svg, clamp} from './axes.js';
-import {colour, tint, index_colour} from './colours.js';
+import {colour, tint} from './colours.js';
 import {short, written} from './names.js';
 import {counted_regions} from './counted.js';
 
@@ -66,6 +66,10 @@ export class Plane {
         const [nx, x0, x1] = this.axes.x, [ny, y0, y1] = this.axes.y, {symbols} = this.axes;
         const frame = {x: left, y: top, width: right - left, height: bottom - top};
         for (const [key, value] of Object.entries(frame)) clip.firstChild.setAttribute(key, value);
+        this.handle.setAttribute('aria-valuemin', x0);
+        this.handle.setAttribute('aria-valuemax', x1);
+        this.lines[0].classList.toggle('cut', this.axes.line === nx);
+        this.lines[1].classList.toggle('cut', this.axes.line !== nx);
         back.replaceChildren(svg('rect', {...frame, class: 'paper'}));
         front.replaceChildren(svg('rect', {...frame, class: 'frame'}));
         for (const {value, text} of tics([x0, x1], this.size[0] < 480 ? 4 : 6)) {
@@ -221,23 +225,20 @@ export class Plane {
         point.append(...this.lines, this.handle);
     }
 
-    move(at, words) {
+    move(at) {
         if (!at || !this.box) return void (this.at = at);
         this.at = at;
         const [left, right, bottom, top] = this.box;
         const x = this.sx(at[0]), y = this.sy(at[1]), visible = x >= left - 1 && x <= right + 1 && y >= top - 1 && y <= bottom + 1;
         this.layers.point.setAttribute('visibility', visible ? 'visible' : 'hidden');
         this.handle.setAttribute('transform', `translate(${x.toFixed(2)} ${y.toFixed(2)})`);
-        const along_x = this.axes.line === this.axes.x[0];
         this.lines[0].setAttribute('d', `M${left} ${y}H${right}`);
         this.lines[1].setAttribute('d', `M${x} ${top}V${bottom}`);
-        this.lines[0].classList.toggle('cut', along_x);
-        this.lines[1].classList.toggle('cut', !along_x);
-        const [nx, x0, x1] = this.axes.x;
-        this.handle.setAttribute('aria-valuemin', x0);
-        this.handle.setAttribute('aria-valuemax', x1);
         this.handle.setAttribute('aria-valuenow', at[0]);
-        this.handle.setAttribute('aria-valuetext', words ?? `${nx} ${short(at[0])}, ${this.axes.y[0]} ${short(at[1])}`);
+        this.say(`${this.axes.x[0]} ${short(at[0])}, ${this.axes.y[0]} ${short(at[1])}`);
+    }
+    say(words) {
+        this.handle.setAttribute('aria-valuetext', words);
     }
 
     #listen() {
@@ -247,9 +248,9 @@ export class Plane {
             const box = this.svg.getBoundingClientRect();
             return [event.clientX - box.left, event.clientY - box.top];
         };
-        const go = event => {
+        const go = (event, [px, py]) => {
             this.handle.querySelector('.cue')?.remove();
-            const [px, py] = place(event), [, x0, x1] = this.axes.x, [, y0, y1] = this.axes.y;
+            const [, x0, x1] = this.axes.x, [, y0, y1] = this.axes.y;
             this.moved([clamp(this.sx.back(px), x0, x1), clamp(this.sy.back(py), y0, y1)], event.timeStamp);
         };
         const spread = () => {
@@ -258,10 +259,11 @@ export class Plane {
         };
         this.svg.addEventListener('pointerdown', event => {
             if (!this.axes || event.button) return;
-            pointers.set(event.pointerId, place(event));
+            const at = place(event);
+            pointers.set(event.pointerId, at);
             this.svg.setPointerCapture(event.pointerId);
             if (pointers.size === 2) pinch = spread();
-            else go(event);
+            else go(event, at);
             this.svg.classList.remove('keys');
             this.handle.focus({preventScroll: true});
             this.svg.classList.add('dragging');
@@ -269,7 +271,8 @@ export class Plane {
         });
         this.svg.addEventListener('pointermove', event => {
             if (!pointers.has(event.pointerId)) return;
-            pointers.set(event.pointerId, place(event));
+            const at = place(event);
+            pointers.set(event.pointerId, at);
             if (pointers.size >= 2) {
                 const now = spread();
                 if (Math.abs(now.distance - pinch.distance) > 6) {
@@ -277,7 +280,7 @@ export class Plane {
                     pinch = now;
                 }
             } else {
-                go(event);
+                go(event, at);
             }
         });
         const end = event => {

@@ -3,6 +3,7 @@
 import {colour, index_colour, index_word} from './colours.js';
 import {clamp} from './axes.js';
 import {counted} from './names.js';
+import {watched_size} from './size.js';
 
 const heading = 22, gap = 8, flash = 1100;
 
@@ -88,7 +89,7 @@ export class Shapes {
         this.chosen = chosen;
         this.shown = [];
         this.cells = [];
-        new ResizeObserver(() => this.draw()).observe(canvas);
+        this.size = watched_size(canvas, () => this.draw());
         addEventListener('colours', () => this.draw());
         const hit = event => {
             const box = canvas.getBoundingClientRect(), x = event.clientX - box.left, y = event.clientY - box.top;
@@ -126,7 +127,7 @@ export class Shapes {
     }
 
     draw() {
-        const {width, height} = this.canvas.getBoundingClientRect(), ratio = devicePixelRatio || 1;
+        const {width, height} = this.size(), ratio = devicePixelRatio || 1;
         if (!width || !this.sketch) return;
         const context = this.canvas.getContext('2d');
         if (this.canvas.width !== Math.round(width * ratio)) this.canvas.width = Math.round(width * ratio);
@@ -202,12 +203,18 @@ export class Shapes {
         }
         const words = ordered.map(([index, list]) => `${list.length} ${this.potential ? (index ? `of index ${index}` : 'stable') : ''}`).join(', ');
         this.canvas.setAttribute('aria-label', `${counted(this.shown.length, 'equilibrium', 'equilibria')}: ${words}. Arrow keys choose one.`);
-        if (lively && !this.pending) {
-            this.pending = true;
-            requestAnimationFrame(() => {
-                this.pending = false;
-                this.draw();
-            });
-        }
+        this.fresh = true;
+        if (lively && !this.pending) this.#flash();
+    }
+
+    // While something flashes all is drawn once a frame; not again where a move has done so since the last one.
+    #flash() {
+        this.pending = true;
+        requestAnimationFrame(() => {
+            this.pending = false;
+            if (this.fresh) this.#flash();
+            else this.draw();
+            this.fresh = false;
+        });
     }
 }

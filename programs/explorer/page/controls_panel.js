@@ -28,7 +28,7 @@ export class ControlsPanel {
         $('#legend').innerHTML = key('M0 6H28', 'class="k-fold" stroke="var(--fold)" stroke-width="2.6"', 'folds')
             + key('M0 6H28', 'stroke="var(--pitchfork)" stroke-width="2.2" stroke-dasharray="7 3"', 'pitchforks')
             + key('M14 1.5a4.5 4.5 0 1 0 .01 0', 'fill="var(--ink)"', 'cusps')
-            + (has_potential() ? '<span class="sum">12 = 2 + 6 + 4: stable + index 1 + index 2</span>' : '');
+            + (has_potential() ? '<span class="sum">under a count: stable + index 1 + index 2 + …</span>' : '');
         $('#legend').hidden = !state.x || !state.y;
         $('#own').hidden = current !== own;
         if (current === own && $('#text').value !== state.text) $('#text').value = state.text;

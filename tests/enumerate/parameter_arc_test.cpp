@@ -68,11 +68,11 @@ TEST_CASE("an arc of parameters keeps the roots that a line in the space of coef
         CHECK(found.clean());
         CHECK(tests::same_roots(found, cold, 1e-9));
         for (const auto& root : found.roots) CHECK(root.residual < 1e-13);
-        const auto at_run_time = enumerate(SharedFactorAtRunTime(), runtime_solved, runtime_to, {.seed = seed});
-        CHECK(at_run_time.clean());
-        CHECK(at_run_time.distinct() == 3);
-        CHECK(at_run_time.by_index() == found.by_index());
-        CHECK(at_run_time.real() == cold.real());
+        const auto of_runtime_system = enumerate(SharedFactorAtRunTime(), runtime_solved, runtime_to, {.seed = seed});
+        CHECK(of_runtime_system.clean());
+        CHECK(of_runtime_system.distinct() == 3);
+        CHECK(of_runtime_system.by_index() == found.by_index());
+        CHECK(of_runtime_system.real() == cold.real());
     }
     CHECK(lost > 0);
 }

@@ -88,7 +88,7 @@ constexpr int n_groups(const auto& grouping) {
 constexpr PathCount bezout_coefficient(const auto& degree, const auto& size, int groups) {
     std::vector<std::size_t> stride(at(groups + 1), 1);
     for (int g = 0; g < groups; ++g) stride[at(g + 1)] = stride[at(g)] * static_cast<std::size_t>(size[at(g)] + 1);
-    std::vector<PathCount> ways(stride.back()), next(stride.back());
+    std::vector<PathCount> ways(stride.back(), PathCount{}), next(stride.back(), PathCount{});
     ways[0] = {1, false};
     for (const auto& factor : degree) {
         std::fill(next.begin(), next.end(), PathCount{});

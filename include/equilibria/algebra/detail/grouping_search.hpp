@@ -11,13 +11,13 @@
 namespace equilibria::detail {
 
 /// Degrees of equations in sets of unknowns: [equation][set], a set's members the bits of its index.
-struct DegreesInSets {
+struct DegreesInSets {  // in constant expressions clang 14 has no vector of so many default values
     int unknowns = 0;
     std::vector<int> degree;
 
     /// support: entries with `equation` and `monomial.degree(unknown)`.
-    constexpr DegreesInSets(const auto& support, int n) : unknowns(n), degree(static_cast<std::size_t>(n) << n) {
-        std::vector<int> of_term(sets());
+    constexpr DegreesInSets(const auto& support, int n) : unknowns(n), degree(static_cast<std::size_t>(n) << n, 0) {
+        std::vector<int> of_term(sets(), 0);
         for (const auto& term : support) {
             int* most = degree.data() + static_cast<std::size_t>(term.equation) * sets();
             for (std::size_t set = 1; set < sets(); ++set) {
@@ -54,8 +54,9 @@ template <class Count>
 class GroupingSearch {
 public:
     constexpr explicit GroupingSearch(const DegreesInSets& degree)
-        : n_(degree.unknowns), sets_(degree.sets()), products_(sets_ * sets_), grouping_(static_cast<std::size_t>(n_)),
-          ways_(static_cast<std::size_t>(n_), std::vector<Count>(sets_)) {
+        : n_(degree.unknowns), sets_(degree.sets()), products_(sets_ * sets_, Count{}),
+          grouping_(static_cast<std::size_t>(n_), 0),
+          ways_(static_cast<std::size_t>(n_), std::vector<Count>(sets_, Count{})) {
         for (std::size_t set = 0; set < sets_; ++set) {
             for (int size = 0; size <= n_; ++size) {
                 first_subset_.push_back(subsets_.size());

@@ -104,7 +104,7 @@ try {
         const all = await page.evaluate(() => explorer.times.drag), of = key => all.map(t => t[key]).sort((a, b) => a - b);
         const median = key => of(key)[all.length >> 1], late = key => of(key)[Math.floor(0.9 * all.length)];
         note(`${what}: ${all.length} moves; from the page's hearing of a move to its picture ${median('handled').toFixed(1)} ms (nine of ten within ${late('handled').toFixed(1)} ms), `
-            + `from the mouse ${median('total').toFixed(1)} ms, engine ${median('engine').toFixed(1)} ms`);
+            + `from the mouse ${median('total').toFixed(1)} ms (${late('total').toFixed(1)} ms), engine ${median('engine').toFixed(1)} ms`);
         check(all.length > 20, `${what}: the point follows`);
         check(median('handled') < bound, `${what}: half of the moves are drawn within ${bound} ms`);
     };

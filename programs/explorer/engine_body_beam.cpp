@@ -36,7 +36,7 @@ constexpr int damping = 14;
 const std::vector<std::string> unknowns{"n1", "n2", "n3", "u1", "u2", "u3", "moment", "speed"};
 
 struct Body {
-    std::array<double, 15> given{};  ///< by `names`
+    equilibria::Array<double, damping + 1> given{};  ///< by `names`
     Values p{};
 };
 
@@ -45,15 +45,9 @@ Body body_of(const JsonPlace& request) {
     model.keys("a study", {"study", "parameters"}, {"name", "coordinates"});
     model.at("study").choice({"body_beam"});
     Body y;
-    const auto set = [&](const JsonPlace& from, const char* key) {
-        equilibria::RuntimeArray<double> values(static_cast<int>(names.size()));
-        for (int k = 0; k < values.size(); ++k) values[k] = y.given[static_cast<std::size_t>(k)];
-        set_values(names, from, key, values);
-        for (int k = 0; k < values.size(); ++k) y.given[static_cast<std::size_t>(k)] = values[k];
-    };
-    set(model, "parameters");
-    set(request, "set");
-    for (int k = 0; k < damping; ++k) y.p[k] = y.given[static_cast<std::size_t>(k)];
+    set_values(names, model, "parameters", y.given);
+    set_values(names, request, "set", y.given);
+    for (int k = 0; k < damping; ++k) y.p[k] = y.given[k];
     return y;
 }
 
@@ -69,8 +63,8 @@ const Solver& solver_for(const Values& p) {
 
 Json heading(const Body& body) {
     Json parameters = Json::object();
-    for (std::size_t k = 0; k < names.size(); ++k)
-        if (static_cast<int>(k) != Base::speed) parameters[names[k]] = body.given[k];
+    for (int k = 0; k < body.given.size(); ++k)
+        if (k != Base::speed) parameters[names[static_cast<std::size_t>(k)]] = body.given[k];
     return {{"model", "rotating body with a beam"}, {"unknowns", unknowns}, {"parameters", std::move(parameters)}};
 }
 
@@ -227,8 +221,7 @@ std::string moved(const Body& body, const Eigen::Vector3d& direction, double unt
 std::string motion(const JsonPlace& request) {
     request.keys("motion", {"command", "model"}, {"set", "start", "rates", "until", "points", "file"});
     const Body body = body_of(request);
-    equilibria::RuntimeArray<double> start(2);
-    start[0] = start[1] = 0;
+    equilibria::Array<double, 2> start{};
     set_values({"tilt", "heading"}, request, "start", start);
     const auto until = request.find("until"), points = request.find("points");
     const Eigen::Vector3d direction(std::sin(start[0]) * std::cos(start[1]), std::sin(start[0]) * std::sin(start[1]),

@@ -43,6 +43,8 @@ export const body = {
     range(name, value = 1) {
         return {momentum: [3, 12], stretching: [20, 200]}[name] ?? [0.5 * value, 1.5 * value];
     },
+    // Nothing below a tenth of what a body has by default: all must be positive.
+    limits: name => [0.1 * file.parameters[name], 10 * file.parameters[name]],
     hidden: ['coupling', 'damping'],
     wait: 'solving two bodies in general, from whose solutions all others are followed …',
     grid: 20,

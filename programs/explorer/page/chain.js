@@ -68,6 +68,8 @@ export const chain = {
         if (name === 'omega') return [0, 6];
         return [name === 'length' || name === 'ratio' ? 0.1 : 0.05, 3];
     },
+    // How far the window of the plane may go.
+    limits: name => [0, name === 'alpha' ? 1 : 4 * chain.range(name)[1]],
     // Of the shapes; as much as the plane has if it says nothing.
     room: ({links}) => ({4: '640px', 5: '820px'})[links],
     // Curves are traced at once, counted at points first, or only counted and traced when asked for.

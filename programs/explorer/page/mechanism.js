@@ -15,6 +15,7 @@ export const mechanism = {
     range(name) {
         return {stiffness_1: [0, 600], stiffness_2: [0, 600], force: [-300, 300], gravity: [0, 20], length: [0.2, 3], damping: [0, 400], decay: [0, 2]}[name] ?? [0.5, 30];
     },
+    limits: name => (name === 'force' ? [-1200, 1200] : [0, 4 * mechanism.range(name)[1]]),
     hidden: ['damping', 'decay', 'mass_3'],
     locus: () => 'traced', diagram: () => 'traced',
     presets: [

@@ -1,7 +1,5 @@
 // What the reader moves: the point, a parameter, the window of the plane; and what is asked of the engines then.
 import {clamp} from './axes.js';
-import {own} from './own.js';
-import {zeeman} from './zeeman.js';
 import {shown, kind, symbols, has_potential, line_range, current_locus_key, other_parameters} from './shown.js';
 import {$, panels} from './parts.js';
 import {solve} from './at_point.js';
@@ -31,8 +29,7 @@ export function set_parameter(name, value, time) {
 // Another window of the plane; the curves are drawn where they now lie, and traced anew.
 export function view(x, y) {
     const {state} = shown, fits = axis => {
-        if (kind() === own || kind() === zeeman) return axis;
-        const [low, high] = kind().range(axis[0]), least = axis[0] in {force: 1} ? -1e9 : Math.min(low, 0), most = axis[0] === 'alpha' ? 1 : high * 4;
+        const [least, most] = kind().limits?.(axis[0]) ?? [-Infinity, Infinity];
         const width = Math.min(axis[2] - axis[1], most - least), from = clamp(axis[1], least, most - width);
         return [axis[0], from, from + width];
     };

@@ -11,11 +11,12 @@
 namespace equilibria::detail {
 
 /// Degrees of equations in sets of unknowns: [equation][set], a set's members the bits of its index.
-struct DegreesInSets {  // in constant expressions clang 14 has no vector of so many default values
+struct DegreesInSets {
     int unknowns = 0;
     std::vector<int> degree;
 
-    /// support: entries with `equation` and `monomial.degree(unknown)`.
+    /// support: entries with `equation` and `monomial.degree(unknown)`. (Vectors here have their values given: clang 14
+    /// has none of default values in constant expressions.)
     constexpr DegreesInSets(const auto& support, int n) : unknowns(n), degree(static_cast<std::size_t>(n) << n, 0) {
         std::vector<int> of_term(sets(), 0);
         for (const auto& term : support) {

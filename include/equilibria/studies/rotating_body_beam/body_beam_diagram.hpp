@@ -12,8 +12,8 @@
 /// At a few momenta, the slices, all relative equilibria are enumerated; the branches through them are followed from
 /// bifurcation to bifurcation, and each equilibrium of a slice lies on one. What is born and gone between two slices,
 /// and joined to nothing else, is not seen: more slices see more. Of the curves the same holds for values of the second
-/// parameter. The equilibria are (2.6) and (2.7) of Baillieul, "Parametric dependence in the equilibrium dynamics of
-/// rotating structures".
+/// parameter. Everything is in the units of the body. The equilibria are (2.6) and (2.7) of Baillieul, "Parametric
+/// dependence in the equilibrium dynamics of rotating structures".
 #pragma once
 
 #include <array>
@@ -32,8 +32,10 @@ namespace equilibria::mechanisms {
 
 /// A piece of a branch between critical points, along which the index does not change.
 struct BodyBeamBranch {
-    int index = 0;                            ///< of momentum_hessian(): at fixed momentum
-    std::vector<BodyBeamEquilibrium> points;  ///< critical points at its ends among them
+    int index = 0;  ///< of momentum_hessian(): at fixed momentum
+    /// Critical points at its ends among them. `residual`: the largest entry of the equations, without units;
+    /// `condition` and `proved` are an enumeration's, and not set.
+    std::vector<BodyBeamEquilibrium> points;
 };
 
 /// A point at which branches turn back or meet.
@@ -60,6 +62,7 @@ struct BodyBeamDiagram {
 struct BodyBeamCurve {
     CriticalKind kind = CriticalKind::fold;     ///< as of the critical point that it was followed from
     std::vector<std::array<double, 2>> points;  ///< second parameter, momentum
+    double residual = 0;  ///< of the equations of critical points, the largest entry over the points, without units
 };
 
 /// Where relative equilibria are born and gone in the plane of a second parameter and the momentum.
@@ -76,7 +79,9 @@ struct BodyBeamCurves {
 /// How branches and curves are followed.
 struct BodyBeamDiagramOptions {
     int slices = 4;  ///< momenta at which equilibria are enumerated; a curve's diagrams: values of its parameter
-    ContinuationOptions continuation{.most_steps = 400};  ///< its range is not read
+    /// Its range is not read. Steps are in the units of BodyBeamEitherStrain::units(): length 1, stiffnesses near
+    /// 0.055.
+    ContinuationOptions continuation{.branch = {.first_step = 0.01, .largest_step = 0.05}, .most_steps = 400};
 
     /// Throws InvalidArgument for an option out of range.
     void validate() const {

@@ -70,21 +70,20 @@ struct BodyBeamEitherStrain : RotatingBodyBeamBase<K, BeamStrain::either> {
         return y;
     }
 
-    /// p in units of length and time in which the length is 1 and the stiffnesses are near those of the generic member,
-    /// and the factors that lead back.
+    /// A body in other units of length and time, and the factors that lead back.
     struct Units {
         Array<double, Base::n_parameters> scaled;  ///< the parameters in these units
         double modes;                              ///< modes at p over those in these units
         double speed;                              ///< the same of speeds
         double moments;                            ///< the same of moments of inertia
+
+        double momentum() const { return moments * speed; }  ///< the same of angular momenta
     };
-    /// The units that suit p, whose length and bending stiffnesses are positive.
-    static Units units(const Array<double, Base::n_parameters>& p) {
-        const double l = p[Base::length], l3 = l * l * l;
-        const double time2 = 0.055 * l * l3 / std::sqrt(p[Base::bending_1] * p[Base::bending_2]),
-                     time = std::sqrt(time2);
+    /// Units of a positive length and time, given in those of p.
+    static Units units(const Array<double, Base::n_parameters>& p, double length, double time) {
+        const double l = length, l3 = l * l * l, time2 = time * time;
         auto y = p;
-        y[Base::length] = 1;
+        y[Base::length] /= l;
         y[Base::body_mass] /= l;
         for (int k = 0; k < 3; ++k) {
             y[Base::inertia_1 + k] /= l3;
@@ -96,6 +95,12 @@ struct BodyBeamEitherStrain : RotatingBodyBeamBase<K, BeamStrain::either> {
         y[Base::speed] *= time;
         y[Base::momentum] *= time / l3;
         return {y, l * std::sqrt(l), 1 / time, l3};
+    }
+    /// The units that suit p, whose length and bending stiffnesses are positive: in them the length is 1 and the
+    /// stiffnesses are near those of the generic member.
+    static Units units(const Array<double, Base::n_parameters>& p) {
+        const double l = p[Base::length];
+        return units(p, l, std::sqrt(0.055 * l * l * l * l / std::sqrt(p[Base::bending_1] * p[Base::bending_2])));
     }
 };
 

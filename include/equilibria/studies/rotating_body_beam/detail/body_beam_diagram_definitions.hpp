@@ -4,6 +4,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <utility>
@@ -36,9 +37,9 @@ public:
 
     BodyBeamBranches(const typename Problem::Values& p, const Interval& momenta,
                      const ContinuationOptions& continuation)
-        : problem_(p), momenta_(momenta) {
+        : problem_(p), momenta_{momenta.low / problem_.units().momentum(), momenta.high / problem_.units().momentum()} {
         options_.continuation = continuation;
-        options_.continuation.range = momenta;
+        options_.continuation.range = momenta_;
     }
 
     bool pass(const BodyBeamEquilibrium& e) const {
@@ -47,14 +48,16 @@ public:
                 const auto &a = branch.points[k], &b = branch.points[k + 1];
                 if ((a.momentum - e.momentum) * (b.momentum - e.momentum) > 0 || a.momentum == b.momentum) continue;
                 const auto at = problem_.between(a, b, e.momentum);
-                if (at && same(*at, e)) return true;
+                if (at && problem_.same(*at, e)) return true;
             }
             return false;
         });
     }
     /// All branches that are joined to an equilibrium which none passes.
     void follow(const BodyBeamEquilibrium& e) {
-        const auto graph = bifurcation_diagram(problem_, Problem::unknowns(e), e.momentum, options_);
+        const auto& units = problem_.units();
+        const auto graph =
+            bifurcation_diagram(problem_, body_beam_unknowns<K>(e, units), e.momentum / units.momentum(), options_);
         found.followed = found.followed && graph.complete();
         for (const auto& node : graph.nodes) add(node.point);
         for (const auto& edge : graph.branches) add(graph, edge);
@@ -64,7 +67,7 @@ public:
 
 private:
     using Graph = BranchGraph<Problem>;
-    using Place = std::pair<double, Vector>;  ///< momentum, unknowns
+    using Place = std::pair<double, Vector>;  ///< momentum, unknowns, in the problem's units
 
     void add(const CriticalPoint<Problem>& point) {
         std::vector<Vector> all = problem_.mirror_images(point.q);
@@ -72,7 +75,7 @@ private:
         for (const Vector& q : all) {
             const auto at = problem_.equilibrium(q, point.p);
             if (std::none_of(found.critical_points.begin(), found.critical_points.end(),
-                             [&](const auto& known) { return same(known.at, at); }))
+                             [&](const auto& known) { return problem_.same(known.at, at); }))
                 found.critical_points.push_back({point.kind, at});
         }
     }
@@ -87,10 +90,10 @@ private:
             if (momenta_.contains(point.p)) {
                 piece.emplace_back(point.p, point.q);
             } else if (k > 0) {
-                const double edge_of_range = point.p > momenta_.high ? momenta_.high : momenta_.low;
+                const double border = point.p > momenta_.high ? momenta_.high : momenta_.low;
                 const auto& before = branch.points[k - 1];
-                Vector q = before.q + (edge_of_range - before.p) / (point.p - before.p) * (point.q - before.q);
-                if (correct_at(problem_, q, edge_of_range).converged()) piece.emplace_back(edge_of_range, q);
+                Vector q = before.q + (border - before.p) / (point.p - before.p) * (point.q - before.q);
+                if (correct_at(problem_, q, border).converged()) piece.emplace_back(border, q);
             }
             for (; next < branch.events.size() && branch.events[next].step == k; ++next) {
                 const auto& event = branch.events[next].point;
@@ -132,46 +135,54 @@ private:
     }
 
     Problem problem_;
-    Interval momenta_;
+    Interval momenta_;  ///< in the problem's units
     DiagramOptions options_;
 };
 
-/// Curves of critical points, as they are followed.
+/// Curves of critical points, as they are followed: in the units that suit the body at the middle of the window.
 template <int K>
 class BodyBeamCriticalCurves {
 public:
-    using Problems = BodyBeamProblems<K>;
+    using Model = BodyBeamEitherStrain<K, BeamControl::momentum>;
+    using Values = typename Model::Values;
     using Vector = Eigen::VectorXd;
 
-    BodyBeamCriticalCurves(const Problems& problems, const Window& window, const ContinuationOptions& continuation)
-        : problems_(problems), window_(window), options_(continuation) {
-        options_.range = window.x;
+    BodyBeamCriticalCurves(Values p, int second, const Window& window, const ContinuationOptions& continuation)
+        : units_(units_of(p, second, window)), second_(units_.scaled[second] / middle(window.x)),
+          problems_{units_.scaled, second},
+          window_{in_units(window.x, second_), in_units(window.y, 1 / units_.momentum())}, options_(continuation) {
+        options_.range = window_.x;
     }
 
     /// The curve through a critical point of the diagram at the value y of the second parameter, unless one is known.
     void add(const BodyBeamCriticalPoint& critical, double y) {
-        const auto member = problems_(y);
-        const CriticalPointSolver<typename Problems::Member> solver(member);
-        if (passes(solver, critical.at, y)) return;
-        const auto start = solver.solve(BodyBeamProblem<K>::unknowns(critical.at), critical.at.momentum);
+        const double own = y * second_;
+        const auto member = problems_(own);
+        const CriticalPointSolver<typename BodyBeamProblems<K>::Member> solver(member);
+        const Vector q = body_beam_unknowns<K>(critical.at, units_);
+        const double momentum = critical.at.momentum / units_.momentum();
+        if (passes(solver, q, momentum, own)) return;
+        const auto start = solver.solve(q, momentum);
         if (!start || start->nullity > 1) {
             ++found.on_no_curve;
             return;
         }
+        BodyBeamCurve curve{start->kind, {}, 0};
         Line line;
         for (const int direction : {-1, 1}) {
             if (start->kind == CriticalKind::fold)
-                take(continue_folds(problems_, *start, y, direction, options_, window_.y), line);
+                take(continue_folds(problems_, *start, own, direction, options_, window_.y), line, curve.residual);
             else
-                take(continue_bifurcations(problems_, *start, y, direction, options_, window_.y), line);
+                take(continue_bifurcations(problems_, *start, own, direction, options_, window_.y), line,
+                     curve.residual);
             if (direction == -1) std::reverse(line.begin(), line.end());
         }
         if (line.size() < 2) {
             ++found.on_no_curve;
             return;
         }
-        found.curves.push_back({start->kind, {}});
-        for (const At& at : line) found.curves.back().points.push_back({at.y, at.momentum});
+        for (const At& at : line) curve.points.push_back(place(at.y, at.momentum));
+        found.curves.push_back(std::move(curve));
         lines_.push_back(std::move(line));
     }
 
@@ -184,20 +195,32 @@ private:
     };
     using Line = std::vector<At>;
 
+    static double middle(const Interval& range) { return 0.5 * (range.low + range.high); }
+    static Interval in_units(const Interval& range, double factor) { return {range.low * factor, range.high * factor}; }
+    static typename Model::Units units_of(Values& p, int second, const Window& window) {
+        p[second] = middle(window.x);
+        return Model::units(p);
+    }
+    std::array<double, 2> place(double y, double momentum) const { return {y / second_, momentum * units_.momentum()}; }
+
     template <class Trace>
-    void take(const Trace& trace, Line& line) {
-        for (const auto& at : trace.branch.points) line.push_back({at.p, at.q.p, at.q.q});
+    void take(const Trace& trace, Line& line, double& residual) {
+        for (const auto& at : trace.branch.points) {
+            line.push_back({at.p, at.q.p, at.q.q});
+            residual = std::max(residual, at.residual);
+        }
         for (const auto& special : trace.special)
-            if (special.kind == CriticalKind::cusp && window_.contains(special.r, special.at.p) &&
-                std::none_of(found.cusps.begin(), found.cusps.end(), [&](const auto& known) {
-                    return std::abs(known[0] - special.r) < 1e-7 * window_.width() &&
-                           std::abs(known[1] - special.at.p) < 1e-7 * window_.height();
-                }))
-                found.cusps.push_back({special.r, special.at.p});
+            if (special.kind == CriticalKind::cusp && window_.contains(special.r, special.at.p)) {
+                const auto cusp = place(special.r, special.at.p);
+                if (std::none_of(found.cusps.begin(), found.cusps.end(), [&](const auto& known) {
+                        return std::abs(known[0] / cusp[0] - 1) + std::abs(known[1] / cusp[1] - 1) < 1e-7;
+                    }))
+                    found.cusps.push_back(cusp);
+            }
     }
     /// Mirror images have the moment and the momentum in common.
     template <class Solver>
-    bool passes(const Solver& solver, const BodyBeamEquilibrium& e, double y) const {
+    bool passes(const Solver& solver, const Vector& q, double momentum, double y) const {
         for (const Line& line : lines_)
             for (std::size_t k = 0; k + 1 < line.size(); ++k) {
                 const At &a = line[k], &b = line[k + 1];
@@ -205,16 +228,18 @@ private:
                 const double share = (y - a.y) / (b.y - a.y);
                 const auto at =
                     solver.solve((1 - share) * a.q + share * b.q, (1 - share) * a.momentum + share * b.momentum);
-                if (at && std::abs(at->p / e.momentum - 1) +
-                                  std::abs(at->q(BodyBeamProblem<K>::Model::multiplier) / e.moment - 1) <
-                              1e-6)
+                if (at &&
+                    std::abs(at->p / momentum - 1) + std::abs(at->q(Model::multiplier) / q(Model::multiplier) - 1) <
+                        1e-6)
                     return true;
             }
         return false;
     }
 
-    Problems problems_;
-    Window window_;
+    typename Model::Units units_;
+    double second_;  ///< the second parameter in these units over what it is
+    BodyBeamProblems<K> problems_;
+    Window window_;  ///< in these units
     ContinuationOptions options_;
     std::vector<Line> lines_;
 };
@@ -272,7 +297,7 @@ BodyBeamCurves body_beam_curves(const BodyBeamSolver<K, BeamControl::momentum>& 
     options.validate();
     auto at = p;
     at[Base::second_axis] = 1;
-    detail::BodyBeamCriticalCurves<K> curves({at, second}, window, options.continuation);
+    detail::BodyBeamCriticalCurves<K> curves(at, second, window, options.continuation);
     curves.found.slices = detail::slices_of(window.x, options.slices);
     for (const double y : curves.found.slices) {
         at[second] = y;

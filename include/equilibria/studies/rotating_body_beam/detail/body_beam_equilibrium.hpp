@@ -49,7 +49,12 @@ BodyBeamEquilibrium body_beam_equilibrium(const Array<double, 4 + 3 * K>& q, dou
     for (int a = 0; a < 3; ++a)
         for (int b = 0; b < 3; ++b) y.inertia(a, b) = j[a][b];
     y.energy = M::strain_energy(u, p) + 0.5 * y.moment * speed * speed;
-    const auto inertia = equilibria::inertia(Eigen::MatrixXd(momentum_hessian<K, Strain>(q, y.momentum, p)));
+    Eigen::MatrixXd hessian = momentum_hessian<K, Strain>(q, y.momentum, p);
+    // by modes in the unit length^(3/2) all entries are energies, and what counts as 0 does not depend on units
+    const double unit = p[M::length] * std::sqrt(p[M::length]);
+    hessian.bottomRows(3 * K) *= unit;
+    hessian.rightCols(3 * K) *= unit;
+    const auto inertia = equilibria::inertia(hessian);
     y.index = inertia.negative;
     y.nullity = inertia.zero;
     const auto far = [](double x) { return std::abs(x) > 1e-9; };

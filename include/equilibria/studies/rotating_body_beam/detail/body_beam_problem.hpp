@@ -21,17 +21,21 @@
 
 namespace equilibria::mechanisms::detail {
 
-/// How far apart two equilibria are, over their size; n and -n are one.
-inline double distance(const BodyBeamEquilibrium& a, const BodyBeamEquilibrium& b) {
-    double y = std::abs(a.moment - b.moment) / b.moment + std::min((a.axis - b.axis).norm(), (a.axis + b.axis).norm()) +
-               std::abs(a.momentum - b.momentum) / b.momentum;
-    for (std::size_t i = 0; i < a.modes.size(); ++i) y += std::abs(a.modes[i] - b.modes[i]);
-    return y;
+/// An equilibrium as the unknowns of BodyBeamEitherStrain at a given momentum, in other units.
+template <int K>
+Eigen::VectorXd body_beam_unknowns(const BodyBeamEquilibrium& e,
+                                   const typename BodyBeamEitherStrain<K, BeamControl::momentum>::Units& units) {
+    using Model = BodyBeamEitherStrain<K, BeamControl::momentum>;
+    Eigen::VectorXd q(Model::n_coordinates);
+    q.template head<3>() = e.speed / units.speed * e.axis;
+    for (int i = 0; i < 3 * K; ++i) q(Model::first_mode + i) = e.modes[static_cast<std::size_t>(i)] / units.modes;
+    q(Model::multiplier) = e.moment / units.moments;
+    q(Model::omega) = e.speed / units.speed;
+    return q;
 }
-/// Of one point, however it was found.
-inline bool same(const BodyBeamEquilibrium& a, const BodyBeamEquilibrium& b) { return distance(a, b) < 1e-6; }
 
-/// The equations of BodyBeamEitherStrain in the momentum.
+/// The equations of BodyBeamEitherStrain in the momentum, both in the units that suit the body p: lengths of steps and
+/// tolerances mean the same for bodies of any size and stiffness. Equilibria are in p's own.
 template <int K>
 class BodyBeamProblem : public ModelProblem<BodyBeamEitherStrain<K, BeamControl::momentum>,
                                             BodyBeamEitherStrain<K, BeamControl::momentum>::momentum> {
@@ -40,7 +44,11 @@ public:
     using Values = typename Model::Values;
     using Vector = Eigen::VectorXd;
 
-    explicit BodyBeamProblem(const Values& p) : ModelProblem<Model, Model::momentum>(p), p_(p) {}
+    using Units = typename Model::Units;
+
+    explicit BodyBeamProblem(const Values& p) : BodyBeamProblem(p, Model::units(p)) {}
+
+    const Units& units() const { return units_; }
 
     /// Mirror images in the planes of the body's symmetry, and those with -w.
     std::vector<Vector> images(const Vector& q) const {
@@ -66,49 +74,54 @@ public:
         return y;
     }
 
+    /// momentum: in the problem's units, as q.
     BodyBeamEquilibrium equilibrium(const Vector& q, double momentum) const {
         Array<double, 4 + 3 * K> at;
-        const double sign = represents(q.head<3>(), false) ? 1 : -1;
-        for (int i = 0; i < at.size(); ++i) at[i] = i < 3 ? sign * q(i) / q(Model::omega) : q(i);
-        auto y = p_[Model::coupling] == 0
-                     ? body_beam_equilibrium<K, BeamStrain::linear>(at, q(Model::omega), p_, false)
-                     : body_beam_equilibrium<K, BeamStrain::coupled>(at, q(Model::omega), p_, false);
-        y.momentum = momentum;
+        const double sign = represents(q.head<3>(), false) ? 1 : -1, speed = q(Model::omega) * units_.speed;
+        for (int i = 0; i < 3; ++i) at[i] = sign * q(i) / q(Model::omega);
+        for (int i = Model::first_mode; i < Model::multiplier; ++i) at[i] = q(i) * units_.modes;
+        at[Model::multiplier] = q(Model::multiplier) * units_.moments;
+        auto y = p_[Model::coupling] == 0 ? body_beam_equilibrium<K, BeamStrain::linear>(at, speed, p_, false)
+                                          : body_beam_equilibrium<K, BeamStrain::coupled>(at, speed, p_, false);
+        y.momentum = momentum * units_.momentum();
         y.residual = this->residual(q, momentum).cwiseAbs().maxCoeff();
         return y;
     }
-    static Vector unknowns(const BodyBeamEquilibrium& e) {
-        Vector q(Model::n_coordinates);
-        q.template head<3>() = e.speed * e.axis;
-        for (int i = 0; i < 3 * K; ++i) q(Model::first_mode + i) = e.modes[static_cast<std::size_t>(i)];
-        q(Model::multiplier) = e.moment;
-        q(Model::omega) = e.speed;
-        return q;
-    }
 
-    /// The equilibrium at a momentum between those of two neighbours on a branch.
+    /// The equilibrium at a momentum between those of two neighbours on a branch, all in p's units.
     std::optional<BodyBeamEquilibrium> between(const BodyBeamEquilibrium& a, const BodyBeamEquilibrium& b,
                                                double momentum) const {
-        const double share = (momentum - a.momentum) / (b.momentum - a.momentum);
-        Vector q = (1 - share) * unknowns(a) + share * unknowns(b);
-        if (!equilibria::correct_at(*this, q, momentum).converged()) return std::nullopt;
-        return equilibrium(q, momentum);
+        const double share = (momentum - a.momentum) / (b.momentum - a.momentum), own = momentum / units_.momentum();
+        Vector q = (1 - share) * body_beam_unknowns<K>(a, units_) + share * body_beam_unknowns<K>(b, units_);
+        if (!equilibria::correct_at(*this, q, own).converged()) return std::nullopt;
+        return equilibrium(q, own);
+    }
+
+    /// One point, however it was found; n and -n are one.
+    bool same(const BodyBeamEquilibrium& a, const BodyBeamEquilibrium& b) const {
+        double away = std::abs(a.moment - b.moment) / b.moment + std::abs(a.momentum - b.momentum) / b.momentum +
+                      std::min((a.axis - b.axis).norm(), (a.axis + b.axis).norm());
+        for (std::size_t i = 0; i < a.modes.size(); ++i) away += std::abs(a.modes[i] - b.modes[i]) / units_.modes;
+        return away < 1e-6;
     }
 
 private:
+    BodyBeamProblem(const Values& p, const Units& units)
+        : ModelProblem<Model, Model::momentum>(units.scaled), p_(p), units_(units) {}
     static Vector reversed(Vector q) {
         q.head<3>() *= -1;
         return q;
     }
 
     Values p_;
+    Units units_;
 };
 
-/// The same for each value of a second parameter.
+/// The same equations for each value of a second parameter, in units that do not change with it.
 template <int K>
 struct BodyBeamProblems {
-    typename BodyBeamProblem<K>::Values p;
-    int second;
+    typename BodyBeamProblem<K>::Values p;  ///< in these units
+    int second;                             ///< its number
 
     using Member = ModelProblem<typename BodyBeamProblem<K>::Model, BodyBeamProblem<K>::Model::momentum>;
     Member operator()(double y) const {

@@ -14,9 +14,8 @@
 #include <string>
 #include <vector>
 
-#include <equilibria/io/results/complex_roots_output.hpp>
+#include <equilibria/io/results/every_root_output.hpp>
 #include <equilibria/io/results/json.hpp>
-#include <equilibria/io/results/proof_output.hpp>
 #include <equilibria/run/threads.hpp>
 
 #include "solve/solution.hpp"
@@ -35,7 +34,7 @@ using support::joined;
 struct Command {
     std::string file, format = "auto";
     std::optional<equilibria::StartKind> start;
-    bool prove = false, real = false;
+    bool prove = true, real = false;
     std::uint64_t seed = 1;
     unsigned threads = 1;
     std::optional<support::OutputFile> json;
@@ -72,13 +71,15 @@ Command read(int argc, char** argv) {
            "or monodromy: all roots from one, by loops of the constants, which is no proof (default auto: that of the "
            "least predicted cost, never monodromy)")
         .transform(support::one_of(starts, listed));
-    app.add_flag("--prove", c.prove,
-                 "prove each root, that it is real or not, and, if a bound allows, that none is missing");
+    bool no_proof = false, asked = false;
+    app.add_flag("--no-proof", no_proof, "track paths alone: no root is proved, and nothing is said of completeness");
+    app.add_flag("--prove", asked, "prove each root, and explain every path (the default)");
     app.add_flag("--real", c.real, "give the real roots alone; what is counted stays the same");
     app.add_seed(c.seed, "of the random start system, an integer (default 1); the same seed, the same result");
     app.add_threads(c.threads, "1 to 1024, 0 for one each core (default 1); does not change the result");
     support::add_output(app, "--json", c.json, "write JSON to this file, or to stdout for -, instead of a table");
     app.parse("solve", argc, argv);
+    c.prove = !no_proof;
     if (!app.given("FILE")) support::fail("FILE", "", "must be given: a system in the format of PHCpack or of Bertini");
     return c;
 }
@@ -94,7 +95,7 @@ solve::Input read_input(const Command& c) {
 
 Json bound_json(const equilibria::PathCount& bound) { return bound.saturated ? Json(nullptr) : Json(bound.value); }
 
-Json document(const Command& c, const solve::Input& input, const solve::Solution& s) {
+Json document(const Command& c, const solve::Input& input, const equilibria::EveryRoot& s) {
     Json out{{"file", c.file},
              {"format", input.format},
              {"seed", c.seed},
@@ -107,17 +108,11 @@ Json document(const Command& c, const solve::Input& input, const solve::Solution
              {"start", name_of(s.start.kind)},
              {"start_reason", s.start.why}};
     if (!s.found.caution.empty()) out["caution"] = s.found.caution;
-    Json found = equilibria::json_of(s.found, input.variables), roots = Json::array();
-    if (s.proof) equilibria::add_root_certificates(found["roots"], *s.proof);
+    Json found = equilibria::json_of(s, input.variables), roots = Json::array();
     for (auto& root : found["roots"])
         if (!c.real || root["real"]) roots.push_back(std::move(root));
     found.erase("roots");
     equilibria::add_keys(out, found);
-    out["complete"] = false;
-    out["reason"] = "nothing was proved: --prove was not given";
-    if (s.proof) equilibria::add_proof(out, *s.proof);
-    out["tracking_seconds"] = s.tracking_seconds;
-    out["seconds"] = s.seconds;
     out["roots"] = std::move(roots);
     return out;
 }
@@ -147,9 +142,13 @@ void print_roots(const Json& r) {
         std::size_t u = 0;
         for (const auto& z : root["unknowns"]) std::printf(" %*s ", static_cast<int>(width[u++]), shown(z).c_str());
         std::printf(" %-8.1e  %.1e", root["residual"].get<double>(), root["condition"].get<double>());
-        if (root["singular"]) std::printf("  singular, multiplicity %d", root["multiplicity"].get<int>());
-        if (root.contains("certificate") && root["certificate"]["exists"])
-            std::printf("  proved, %s", root["certificate"]["reality"].get<std::string>().c_str());
+        if (root["singular"])
+            std::printf("  %s, multiplicity %d", root["multiplicity_proved"] ? "singular" : "singular, UNDECIDED",
+                        root["multiplicity"].get<int>());
+        else if (root.contains("certificate"))
+            std::printf("  %s", root["certificate"]["exists"]
+                                    ? ("proved, " + root["certificate"]["reality"].get<std::string>()).c_str()
+                                    : "UNDECIDED");
         std::printf("\n");
     }
 }
@@ -166,23 +165,19 @@ std::string groups(const Json& r) {
     }
 }
 
-/// What must be said of the count of roots.
+/// What must be said of the count of roots; the verdict comes last.
 void print_verdicts(const Json& r) {
     if (r.contains("caution")) std::printf("NO PROOF: %s\n", r["caution"].get<std::string>().c_str());
-    const auto failed = count(r["failed"]), singular = count(r["singular"]);
-    if (r.contains("proved_distinct")) {
-        std::printf("%llu distinct roots proved, %llu real, %llu non-real, %llu undecided.\n",
+    if (r.contains("proved_distinct"))
+        std::printf("%llu distinct roots proved, %llu real, %llu non-real, %llu undecided\n",
                     count(r["proved_distinct"]), count(r["proved_real"]), count(r["proved_non_real"]),
                     count(r["undecided"]));
-        std::printf("%s: %s.\n", r["complete"] ? "PROVED COMPLETE" : "Not proved complete",
-                    r["reason"].get<std::string>().c_str());
-    }
-    if (failed > 0) std::printf("INCOMPLETE: %llu paths failed; roots may be missing.\n", failed);
-    if (singular > 0)
-        std::printf("SINGULAR: %llu paths end at %llu points that are multiple roots, or lie on curves of roots.\n",
-                    singular, count(r["singular_roots"]));
-    if (r["finite"] != r["distinct"])
-        std::printf("INCOMPLETE: %llu paths ended on another's root.\n", count(r["finite"]) - count(r["distinct"]));
+    for (const auto& family : r["families"])
+        std::printf("beside them: %s\n", family["kind"].get<std::string>().c_str());
+    for (const auto& away : r["directions_at_infinity"])
+        std::printf("to infinity: %llu paths along %s, to roots of its face system (residual %.0e)\n",
+                    count(away["paths"]), away["direction"].get<std::string>().c_str(), away["residual"].get<double>());
+    std::printf("%s\n", r["verdict"].get<std::string>().c_str());
 }
 
 std::string number(const Json& bound) { return bound.is_null() ? "more than 2^62" : std::to_string(count(bound)); }
@@ -198,9 +193,8 @@ void print(const Json& r) {
     std::printf("\n%llu paths: %llu finite, %llu at infinity, %llu singular, %llu failed; %llu tracked again\n",
                 count(r["paths"]), count(r["finite"]), count(r["at_infinity"]), count(r["singular"]),
                 count(r["failed"]), count(r["retracked"]));
-    std::printf("%llu distinct regular roots, %llu real\n", count(r["distinct"]), count(r["real"]));
-    print_verdicts(r);
     std::printf("%.3g s, %.3g s of it tracking\n", r["seconds"].get<double>(), r["tracking_seconds"].get<double>());
+    print_verdicts(r);
 }
 
 }  // namespace

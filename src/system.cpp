@@ -15,6 +15,7 @@
 #include <equilibria/system/detail/symmetric_branches_definitions.hpp>
 #include <equilibria/system/detail/symmetric_system_definitions.hpp>
 #include <equilibria/system/detail/system_family_definitions.hpp>
+#include <equilibria/system/detail/unit_scaling_definitions.hpp>
 
 namespace equilibria {
 

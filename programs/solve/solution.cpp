@@ -5,8 +5,8 @@
 #include <utility>
 
 #include <equilibria/enumerate/more_digits.hpp>
-#include <equilibria/enumerate/prove_complex_roots.hpp>
 #include <equilibria/system/path_bounds.hpp>
+#include <equilibria/system/unit_scaling.hpp>
 
 namespace solve {
 
@@ -18,21 +18,27 @@ double seconds_since(Clock::time_point begin) { return std::chrono::duration<dou
 
 }  // namespace
 
-Solution solve(const Input& input, std::optional<equilibria::StartKind> asked, bool prove,
-               const equilibria::RunOptions& run) {
+equilibria::EveryRoot solve(const Input& input, std::optional<equilibria::StartKind> asked, bool prove,
+                            const equilibria::RunOptions& run) {
     const auto begin = Clock::now();
     auto bounds = equilibria::start_bounds(input.system, {}, true, run);
     if (!input.grouping.empty()) {
         const auto of_file = equilibria::multihomogeneous_number(input.system, input.grouping);
         if (of_file < bounds.multihomogeneous) bounds.multihomogeneous = of_file, bounds.grouping = input.grouping;
     }
-    const auto start = equilibria::choose_start(std::move(bounds), asked);
-    const auto tracking = Clock::now();
-    Solution y{start, equilibria::solve_from_start(input.system, start, run, {}, equilibria::more_digits), {}, 0, 0};
-    y.tracking_seconds = seconds_since(tracking);
-    if (prove)
-        y.proof = equilibria::prove(input.system, y.found, equilibria::proved_bounds(input.system),
-                                    {.executor = run.executor, .ranks = run.ranks});
+    equilibria::EveryRoot y;
+    if (prove) {
+        y = equilibria::every_root(input.system, equilibria::fewest_paths(std::move(bounds), asked), run);
+    } else {
+        y.start = equilibria::choose_start(std::move(bounds), asked);
+        const auto tracking = Clock::now();
+        const auto units = equilibria::unit_scaling(input.system);
+        y.found = equilibria::solve_from_start(scaled(input.system, units), y.start, run, {}, equilibria::more_digits);
+        y.tracking_seconds = seconds_since(tracking);
+        for (auto& root : y.found.roots) units.undo({root.q.begin(), root.q.end()});
+        y.confirmed.assign(y.found.roots.size(), 0);
+        y.verdict.sentence = "nothing was proved: --no-proof was given";
+    }
     y.seconds = seconds_since(begin);
     return y;
 }

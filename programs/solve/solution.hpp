@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include <equilibria/enumerate/prove.hpp>
+#include <equilibria/enumerate/every_root.hpp>
 #include <equilibria/paths/choose_start.hpp>
 #include <equilibria/paths/complex_roots.hpp>
 #include <equilibria/run/run_options.hpp>
@@ -37,16 +37,9 @@ inline constexpr std::array starts{NamedStart{equilibria::StartKind::total_degre
                                    NamedStart{equilibria::StartKind::polyhedral, "polyhedral"},
                                    NamedStart{equilibria::StartKind::monodromy, "monodromy"}};
 
-struct Solution {
-    equilibria::StartChoice start;
-    equilibria::ComplexRoots<> found;
-    std::optional<equilibria::ProofOfRoots> proof;
-    double seconds, tracking_seconds;
-};
-
-/// asked: none for the start of the least predicted cost. Paths that fail in double are tracked with more digits.
-/// prove: the roots, by Krawczyk's test.
-Solution solve(const Input& input, std::optional<equilibria::StartKind> asked, bool prove,
-               const equilibria::RunOptions& run);
+/// asked: none for the start of the fewest paths. prove: the roots, by Krawczyk's test, with a verdict on their
+/// completeness. Without, the verdict is open, and paths that fail in double are tracked with more digits.
+equilibria::EveryRoot solve(const Input& input, std::optional<equilibria::StartKind> asked, bool prove,
+                            const equilibria::RunOptions& run);
 
 }  // namespace solve

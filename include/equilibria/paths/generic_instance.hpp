@@ -15,6 +15,7 @@
 
 #include <equilibria/core/compiled.hpp>
 #include <equilibria/evaluation/point_of.hpp>
+#include <equilibria/homotopy/laurent_column.hpp>
 #include <equilibria/homotopy/polynomial_homotopy.hpp>
 #include <equilibria/paths/complex_roots.hpp>
 #include <equilibria/polyhedral/supports.hpp>
@@ -59,6 +60,8 @@ public:
     /// polished, where the system has equations of its own beside its polynomials. Throws InvalidArgument where it has
     /// other unknowns or exponents.
     PolynomialHomotopy homotopy(const SparseSystem& target, std::shared_ptr<const OwnEquations> own = nullptr) const;
+    /// The terms of that way, in the order of the supports. Throws as `homotopy`.
+    std::vector<LaurentColumn> columns(const SparseSystem& target) const;
     /// Where its paths begin.
     class Start {
     public:

@@ -96,6 +96,18 @@ EQUILIBRIA_INLINE StartChoice choose_start(StartBounds bounds, std::optional<Sta
     return {kind, std::move(why), std::move(bounds)};
 }
 
+EQUILIBRIA_INLINE StartChoice fewest_paths(StartBounds bounds, std::optional<StartKind> asked) {
+    constexpr double few = 2000;  // then cells cost little
+    const double degrees = detail::least_cost_of_degrees(bounds);
+    if (!asked && bounds.mixed_volume && degrees <= few && static_cast<double>(*bounds.mixed_volume) < degrees &&
+        *bounds.mixed_volume > 0)
+        return {StartKind::polyhedral, "the mixed volume is the smallest number of paths", std::move(bounds)};
+    if (!asked && bounds.mixed_volume == 0 && !bounds.total_degree.saturated)
+        return {StartKind::total_degree, "its paths meet every curve of solutions, and no root is isolated",
+                std::move(bounds)};
+    return choose_start(std::move(bounds), asked);
+}
+
 EQUILIBRIA_INLINE ComplexRoots<> solve_from_start(const SparseSystem& system, const StartChoice& start,
                                                   const RunOptions& run, const TrackerOptions& options,
                                                   MoreDigits<> resort) {

@@ -176,35 +176,41 @@ EQUILIBRIA_INLINE GenericInstance::GenericInstance(const SparseSystem& typical, 
     effort_.tracking_seconds = clock.seconds() - effort_.cells_seconds;
 }
 
-EQUILIBRIA_INLINE PolynomialHomotopy GenericInstance::homotopy(const SparseSystem& target,
-                                                               std::shared_ptr<const OwnEquations> own) const {
+EQUILIBRIA_INLINE std::vector<LaurentColumn> GenericInstance::columns(const SparseSystem& target) const {
     require(target.sizes().angles == sizes_.angles && target.sizes().coordinates == sizes_.coordinates, "target",
             target.sizes().unknowns, "must have the unknowns of the typical system");
-    struct Column {
-        SparseTerm term;
-        std::complex<double> from, to;
-    };
-    std::vector<Column> columns;
+    std::vector<LaurentColumn> columns;
     const auto equations = laurent_terms(target);
     for (int i = 0; i < sizes_.unknowns; ++i) {
         const auto at = static_cast<std::size_t>(i);
         std::size_t found = 0;
         const auto& support = supports_.equations()[at];
         for (std::size_t k = 0; k < support.size(); ++k) {
-            Column column{{i, SparseMonomial(support[k]), 0},
-                          coefficients_[static_cast<std::size_t>(supports_.first_column(i)) + k],
-                          0};
+            LaurentColumn column{i, support[k], coefficients_[static_cast<std::size_t>(supports_.first_column(i)) + k],
+                                 0};
             for (const auto& term : equations[at])
                 if (term.exponents == support[k]) column.to = term.coefficient, ++found;
             columns.push_back(std::move(column));
         }
-        require(found == equations[at].size(), "target", "equation " + std::to_string(i),
+        require(found == equations[at].size(), "target", "equation " + std::to_string(i + 1),
                 "must have no other exponents than the typical system");
     }
-    std::sort(columns.begin(), columns.end(), [](const Column& a, const Column& b) { return before(a.term, b.term); });
+    return columns;
+}
+
+EQUILIBRIA_INLINE PolynomialHomotopy GenericInstance::homotopy(const SparseSystem& target,
+                                                               std::shared_ptr<const OwnEquations> own) const {
+    struct Column {
+        SparseTerm term;
+        std::complex<double> from, to;
+    };
+    std::vector<Column> ordered;
+    for (LaurentColumn& column : columns(target))
+        ordered.push_back({{column.equation, SparseMonomial(std::move(column.exponents)), 0}, column.from, column.to});
+    std::sort(ordered.begin(), ordered.end(), [](const Column& a, const Column& b) { return before(a.term, b.term); });
     PolynomialHomotopy::Parts parts{
         .sizes = sizes_, .terms = {}, .from = {}, .forms = {}, .scale = target.scale(), .own = std::move(own)};
-    for (Column& column : columns) {
+    for (Column& column : ordered) {
         parts.terms.push_back(std::move(column.term));
         parts.from.push_back(column.from);
         parts.laurent.push_back(column.to);

@@ -1,0 +1,532 @@
+/// \file
+/// See enumerate/every_root.hpp.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <map>
+#include <numbers>
+#include <utility>
+
+#include <equilibria/core/random.hpp>
+#include <equilibria/enumerate/every_root.hpp>
+#include <equilibria/enumerate/families.hpp>
+#include <equilibria/enumerate/prove_complex_roots.hpp>
+#include <equilibria/evaluation/point_of.hpp>
+#include <equilibria/evaluation/table_evaluation.hpp>
+#include <equilibria/homotopy/local_multiplicity.hpp>
+#include <equilibria/homotopy/path_limit.hpp>
+#include <equilibria/homotopy/polish.hpp>
+#include <equilibria/paths/generic_instance.hpp>
+#include <equilibria/paths/track.hpp>
+#include <equilibria/run/elapsed.hpp>
+#include <equilibria/start/total_degree_start.hpp>
+#include <equilibria/system/path_bounds.hpp>
+#include <equilibria/system/unit_scaling.hpp>
+
+namespace equilibria {
+
+namespace detail {
+
+/// What one start found, in scaled units.
+struct RootAttempt {
+    StartChoice start;
+    ComplexRoots<> found;
+    std::vector<char> confirmed;
+    ProofOfRoots proof;
+    std::vector<Family<RuntimeUnknowns>> families;
+    std::vector<DivergingPaths> at_infinity;
+    std::uint64_t unexplained = 0;  ///< paths
+    std::string left;               ///< what they are, in words
+    double tracking_seconds = 0;
+
+    /// Proved regular roots, and confirmed multiple ones by their multiplicities.
+    std::uint64_t counted() const {
+        std::uint64_t y = proof.distinct;
+        for (std::size_t k = 0; k < found.roots.size(); ++k)
+            if (confirmed[k]) y += static_cast<std::uint64_t>(found.roots[k].paths);
+        return y;
+    }
+};
+
+/// The paths of a polyhedral start, each explained or not.
+class ExplainedPaths {
+public:
+    using Point = std::vector<std::complex<double>>;
+
+    ExplainedPaths(const SparseSystem& system, const std::vector<ProvedBound>& bounds, const RunOptions& run,
+                   const EveryRootOptions& options)
+        : system_(system), bounds_(bounds), run_(run), options_(options), sizes_(system.sizes()),
+          instance_(system, {.seed = run.seed, .executor = run.executor, .ranks = run.ranks}, options.tracker),
+          homotopy_(instance_.homotopy(system)), columns_(instance_.columns(system)) {}
+
+    RootAttempt run() {
+        const Stopwatch clock;
+        const GenericInstance::Start start(instance_);
+        PathSet paths = track(homotopy_, start, run_, options_.tracker, nullptr);
+        y_.tracking_seconds = clock.seconds();
+        y_.found.start = std::string(GenericInstance::Start::name());
+        auto account = account_for(paths);
+        y_.found.paths = account.counts;
+        const std::size_t size = paths.size();
+        std::vector<std::size_t> of_candidate;
+        for (std::size_t k = 0; k < size; ++k)
+            if (paths.status(k) == PathStatus::finite) {
+                y_.found.roots.push_back(root_of(paths.point(k), paths.record(k), k));
+                of_candidate.push_back(k);
+            }
+        prove_roots();
+        std::vector<char> settled(size);
+        std::map<std::size_t, bool> doubled;
+        for (std::size_t m = 0; m < of_candidate.size(); ++m)
+            settled[of_candidate[m]] = y_.proof.certificates[m].exists && y_.proof.certificates[m].distinct;
+        if (y_.proof.duplicates > 0) unsettle_duplicates(of_candidate, settled);
+        std::vector<std::size_t> open;
+        for (std::size_t k = 0; k < size; ++k)
+            if (!settled[k]) open.push_back(k);
+        if (!open.empty()) {
+            std::vector<Root<RuntimeUnknowns>> kept;
+            for (std::size_t m = 0; m < of_candidate.size(); ++m)
+                if (settled[of_candidate[m]]) kept.push_back(std::move(y_.found.roots[m]));
+            y_.found.roots = std::move(kept);
+            explain(open, paths);
+        }
+        count(size);
+        return std::move(y_);
+    }
+
+private:
+    void prove_roots() {
+        y_.proof = prove(system_, y_.found, bounds_, {.executor = run_.executor, .ranks = run_.ranks});
+    }
+
+    /// Two paths at one root: one of them jumped, and it is not known which.
+    void unsettle_duplicates(const std::vector<std::size_t>& of_candidate, std::vector<char>& settled) const {
+        for (std::size_t m = 0; m < of_candidate.size(); ++m) {
+            if (settled[of_candidate[m]]) continue;
+            for (std::size_t l = 0; l < of_candidate.size(); ++l)
+                if (l != m && distance(y_.found.roots[l].q, y_.found.roots[m].q) < 1e-6) settled[of_candidate[l]] = 0;
+        }
+    }
+    double distance(const auto& a, const auto& b) const {
+        double y = 0;
+        for (int u = 0; u < sizes_.unknowns; ++u) {
+            std::complex<double> d = a[u] - b[u];
+            if (u < sizes_.angles) d.real(std::remainder(d.real(), 2 * std::numbers::pi));
+            y = std::max(y, std::abs(d) / (u < sizes_.angles ? 1 : 1e-300 + std::abs(a[u]) + std::abs(b[u])));
+        }
+        return y;
+    }
+    Point exponentials(const auto& q) const {
+        Point z(q.begin(), q.end());
+        for (int i = 0; i < sizes_.angles; ++i) {
+            auto& at = z[static_cast<std::size_t>(i)];
+            at = std::exp(std::complex<double>(0, 1) * at);
+        }
+        return z;
+    }
+    UnknownArray<RuntimeUnknowns, std::complex<double>> unknowns(const Point& z) const {
+        UnknownArray<RuntimeUnknowns, std::complex<double>> q(sizes_.unknowns);
+        for (int u = 0; u < sizes_.unknowns; ++u) {
+            const auto& at = z[static_cast<std::size_t>(u)];
+            q[u] = u < sizes_.angles ? std::complex<double>(0, -1) * std::log(at) : at;
+        }
+        return q;
+    }
+
+    PathLimit limit_of(std::size_t k, PathSet& paths) const {
+        const EndpointRecord end = paths.record(k);
+        PathLimit y;
+        if (end.t > 0.5 && end.t < 1 && end.status != PathStatus::finite && end.status != PathStatus::singular) {
+            y = follow_to_limit(sizes_, columns_, exponentials(root_of(paths.point(k), end, k).q), 1 - end.t, 31);
+            if (y.kind == LimitKind::finite || y.kind == LimitKind::at_infinity) return y;
+        }
+        const Point begin = exponentials(instance_.roots()[k]);
+        y = follow_to_limit(sizes_, columns_, begin, 1, 31);
+        if (y.kind == LimitKind::finite || y.kind == LimitKind::at_infinity) return y;
+        // from where sums of two doubles left it, if that was near the end
+        PathLimit more;
+        if (y.r < 1e-3) {
+            more = follow_to_limit(sizes_, columns_, last_point(y), y.r, 64);
+            if (more.kind != LimitKind::open) return more;
+        }
+        more = follow_to_limit(sizes_, columns_, begin, 1, 64);
+        return more;
+    }
+    static Point last_point(const PathLimit& limit) {
+        Point z = limit.z;
+        for (std::size_t u = 0; u < limit.exact.size(); ++u) z[u] = {limit.exact[u][0][0], limit.exact[u][1][0]};
+        return z;
+    }
+
+    void explain(const std::vector<std::size_t>& open, PathSet& paths) {
+        if (open.size() > options_.most_explained) {
+            y_.unexplained = open.size();
+            y_.left = std::to_string(open.size()) + " paths are too many to be explained one by one";
+            prove_roots();
+            y_.confirmed.assign(y_.found.roots.size(), 0);
+            return;
+        }
+        std::vector<PathLimit> limits(open.size());
+        // what the store hands out is valid until the next call: points are read by one thread
+        run_.executor.for_blocks(open.size(), open.size(), [&](std::size_t first, std::size_t last) {
+            for (std::size_t m = first; m < last; ++m) limits[m] = limit_of(open[m], paths);
+        });
+        std::vector<std::size_t> singular;
+        std::map<std::string, std::uint64_t> reasons;
+        for (std::size_t m = 0; m < open.size(); ++m) {
+            const PathLimit& limit = limits[m];
+            switch (limit.kind) {
+                case LimitKind::finite: add_regular(limit, open[m]); break;
+                case LimitKind::singular: singular.push_back(m); break;
+                case LimitKind::at_infinity: add_infinite(limit); break;
+                case LimitKind::open:
+                    ++reasons[limit.reason];
+                    y_.found.failures.push_back({open[m], FailureReason::endgame_undecided, unknowns(limit.z)});
+                    break;
+            }
+        }
+        prove_roots();
+        // of two paths at one root one is lost
+        const std::uint64_t lost = y_.proof.certificates.size() - y_.proof.distinct;
+        drop_unproved();
+        y_.confirmed.assign(y_.found.roots.size(), 0);
+        explain_singular(singular, limits, open, reasons);
+        if (lost > 0) reasons["ended on another's root, or at one that could not be proved"] += lost;
+        for (const auto& [reason, number] : reasons) {
+            y_.unexplained += number;
+            y_.left += (y_.left.empty() ? "" : "; ") + std::to_string(number) + (number == 1 ? " path: " : " paths: ") +
+                       reason;
+        }
+    }
+    /// Only roots that are proved to differ stay.
+    void drop_unproved() {
+        std::size_t kept = 0;
+        for (std::size_t k = 0; k < y_.found.roots.size(); ++k) {
+            if (!(y_.proof.certificates[k].exists && y_.proof.certificates[k].distinct)) continue;
+            if (kept != k) {
+                y_.found.roots[kept] = std::move(y_.found.roots[k]);
+                y_.proof.certificates[kept] = y_.proof.certificates[k];
+            }
+            ++kept;
+        }
+        y_.found.roots.resize(kept);
+        y_.proof.certificates.resize(kept);
+        y_.proof.undecided = 0;
+        for (const Certificate& c : y_.proof.certificates) y_.proof.undecided += c.reality == Reality::undecided;
+        y_.proof.duplicates = 0;
+    }
+    Root<RuntimeUnknowns> root_at(const Point& z, std::size_t path) const {
+        Root<RuntimeUnknowns> root;
+        root.q = unknowns(z);
+        root.path = path;
+        const auto point = point_of<RuntimeUnknowns>(root.q, sizes_);
+        Polisher<PolynomialHomotopy>::Workspace<double> with(homotopy_);
+        PolishedEvidence evidence;
+        Polisher(homotopy_).assess(point, &evidence, with);
+        root.residual = evidence.residual;
+        root.condition = evidence.condition;
+        return root;
+    }
+    void add_regular(const PathLimit& limit, std::size_t path) { y_.found.roots.push_back(root_at(limit.z, path)); }
+    void add_infinite(const PathLimit& limit) {
+        for (DivergingPaths& known : y_.at_infinity) {
+            double apart = 0;
+            for (std::size_t u = 0; u < known.direction.size(); ++u)
+                apart = std::max(apart, std::abs(known.direction[u] - limit.direction[u]));
+            if (apart > 1e-6) continue;
+            ++known.paths;
+            known.residual = std::max(known.residual, limit.residual);
+            return;
+        }
+        y_.at_infinity.push_back({limit.direction, 1, limit.residual});
+    }
+
+    void explain_singular(const std::vector<std::size_t>& singular, const std::vector<PathLimit>& limits,
+                          const std::vector<std::size_t>& open, std::map<std::string, std::uint64_t>& reasons) {
+        std::vector<std::vector<std::size_t>> groups;
+        for (const std::size_t m : singular) {
+            const auto near = std::ranges::find_if(
+                groups, [&](const auto& group) { return is_near(limits[group.front()].z, limits[m].z); });
+            if (near == groups.end())
+                groups.push_back({m});
+            else
+                near->push_back(m);
+        }
+        std::vector<Root<RuntimeUnknowns>> suspects;
+        for (const auto& group : groups) {
+            std::vector<const PathLimit*> of_group;
+            for (const std::size_t m : group) of_group.push_back(&limits[m]);
+            const auto paths = static_cast<int>(group.size());
+            const LocalMultiplicity local = local_multiplicity(sizes_, columns_, of_group, 2 * paths + 4);
+            auto root = root_at(limits[group.front()].z, open[group.front()]);
+            root.status = PathStatus::singular;
+            root.paths = paths;
+            // a gap between what counted as 0 and what did not
+            const bool clear = local.smallest_kept > 1e4 * local.largest_dropped && local.smallest_kept > 1e-16;
+            if (local.multiplicity == paths && clear && limits[group.front()].digits > 31) {
+                root.q = mean(of_group);
+                y_.found.roots.push_back(std::move(root));
+                y_.confirmed.push_back(1);
+            } else {
+                suspects.push_back(std::move(root));
+            }
+        }
+        if (suspects.empty()) return;
+        auto found = find_families(homotopy_, suspects, run_.executor);
+        for (std::size_t k = 0; k < suspects.size(); ++k) {
+            if (found.on_one[k]) continue;
+            reasons["end at singular points whose multiplicity could not be confirmed"] +=
+                static_cast<std::uint64_t>(suspects[k].paths);
+            y_.found.roots.push_back(suspects[k]);
+            y_.confirmed.push_back(0);
+        }
+        y_.families = std::move(found.families);
+    }
+    bool is_near(const Point& a, const Point& b) const {
+        for (std::size_t u = 0; u < a.size(); ++u)
+            if (!(std::abs(a[u] - b[u]) <= 1e-3 * std::max(std::abs(a[u]), std::abs(b[u])))) return false;
+        return true;
+    }
+    UnknownArray<RuntimeUnknowns, std::complex<double>> mean(const std::vector<const PathLimit*>& group) const {
+        Point z(group.front()->z.size());
+        for (const PathLimit* limit : group)
+            for (std::size_t u = 0; u < z.size(); ++u) z[u] += limit->z[u] / static_cast<double>(group.size());
+        return unknowns(z);
+    }
+
+    void count(std::size_t size) {
+        PathCounts& c = y_.found.paths;
+        c.total = size + instance_.failed();
+        c.finite = y_.proof.distinct;
+        c.singular = c.at_infinity = 0;
+        y_.confirmed.resize(y_.found.roots.size());
+        for (std::size_t k = 0; k < y_.found.roots.size(); ++k)
+            if (y_.confirmed[k]) c.singular += static_cast<std::uint64_t>(y_.found.roots[k].paths);
+        for (const auto& family : y_.families) c.singular += family.paths();
+        for (const auto& away : y_.at_infinity) c.at_infinity += away.paths;
+        c.failed = c.total - c.finite - c.singular - c.at_infinity;
+        if (instance_.failed() > 0) {
+            y_.unexplained += instance_.failed();
+            y_.left += (y_.left.empty() ? "" : "; ") + std::to_string(instance_.failed()) +
+                       " paths of the start itself failed";
+        }
+        std::sort(y_.found.failures.begin(), y_.found.failures.end(),
+                  [](const auto& a, const auto& b) { return a.path < b.path; });
+    }
+
+    const SparseSystem& system_;
+    const std::vector<ProvedBound>& bounds_;
+    const RunOptions& run_;
+    const EveryRootOptions& options_;
+    RuntimeSizes sizes_;
+    GenericInstance instance_;
+    PolynomialHomotopy homotopy_;
+    std::vector<LaurentColumn> columns_;
+    RootAttempt y_;
+};
+
+/// The bounds of a choice, as theorems.
+EQUILIBRIA_INLINE std::vector<ProvedBound> bounds_of(const StartBounds& bounds, const SparseSystem& system) {
+    std::vector<ProvedBound> y;
+    if (!bounds.total_degree.saturated)
+        y.push_back({static_cast<std::uint64_t>(bounds.total_degree.value), "total degree", "Bezout's"});
+    if (!bounds.multihomogeneous.saturated && bounds.multihomogeneous < bounds.total_degree)
+        y.push_back(
+            {static_cast<std::uint64_t>(bounds.multihomogeneous.value), "multihomogeneous Bezout number", "Bezout's"});
+    if (bounds.mixed_volume)
+        y.push_back(
+            {*bounds.mixed_volume, system.sizes().angles > 0 ? "Laurent mixed volume" : "mixed volume", "Bernstein's"});
+    return y;
+}
+EQUILIBRIA_INLINE std::optional<ProvedBound> smallest(const std::vector<ProvedBound>& bounds) {
+    const auto at = std::ranges::min_element(bounds, {}, &ProvedBound::value);
+    return at == bounds.end() ? std::nullopt : std::optional(*at);
+}
+
+/// What the start of a choice finds, its paths not explained.
+EQUILIBRIA_INLINE RootAttempt plain_attempt(const SparseSystem& system, const StartChoice& choice,
+                                            const std::vector<ProvedBound>& bounds, const RunOptions& run,
+                                            const EveryRootOptions& options) {
+    RootAttempt y;
+    const Stopwatch clock;
+    y.found = solve_from_start(system, choice, run, options.tracker, nullptr);
+    y.tracking_seconds = clock.seconds();
+    y.proof = prove(system, y.found, bounds, {.executor = run.executor, .ranks = run.ranks});
+    y.confirmed.assign(y.found.roots.size(), 0);
+    const PathCounts& c = y.found.paths;
+    y.unexplained = c.total - std::min(c.total, y.proof.distinct);
+    y.left = std::to_string(c.at_infinity) + " paths diverge, " + std::to_string(c.singular) +
+             " end at singular points, " + std::to_string(c.failed) + " failed";
+    return y;
+}
+
+EQUILIBRIA_INLINE RootsVerdict verdict_of(const RootAttempt& y, const std::vector<ProvedBound>& bounds,
+                                          bool polyhedral) {
+    const auto count = [](std::uint64_t k) { return std::to_string(k); };
+    const auto bound = smallest(bounds);
+    const std::uint64_t counted = y.counted(), multiple = counted - y.proof.distinct;
+    RootsVerdict v;
+    const std::string roots =
+        count(y.proof.distinct) + " regular roots are proved" +
+        (multiple > 0 ? ", " + count(multiple) + " more are counted in confirmed multiple roots" : "");
+    if (bound && counted == bound->value) {
+        v.completeness = Completeness::complete;
+        v.missing_at_most = 0;
+        v.sentence = roots + ": as many as the " + bound->name + " " + count(bound->value) + " allows, by " +
+                     bound->theorem + " theorem there is no other";
+        return v;
+    }
+    if (polyhedral && y.unexplained == 0) {
+        v.completeness = Completeness::explained;
+        v.missing_at_most = 0;
+        v.sentence = roots;
+        std::uint64_t away = 0, on_curves = 0;
+        for (const auto& d : y.at_infinity) away += d.paths;
+        for (const auto& f : y.families) on_curves += f.paths();
+        if (away > 0) v.sentence += "; face systems explain " + count(away) + " paths to infinity";
+        if (on_curves > 0) v.sentence += "; " + count(on_curves) + " paths end on curves or surfaces of solutions";
+        v.sentence += "; with them all " + count(y.found.paths.total) + " paths are accounted for";
+        return v;
+    }
+    if (bound) v.missing_at_most = bound->value - std::min(bound->value, counted);
+    v.sentence = roots + (bound ? ", and the " + bound->name + " " + count(bound->value) + " allows more" : "") +
+                 (y.left.empty() ? "" : "; not explained: " + y.left);
+    return v;
+}
+
+EQUILIBRIA_INLINE void undo(const UnitScaling& units, EveryRoot& y) {
+    if (units.trivial()) return;
+    const auto back = [&](auto& q) { units.undo({q.begin(), q.end()}); };
+    for (auto& root : y.found.roots) back(root.q);
+    for (auto& failed : y.found.failures) back(failed.q);
+    for (auto& family : y.families) {
+        if (family.real_point)
+            for (int u = 0; u < family.real_point->size(); ++u)
+                (*family.real_point)[u] =
+                    std::ldexp((*family.real_point)[u], units.unknown[static_cast<std::size_t>(u)]);
+        for (auto& point : family.points) {
+            back(point.q);
+            back(point.neighbour);
+            for (auto& t : point.tangent) back(t);
+        }
+    }
+    const double largest = std::ldexp(1.0, *std::ranges::max_element(units.unknown));
+    for (auto& c : y.proof.certificates) c.radius *= largest;
+}
+
+/// Curves that a polyhedral start does not meet are met by the total degree: its singular endpoints, with those known.
+EQUILIBRIA_INLINE void find_all_families(const SparseSystem& system, const StartBounds& bounds, const RunOptions& run,
+                                         const EveryRootOptions& options, RootAttempt& y) {
+    if (bounds.total_degree.saturated || static_cast<std::uint64_t>(bounds.total_degree.value) > options.most_explained)
+        return;
+    if (std::ranges::any_of(system.degrees(), [](int d) { return d < 1; })) return;
+    const auto found = solve_total_degree(system, run, options.tracker, nullptr);
+    std::vector<Root<RuntimeUnknowns>> suspects;
+    for (const auto& root : found.roots)
+        if (root.status == PathStatus::singular) suspects.push_back(root);
+    for (const auto& family : y.families)
+        for (const auto& point : family.points) {
+            Root<RuntimeUnknowns> root;
+            root.q = point.q;
+            root.paths = point.paths;
+            root.path = point.path;
+            root.condition = point.condition;
+            root.status = PathStatus::singular;
+            suspects.push_back(std::move(root));
+        }
+    if (suspects.empty()) return;
+    Generator generator(run.seed);
+    const TotalDegreeStart start(TotalDegreeKind::general, system.sizes(), system.degrees(), system.scale(), generator);
+    const PolynomialHomotopy homotopy({.sizes = system.sizes(),
+                                       .terms = system.terms(),
+                                       .from = {},
+                                       .forms = {.terms = start.system().terms(), .products = {}},
+                                       .scale = system.scale(),
+                                       .degrees = system.degrees()});
+    auto all = find_families(homotopy, suspects, run.executor);
+    if (all.families.size() >= y.families.size()) y.families = std::move(all.families);
+}
+
+}  // namespace detail
+
+EQUILIBRIA_INLINE std::string_view to_string(Completeness completeness) {
+    constexpr std::array names{"complete", "explained", "open"};
+    return names[static_cast<std::size_t>(completeness)];
+}
+
+EQUILIBRIA_INLINE std::uint64_t EveryRoot::distinct() const {
+    std::uint64_t y = proof.distinct;
+    for (const char c : confirmed) y += c != 0;
+    return y;
+}
+
+EQUILIBRIA_INLINE EveryRoot every_root(const SparseSystem& system, const StartChoice& choice, const RunOptions& run,
+                                       const EveryRootOptions& options) {
+    options.tracker.validate();
+    run.require_whole("a search for every root");
+    const detail::Stopwatch clock;
+    const UnitScaling units = unit_scaling(system);
+    const SparseSystem in_units = scaled(system, units);
+    const auto bounds = detail::bounds_of(choice.bounds, system);
+    const bool may_explain = choice.kind != StartKind::monodromy && choice.bounds.mixed_volume.has_value() &&
+                             *choice.bounds.mixed_volume <= 4 * options.most_explained;
+    EveryRoot y;
+    std::optional<detail::RootAttempt> best;
+    RootsVerdict verdict;
+    double tracking = 0;
+    const auto take = [&](detail::RootAttempt attempt, bool polyhedral) {
+        tracking += attempt.tracking_seconds;
+        RootsVerdict of = detail::verdict_of(attempt, bounds, polyhedral);
+        const bool better =
+            !best || of.completeness < verdict.completeness ||
+            (of.completeness == verdict.completeness && attempt.counted() > best->counted()) ||
+            (polyhedral && of.completeness == verdict.completeness && attempt.counted() == best->counted());
+        if (better) best.emplace(std::move(attempt)), verdict = std::move(of);
+    };
+    if (choice.kind != StartKind::polyhedral || !may_explain) {
+        take(detail::plain_attempt(in_units, choice, bounds, run, options), false);
+        best->start = choice;
+    }
+    for (int k = 0; k < options.seeds && may_explain && verdict.completeness == Completeness::open; ++k) {
+        if (*choice.bounds.mixed_volume == 0) break;
+        const RunOptions again = run.with_seed(run.seed + 0x9e3779b97f4a7c15 * static_cast<std::uint64_t>(k));
+        auto attempt = detail::ExplainedPaths(in_units, bounds, again, options).run();
+        attempt.start = {
+            StartKind::polyhedral,
+            choice.kind == StartKind::polyhedral && k == 0 ? choice.why : "other starts left something open",
+            choice.bounds};
+        take(std::move(attempt), true);
+        y.starts += best && (k > 0 || choice.kind != StartKind::polyhedral);
+    }
+    if (verdict.completeness == Completeness::complete) {
+        // what did not end at a root goes to infinity, since all roots are proved
+        PathCounts& c = best->found.paths;
+        const std::uint64_t known = c.finite + c.singular;
+        if (best->families.empty() && c.failed > 0 && c.total >= known) {
+            c.at_infinity += c.failed, c.failed = 0;
+            best->found.failures.clear();
+        }
+    }
+    if (verdict.completeness != Completeness::complete ||
+        (choice.bounds.mixed_volume && *choice.bounds.mixed_volume == 0))
+        if (choice.kind != StartKind::monodromy)
+            detail::find_all_families(in_units, choice.bounds, run, options, *best);
+    y.start = std::move(best->start);
+    y.found = std::move(best->found);
+    y.confirmed = std::move(best->confirmed);
+    y.proof = std::move(best->proof);
+    y.families = std::move(best->families);
+    y.at_infinity = std::move(best->at_infinity);
+    y.verdict = std::move(verdict);
+    y.proof.complete = y.verdict.completeness == Completeness::complete;
+    y.proof.reason = y.verdict.sentence;
+    detail::undo(units, y);
+    y.tracking_seconds = tracking;
+    y.seconds = clock.seconds();
+    return y;
+}
+
+}  // namespace equilibria

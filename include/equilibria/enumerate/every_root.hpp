@@ -1,0 +1,92 @@
+/// \file
+/// Every isolated complex root of a system that is data, with a verdict on its completeness that says what was checked.
+///
+/// The system is solved in units that suit it (unit_scaling.hpp), and its roots are proved by Krawczyk's test. Where
+/// they are as many as a theorem allows, nothing is missing. Where they are fewer, every path of a polyhedral start has
+/// to be explained: by a proved root; by a multiple root, of which the local dual space has as many dimensions as paths
+/// end there; by a curve of solutions; or by a root of a face system at infinity (path_limit.hpp). Paths that nothing
+/// explains are followed again from starts with other seeds. What is left then is said, with the number of roots that
+/// may be missing at most.
+///
+/// Source: D. N. Bernstein, The number of roots of a system of equations, Functional Analysis and its Applications 9
+/// (1975) 183-185: a system has fewer isolated roots than the mixed volume only if a face system has a root.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <equilibria/core/compiled.hpp>
+#include <equilibria/enumerate/family.hpp>
+#include <equilibria/enumerate/prove.hpp>
+#include <equilibria/homotopy/tracker_options.hpp>
+#include <equilibria/paths/choose_start.hpp>
+#include <equilibria/paths/complex_roots.hpp>
+#include <equilibria/run/run_options.hpp>
+#include <equilibria/system/sparse_system.hpp>
+
+namespace equilibria {
+
+/// What is known of the roots that were not found.
+enum class Completeness : std::uint8_t {
+    complete,   ///< a theorem: there are no others
+    explained,  ///< every path of a start that reaches every isolated root is accounted for, with evidence for each
+    open        ///< something is left: the verdict says what
+};
+
+/// In words: "complete", "explained" or "open".
+std::string_view to_string(Completeness completeness);
+
+/// The verdict on a set of roots.
+struct RootsVerdict {
+    Completeness completeness = Completeness::open;  ///< what is known
+    /// How many isolated roots may be missing, each counted with its multiplicity; 0 unless it is open. Nothing: no
+    /// bound is known.
+    std::optional<std::uint64_t> missing_at_most;
+    std::string sentence;  ///< the evidence, or what is left, in words
+};
+
+/// Paths that leave in one direction, each to a root of that face system.
+struct DivergingPaths {
+    std::vector<double> direction;  ///< growth of log |x_u|, or of the imaginary part of -theta_u, against -log(1 - t)
+    std::uint64_t paths = 0;        ///< how many
+    double residual = 0;            ///< the largest of the face systems at their roots, against the size of their terms
+};
+
+/// How every_root searches.
+struct EveryRootOptions {
+    TrackerOptions tracker{};              ///< of all paths in double
+    std::uint64_t most_explained = 20000;  ///< paths above which none is explained one by one
+    int seeds = 3;                         ///< starts that are tried before something is left open
+};
+
+/// All isolated complex roots of a system, and curves of solutions beside them.
+struct EveryRoot {
+    StartChoice start;            ///< from which `found` comes
+    ComplexRoots<> found;         ///< the account of the paths, and the roots, regular ones first
+    std::vector<char> confirmed;  ///< of each root that is singular: its multiplicity, `paths`, was confirmed
+    ProofOfRoots proof;           ///< of the regular ones
+    std::vector<Family<RuntimeUnknowns>> families;  ///< curves and surfaces of solutions
+    std::vector<DivergingPaths> at_infinity;        ///< explained paths, by their direction
+    RootsVerdict verdict;                           ///< what is known of others
+    int starts = 1;                                 ///< how many were tried
+    double tracking_seconds = 0;                    ///< of the paths in double
+    double seconds = 0;                             ///< of everything
+
+    /// Isolated roots, each counted once; and real ones among them, of which that is proved.
+    std::uint64_t distinct() const;
+};
+
+/// Every isolated root of the system. choice: the start to begin with; a polyhedral one follows where it leaves
+/// something open. Throws InvalidArgument where the run names a checkpoint or a cancel, and where options are out of
+/// range.
+EveryRoot every_root(const SparseSystem& system, const StartChoice& choice, const RunOptions& run = {},
+                     const EveryRootOptions& options = {});
+
+}  // namespace equilibria
+
+#ifndef EQUILIBRIA_COMPILED
+#include <equilibria/enumerate/detail/every_root_definitions.hpp>
+#endif

@@ -1,0 +1,530 @@
+/// \file
+/// See homotopy/path_limit.hpp.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <optional>
+#include <utility>
+
+#include <Eigen/Core>
+#include <Eigen/SVD>
+
+#include <equilibria/core/double_double.hpp>
+#include <equilibria/core/linear_solve.hpp>
+#include <equilibria/core/multiprecision.hpp>
+#include <equilibria/core/singular_values.hpp>
+#include <equilibria/homotopy/path_limit.hpp>
+
+namespace equilibria {
+
+namespace detail {
+
+/// The binary exponent of |z|, roughly; a large negative number of 0.
+template <class R>
+int size_exponent(const Complex<R>& z) {
+    const auto of = [](const R& x) {
+        if constexpr (std::is_same_v<R, DoubleDouble>) {
+            return x.high() == 0 ? -100000 : std::isfinite(x.high()) ? std::ilogb(x.high()) : 100000;
+        } else {
+            using std::frexp;
+            int e = 0;
+            const R m = frexp(x, &e);
+            if (!(m == m) || !isfinite(x)) return 100000;
+            return m == R(0) ? -100000 : e;
+        }
+    };
+    return std::max(of(z.re), of(z.im));
+}
+template <class R>
+R times_power_of_two(const R& x, int e) {
+    if constexpr (std::is_same_v<R, DoubleDouble>)
+        return {std::ldexp(x.high(), e), std::ldexp(x.low(), e)};
+    else
+        return ldexp(x, e);
+}
+template <class R>
+std::complex<double> rounded(const Complex<R>& z) {
+    return {static_cast<double>(z.re), static_cast<double>(z.im)};
+}
+
+/// One path, with the digits of R.
+template <class R>
+class LogarithmicPath {
+public:
+    using Z = Complex<R>;
+    using Vector = std::vector<std::complex<double>>;
+
+    static constexpr bool double_double = std::is_same_v<R, DoubleDouble>;
+    /// Where a path that does not move any more is singular: half of the digits.
+    static constexpr double smallest_r = double_double ? 1e-16 : 1e-32;
+    /// A residual that is rounding, against the size of the terms.
+    static constexpr double vanishing = double_double ? 1e-25 : 1e-50;
+
+    LogarithmicPath(const RuntimeSizes& sizes, const std::vector<LaurentColumn>& columns)
+        : n_(sizes.unknowns), angles_(sizes.angles), columns_(&columns), highest_(at(n_)), lowest_(at(n_)),
+          powers_(at(n_)), f_(n_), by_r_(n_), j_(n_), lu_(n_), exponent_(at(n_)), sum_(at(n_)), terms_(columns.size()) {
+        for (const LaurentColumn& c : columns) {
+            from_.emplace_back(R(c.from.real()), R(c.from.imag()));
+            to_.emplace_back(R(c.to.real()), R(c.to.imag()));
+            for (std::size_t u = 0; u < at(n_); ++u) {
+                highest_[u] = std::max(highest_[u], c.exponents[u]);
+                lowest_[u] = std::min(lowest_[u], c.exponents[u]);
+            }
+        }
+        for (std::size_t u = 0; u < at(n_); ++u) powers_[u].resize(at(highest_[u] - lowest_[u] + 1));
+    }
+
+    PathLimit follow(const Vector& begin, double r) {
+        z_.clear();
+        for (const auto& z : begin) z_.emplace_back(R(z.real()), R(z.imag()));
+        s_ = -std::log(r);
+        y_ = PathLimit();
+        y_.digits = double_double ? 31 : 64;
+        if (!correct(z_, s_, 0.3)) return open("Newton's method does not find the path");
+        double h = r > 0.5 ? 0.02 : 0.2;
+        int since_test = 0;
+        while (true) {
+            if (y_.steps++ > 4000) return open("too many steps");
+            const double end = -std::log(smallest_r);
+            const double step = s_ < end ? std::min(h, end - s_) : h;
+            std::vector<Z> next = z_;
+            if (predict(next, step) && correct(next, s_ + step, 0.02)) {
+                z_ = std::move(next);
+                s_ += step;
+                if (first_ < 1e-3) h = std::min(1.6 * h, 4.0);
+                if (first_ > 5e-3) h *= 0.7;
+                if (++since_test >= 3 && s_ > 3) {
+                    since_test = 0;
+                    if (decided()) return finish();
+                }
+            } else {
+                h = 0.4 * step;
+                if (h < 1e-7) {
+                    if (s_ > 3 && decided()) return finish();
+                    return open("steps become too small");
+                }
+            }
+            if (s_ >= end - 1e-9) {
+                if (decided()) return finish();
+                if (is_still()) return singular();
+                if (s_ > 1.5 * end) return open("no limit can be told");
+            }
+        }
+    }
+
+private:
+    static std::size_t at(int i) { return static_cast<std::size_t>(i); }
+    static R real(double x) { return R(x); }
+
+    PathLimit open(const char* why) {
+        y_.kind = LimitKind::open;
+        y_.reason = why;
+        return finish();
+    }
+    PathLimit finish() {
+        y_.r = std::exp(-s_);
+        if (y_.kind == LimitKind::open || y_.kind == LimitKind::at_infinity) {
+            y_.z.clear();
+            for (const Z& z : z_) y_.z.push_back(rounded(z));
+        }
+        if (y_.kind == LimitKind::open && linearize(z_, std::exp(-s_))) y_.direction = growth();
+        return std::move(y_);
+    }
+
+    /// Powers of each unknown, from its lowest to its highest exponent; those of an unknown that is 0 too.
+    void set_powers(const std::vector<Z>& z) {
+        for (std::size_t u = 0; u < at(n_); ++u) {
+            auto& p = powers_[u];
+            const auto zero = at(-lowest_[u]);
+            p[zero] = Z(1.0);
+            for (std::size_t k = zero + 1; k < p.size(); ++k) p[k] = p[k - 1] * z[u];
+            if (zero > 0) {
+                const Z back = inverse(z[u]);
+                for (std::size_t k = zero; k-- > 0;) p[k] = p[k + 1] * back;
+            }
+        }
+    }
+    const Z& power(std::size_t u, int e) const { return powers_[u][at(e - lowest_[u])]; }
+
+    /// Terms, equations and their derivatives by the logarithms of the unknowns and by r, each equation divided by a
+    /// power of two near its largest term. plain: coordinates that are 0 take derivatives by themselves.
+    bool linearize(const std::vector<Z>& z, double r_value, const std::vector<char>* plain = nullptr) {
+        const R r = real(r_value);
+        set_powers(z);
+        std::fill(exponent_.begin(), exponent_.end(), -100000);
+        std::vector<Z> product(columns_->size()), coefficient(columns_->size());
+        for (std::size_t k = 0; k < columns_->size(); ++k) {
+            const LaurentColumn& c = (*columns_)[k];
+            Z p(1.0);
+            for (std::size_t u = 0; u < at(n_); ++u)
+                if (c.exponents[u] != 0) p *= power(u, c.exponents[u]);
+            product[k] = p;
+            coefficient[k] = to_[k] + r * (from_[k] - to_[k]);
+            terms_[k] = coefficient[k] * p;
+            const int e = size_exponent(terms_[k]);
+            if (e >= 100000) return false;
+            exponent_[at(c.equation)] = std::max(exponent_[at(c.equation)], e);
+        }
+        if constexpr (double_double)
+            for (const int e : exponent_)
+                if (e > 900 || e < -800) return false;
+        for (int i = 0; i < n_; ++i) {
+            f_[i] = by_r_[i] = Z(0.0);
+            sum_[at(i)] = 0;
+            for (int u = 0; u < n_; ++u) j_[i][u] = Z(0.0);
+        }
+        for (std::size_t k = 0; k < columns_->size(); ++k) {
+            const LaurentColumn& c = (*columns_)[k];
+            const int i = c.equation, e = -exponent_[at(i)];
+            const Z t = scaled(terms_[k], e);
+            terms_[k] = t;
+            f_[i] += t;
+            sum_[at(i)] += std::abs(rounded(t));
+            by_r_[i] += (from_[k] - to_[k]) * scaled(product[k], e);
+            for (int u = 0; u < n_; ++u) {
+                const int power_of_u = c.exponents[at(u)];
+                if (power_of_u == 0) continue;
+                if (plain && (*plain)[at(u)]) {
+                    if (power_of_u != 1) continue;  // at 0
+                    Z p(1.0);
+                    for (std::size_t v = 0; v < at(n_); ++v)
+                        if (v != at(u) && c.exponents[v] != 0) p *= power(v, c.exponents[v]);
+                    j_[i][u] += scaled(coefficient[k] * p, e);
+                } else {
+                    j_[i][u] += static_cast<double>(power_of_u) * t;
+                }
+            }
+        }
+        return true;
+    }
+    static Z scaled(const Z& z, int e) { return {times_power_of_two(z.re, e), times_power_of_two(z.im, e)}; }
+
+    /// f_ becomes -J^-1 f; its largest size is returned.
+    double newton_step() {
+        lu_.factor(j_);
+        for (int i = 0; i < n_; ++i) f_[i] = -f_[i];
+        lu_.solve(f_);
+        double size = 0;
+        for (int u = 0; u < n_; ++u) {
+            const double one = std::abs(rounded(f_[u]));
+            if (!(one <= size)) size = one;  // a NaN stays
+        }
+        return size;
+    }
+    /// Newton's method at s; whether it converges from no farther than `most`. first_: the first correction.
+    bool correct(std::vector<Z>& z, double s, double most) {
+        double before = most;
+        const double r = std::exp(-s);
+        for (int round = 0; round < 8; ++round) {
+            if (!linearize(z, r)) return false;
+            const double size = newton_step();
+            if (round == 0) first_ = size;
+            if (!(size < (round == 0 ? most : 0.3 * before + 1e-14))) return false;
+            for (int u = 0; u < n_; ++u) z[at(u)] *= Z(1.0) + f_[u];
+            if (size < 1e-13) return true;
+            before = size;
+        }
+        return false;
+    }
+    /// d zeta / d s at z.
+    bool slope(const std::vector<Z>& z, double s, Vector& d) {
+        const double r = std::exp(-s);
+        if (!linearize(z, r)) return false;
+        lu_.factor(j_);
+        for (int i = 0; i < n_; ++i) f_[i] = real(r) * by_r_[i];
+        lu_.solve(f_);
+        d.resize(at(n_));
+        for (int u = 0; u < n_; ++u) {
+            d[at(u)] = rounded(f_[u]);
+            if (!(std::abs(d[at(u)]) < 1e6)) return false;
+        }
+        return true;
+    }
+    std::vector<Z> turned(const std::vector<Z>& z, double h, const Vector& d) const {
+        std::vector<Z> y = z;
+        for (std::size_t u = 0; u < y.size(); ++u) {
+            const auto by = std::exp(h * d[u]);
+            y[u] *= Z(R(by.real()), R(by.imag()));
+        }
+        return y;
+    }
+    /// Runge and Kutta's fourth-order step.
+    bool predict(std::vector<Z>& z, double h) {
+        Vector a, b, c, d;
+        if (!slope(z, s_, a)) return false;
+        const auto small = [h](const Vector& v) {
+            return std::ranges::all_of(v, [h](const auto& x) { return h * std::abs(x) < 40; });
+        };
+        if (!small(a) || !slope(turned(z, h / 2, a), s_ + h / 2, b) || !small(b) ||
+            !slope(turned(z, h / 2, b), s_ + h / 2, c) || !small(c) || !slope(turned(z, h, c), s_ + h, d) || !small(d))
+            return false;
+        for (std::size_t u = 0; u < a.size(); ++u) a[u] = (a[u] + 2.0 * b[u] + 2.0 * c[u] + d[u]) / 6.0;
+        z = turned(z, h, a);
+        return true;
+    }
+
+    /// The growth of each unknown at the last point that `slope` was called at.
+    std::vector<double> growth() {
+        Vector d;
+        if (!slope(z_, s_, d)) return {};
+        std::vector<double> y;
+        for (const auto& x : d) y.push_back(x.real());
+        return y;
+    }
+
+    /// The coordinates that tend to 0, if no unknown goes to infinity; else nothing.
+    std::optional<std::vector<char>> vanishing_coordinates(const std::vector<double>& v) const {
+        std::vector<char> y(v.size());
+        for (std::size_t u = 0; u < v.size(); ++u) {
+            if (u < at(angles_) ? std::abs(v[u]) > 0.2 : v[u] > 0.2) return {};
+            y[u] = u >= at(angles_) && v[u] < -0.02 && size_exponent(z_[u]) < -10;
+        }
+        return y;
+    }
+    bool decided() {
+        const std::vector<double> v = growth();
+        if (v.empty()) return false;
+        if (const auto zero = vanishing_coordinates(v)) {
+            bool moving = false;
+            for (std::size_t u = 0; u < v.size(); ++u) moving = moving || (!(*zero)[u] && std::abs(v[u]) > 0.05);
+            if (!moving && ends_regularly(*zero, v)) return true;
+        }
+        const bool away = [&] {
+            for (std::size_t u = 0; u < v.size(); ++u)
+                if (u < at(angles_) ? std::abs(v[u]) > 0.02 : v[u] > 0.02) return true;
+            return false;
+        }();
+        if (away)
+            for (const double tolerance : {0.02, 0.1, 0.3})
+                if (has_leading_root(v, tolerance)) return true;
+        return false;
+    }
+    /// Whether Newton's method at t = 1 converges quadratically to a root, no farther than the path has to go.
+    bool ends_regularly(const std::vector<char>& zero, const std::vector<double>& v) {
+        std::vector<Z> q = z_;
+        double left = 1e-12;
+        for (std::size_t u = 0; u < v.size(); ++u) {
+            if (zero[u])
+                q[u] = Z(0.0);
+            else
+                left = std::max(left, std::abs(v[u]));
+        }
+        double before = 1e300, moved = 0;
+        bool some_zero = std::ranges::count(zero, char{1}) > 0;
+        for (int round = 0; round < 12; ++round) {
+            if (!linearize(q, 0, some_zero ? &zero : nullptr)) return false;
+            const double size = newton_step();
+            if (!(size < 0.05) || !(round == 0 || size < 0.05 * before + 1e-20)) return false;
+            for (int u = 0; u < n_; ++u) {
+                if (zero[at(u)]) {
+                    if (std::abs(rounded(f_[u])) > 1e-22) return false;
+                    continue;  // the root has it at 0, or Newton's method would leave it
+                }
+                q[at(u)] *= Z(1.0) + f_[u];
+                moved = std::max(moved, std::abs(rounded(f_[u])));
+            }
+            if (size < 1e-18) {
+                if (!(moved <= 4 * left)) return false;
+                y_.kind = LimitKind::finite;
+                y_.z.clear();
+                for (const Z& x : q) y_.z.push_back(rounded(x));
+                linearize(q, 0, some_zero ? &zero : nullptr);
+                y_.residual = relative_residual();
+                return true;
+            }
+            before = size;
+        }
+        return false;
+    }
+    double relative_residual() const {
+        double y = 0;
+        for (int i = 0; i < n_; ++i) y = std::max(y, std::abs(rounded(f_[i])) / std::max(sum_[at(i)], 1e-300));
+        return y;
+    }
+    /// Whether no unknown moves any more, but for coordinates on their way to 0.
+    bool is_still() {
+        const std::vector<double> v = growth();
+        if (v.empty()) return false;
+        for (std::size_t u = 0; u < v.size(); ++u) {
+            const bool to_zero = u >= at(angles_) && v[u] < 0 && size_exponent(z_[u]) < -5;
+            if (std::abs(v[u]) > 0.01 && !to_zero) return false;
+        }
+        return true;
+    }
+    PathLimit singular() {
+        const std::vector<double> v = growth();
+        y_.kind = LimitKind::singular;
+        y_.direction = v;
+        y_.z.clear();
+        for (std::size_t u = 0; u < z_.size(); ++u) {
+            const bool to_zero = u >= at(angles_) && v[u] < -0.01 && size_exponent(z_[u]) < -5;
+            y_.z.push_back(to_zero ? 0.0 : rounded(z_[u]));
+            // the point itself, as sums of doubles
+            std::array<std::vector<double>, 2> parts;
+            for (int part = 0; part < 2; ++part) {
+                R rest = part == 0 ? z_[u].re : z_[u].im;
+                for (int k = 0; k < (double_double ? 2 : 5); ++k) {
+                    const auto high = static_cast<double>(rest);
+                    parts[at(part)].push_back(high);
+                    rest = rest - R(high);
+                }
+            }
+            y_.exact.push_back(std::move(parts));
+        }
+        linearize(z_, std::exp(-s_));
+        return finish();
+    }
+
+    /// Whether the terms that grow fastest vanish together next to the path.
+    bool has_leading_root(const std::vector<double>& v, double tolerance) {
+        // growth of each term; r itself, whose coefficient an absent term has, shrinks
+        const std::size_t size = columns_->size();
+        const auto rate = [&](std::size_t k, const std::vector<double>& w) {
+            const LaurentColumn& c = (*columns_)[k];
+            double y = c.to == 0.0 ? -1 : 0;
+            for (std::size_t u = 0; u < at(n_); ++u) y += c.exponents[u] * w[u];
+            return y;
+        };
+        std::vector<double> most(at(n_), -1e300);
+        for (std::size_t k = 0; k < size; ++k) {
+            auto& m = most[at((*columns_)[k].equation)];
+            m = std::max(m, rate(k, v));
+        }
+        std::vector<char> leads(size);
+        std::vector<std::size_t> first(at(n_), size);
+        std::vector<int> count(at(n_));
+        for (std::size_t k = 0; k < size; ++k) {
+            const auto i = at((*columns_)[k].equation);
+            leads[k] = rate(k, v) > most[i] - tolerance;
+            if (!leads[k]) continue;
+            ++count[i];
+            if (first[i] == size) first[i] = k;
+        }
+        if (std::ranges::any_of(count, [](int c) { return c < 2; })) return false;
+        // the direction nearest to v along which all of them grow alike
+        std::vector<std::pair<std::size_t, std::size_t>> equal;
+        for (std::size_t k = 0; k < size; ++k)
+            if (const auto i = at((*columns_)[k].equation); leads[k] && k != first[i]) equal.emplace_back(k, first[i]);
+        Eigen::MatrixXd a(static_cast<Eigen::Index>(equal.size()), n_);
+        Eigen::VectorXd b(a.rows());
+        for (std::size_t m = 0; m < equal.size(); ++m) {
+            const auto [k, l] = equal[m];
+            const auto row = static_cast<Eigen::Index>(m);
+            for (int u = 0; u < n_; ++u) a(row, u) = (*columns_)[k].exponents[at(u)] - (*columns_)[l].exponents[at(u)];
+            b(row) = -(rate(k, v) - rate(l, v));
+        }
+        Eigen::JacobiSVD<Eigen::MatrixXd> svd(a, Eigen::ComputeThinU | Eigen::ComputeThinV);
+        svd.setThreshold(1e-9);
+        const Eigen::VectorXd change = svd.solve(b);
+        if (!((a * change - b).lpNorm<Eigen::Infinity>() < 1e-9) || !(change.lpNorm<Eigen::Infinity>() < 0.1))
+            return false;
+        std::vector<double> w = v;
+        for (std::size_t u = 0; u < w.size(); ++u) w[u] += change(static_cast<Eigen::Index>(u));
+        bool away = false;
+        for (std::size_t u = 0; u < w.size(); ++u)
+            away = away || (u < at(angles_) ? std::abs(w[u]) > 1e-6 : w[u] > 1e-6);
+        if (!away) return false;
+        // the others must fall behind, and have done so
+        for (std::size_t k = 0; k < size; ++k) {
+            const auto i = at((*columns_)[k].equation);
+            if (!leads[k] && !(rate(k, w) < rate(first[i], w) - 1e-6)) return false;
+        }
+        return leading_terms_vanish(leads, w);
+    }
+    bool leading_terms_vanish(const std::vector<char>& leads, const std::vector<double>& w) {
+        std::vector<Z> q = z_;
+        const double r = std::exp(-s_);
+        double moved = 0, before = 1e300;
+        for (int round = 0; round < 90; ++round) {
+            if (!linearize(q, r)) return false;
+            // the equations of the leading terms alone
+            std::vector<double> behind(at(n_)), ahead(at(n_));
+            std::vector<Z> face(at(n_), Z(0.0));
+            SingularValues::Vector j(at(n_ * n_)), right(at(n_));
+            for (std::size_t k = 0; k < columns_->size(); ++k) {
+                const LaurentColumn& c = (*columns_)[k];
+                const auto i = at(c.equation);
+                const auto size = std::abs(rounded(terms_[k]));
+                if (!leads[k]) {
+                    behind[i] += size;
+                    continue;
+                }
+                // its coefficient in the limit
+                const Z limit = c.to == 0.0 ? terms_[k] : terms_[k] * (to_[k] / (to_[k] + R(r) * (from_[k] - to_[k])));
+                ahead[i] += size;
+                face[i] += limit;
+                for (std::size_t u = 0; u < at(n_); ++u)
+                    j[u * at(n_) + i] += static_cast<double>(c.exponents[u]) * rounded(limit);
+            }
+            double residual = 0;
+            for (std::size_t i = 0; i < at(n_); ++i) {
+                if (round == 0 && !(behind[i] < 0.3 * ahead[i])) return false;
+                const double by = 1 / ahead[i];
+                right[i] = by * rounded(face[i]);
+                for (std::size_t u = 0; u < at(n_); ++u) j[u * at(n_) + i] *= by;
+                residual = std::max(residual, std::abs(right[i]));
+            }
+            if (round == 0 && !(residual < 0.3)) return false;
+            if (residual < vanishing) {
+                y_.kind = LimitKind::at_infinity;
+                y_.direction = w;
+                y_.residual = residual;
+                return true;
+            }
+            if (round > 10 && residual > 0.5 * before && residual < 1e-14) return false;
+            before = residual;
+            const SingularValues svd(n_, n_, std::move(j));
+            const auto step = svd.solve(right, svd.rank(1e-12));
+            for (std::size_t u = 0; u < at(n_); ++u) {
+                if (!(std::abs(step[u]) < 0.5)) return false;
+                moved += std::abs(step[u]);
+                q[u] *= Z(1.0) - Z(R(step[u].real()), R(step[u].imag()));
+            }
+            if (!(moved < 0.7)) return false;
+        }
+        return false;
+    }
+
+    int n_, angles_;
+    const std::vector<LaurentColumn>* columns_;
+    std::vector<Z> from_, to_;
+    std::vector<int> highest_, lowest_;
+    std::vector<std::vector<Z>> powers_;
+    SizedArray<Z, at_run_time> f_, by_r_;
+    RuntimeMatrix<Z> j_;
+    PivotedFactorization<R> lu_;
+    std::vector<int> exponent_;
+    std::vector<double> sum_;
+    std::vector<Z> terms_;
+    std::vector<Z> z_;
+    double s_ = 0, first_ = 0;
+    PathLimit y_;
+};
+
+}  // namespace detail
+
+EQUILIBRIA_INLINE PathLimit follow_to_limit(const RuntimeSizes& sizes, const std::vector<LaurentColumn>& columns,
+                                            std::vector<std::complex<double>> z, double r, int digits) {
+    if (digits > 31) return detail::LogarithmicPath<Multiprecision<64>>(sizes, columns).follow(z, r);
+    return detail::LogarithmicPath<DoubleDouble>(sizes, columns).follow(z, r);
+}
+
+EQUILIBRIA_INLINE std::string direction_in_words(const std::vector<double>& direction) {
+    for (int by = 1; by <= 120; ++by) {
+        std::string text = "(";
+        bool whole = true;
+        for (std::size_t u = 0; u < direction.size(); ++u) {
+            const double x = by * direction[u];
+            whole = whole && std::abs(x - std::round(x)) < 1e-6 * by;
+            text += (u > 0 ? ", " : "") + std::to_string(static_cast<long>(std::lround(x)));
+        }
+        if (whole) return text + (by > 1 ? ")/" + std::to_string(by) : ")");
+    }
+    return "irrational";
+}
+
+}  // namespace equilibria

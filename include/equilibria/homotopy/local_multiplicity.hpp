@@ -1,0 +1,40 @@
+/// \file
+/// The multiplicity of an isolated root, by the dimension of its local dual space.
+///
+/// Of Taylor series to the order d, and their products with monomials, the nullity of the coefficient matrix
+/// (Macaulay's) is the number of differential conditions of order d at most that the ideal fulfils. It grows with d up
+/// to the multiplicity of an isolated root, and for ever at a root that is not isolated. Source: B. H. Dayton, Z. Zeng,
+/// Computing the multiplicity structure in solving polynomial systems, Proceedings of ISSAC 2005, 116-123.
+///
+/// Ranks are decided with 64 digits: the root has to be known to about 30 of them.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include <equilibria/core/compiled.hpp>
+#include <equilibria/homotopy/laurent_column.hpp>
+#include <equilibria/homotopy/path_limit.hpp>
+#include <equilibria/model/sizes.hpp>
+
+namespace equilibria {
+
+/// What the local dual space says of a point.
+struct LocalMultiplicity {
+    int multiplicity = 0;        ///< its dimension; 0: not decided
+    int order = 0;               ///< the order of the series at which the dimension was last seen to grow
+    bool grows = false;          ///< the dimension was above `most`, or grew at every order that was looked at
+    double smallest_kept = 1;    ///< the smallest pivot that counted, against the largest
+    double largest_dropped = 0;  ///< the largest that did not
+};
+
+/// Multiplicity of the target system (`to` of the columns) at the mean of these singular limits, which are the ends of
+/// as many paths at one root. most: above this dimension it is not looked at any further.
+LocalMultiplicity local_multiplicity(const RuntimeSizes& sizes, const std::vector<LaurentColumn>& columns,
+                                     const std::vector<const PathLimit*>& limits, int most);
+
+}  // namespace equilibria
+
+#ifndef EQUILIBRIA_COMPILED
+#include <equilibria/homotopy/detail/local_multiplicity_definitions.hpp>
+#endif

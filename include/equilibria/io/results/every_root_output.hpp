@@ -1,0 +1,81 @@
+/// \file
+/// All roots of a system as JSON, with what is proved of them and the verdict on their completeness.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+
+#include <equilibria/enumerate/every_root.hpp>
+#include <equilibria/homotopy/path_limit.hpp>
+#include <equilibria/io/results/complex_roots_output.hpp>
+#include <equilibria/io/results/proof_output.hpp>
+
+namespace equilibria {
+
+/// The verdict in a sentence: what is said last of a set of roots.
+inline std::string in_words(const RootsVerdict& v) {
+    switch (v.completeness) {
+        case Completeness::complete: return "COMPLETE: " + v.sentence + ".";
+        case Completeness::explained: return "COMPLETE BUT FOR WHAT IS EXPLAINED: " + v.sentence + ".";
+        case Completeness::open: break;
+    }
+    return (v.missing_at_most ? "AT MOST " + std::to_string(*v.missing_at_most) + " ROOTS MAY BE MISSING: "
+                              : std::string("ROOTS MAY BE MISSING: ")) +
+           v.sentence + ".";
+}
+
+/// The keys "complete", "completeness", "reason", "missing_at_most" (null: unknown) and "verdict".
+inline void add_verdict(Json& out, const RootsVerdict& v) {
+    add_keys(out, {{"complete", v.completeness == Completeness::complete},
+                   {"completeness", to_string(v.completeness)},
+                   {"reason", v.sentence},
+                   {"missing_at_most", v.missing_at_most ? Json(*v.missing_at_most) : Json(nullptr)},
+                   {"verdict", in_words(v)}});
+}
+
+/// The keys of complex roots, of their proof and of the verdict, with "families" (of each "dimension", "kind", "paths",
+/// "point", "real"), "directions_at_infinity" ("direction", "paths", "residual"), "starts", "tracking_seconds" and
+/// "seconds". Of each root "multiplicity_proved", and "certificate" where it is regular. Real is what is proved real;
+/// without a proof, what has no imaginary part above rounding. names: one for each unknown.
+inline Json json_of(const EveryRoot& s, std::span<const std::string> names) {
+    Json out = json_of(s.found, names);
+    const bool proved = !s.proof.certificates.empty() || s.found.roots.empty();
+    std::size_t k = 0;
+    for (auto& root : out["roots"]) {
+        root["multiplicity_proved"] = s.confirmed[k] != 0;
+        if (proved && !root["singular"] && k < s.proof.certificates.size()) {
+            root["certificate"] = json_of(s.proof.certificates[k]);
+            root["real"] = s.proof.certificates[k].reality == Reality::real;
+        }
+        ++k;
+    }
+    if (proved) {
+        out["real"] = s.proof.real;
+        add_proof(out, s.proof);
+    }
+    out["families"] = Json::array();
+    for (const auto& family : s.families) {
+        Json point = Json::object();
+        int u = 0;
+        for (const auto& name : names) point[name] = json_of(family.points.front().q[u++]);
+        out["families"].push_back(
+            {{"dimension", family.dimension},
+             {"kind", (family.real() ? "a real " : "a ") + family_kind(family.dimension) + " of solutions"},
+             {"paths", family.paths()},
+             {"real", family.real()},
+             {"point", std::move(point)}});
+    }
+    out["directions_at_infinity"] = Json::array();
+    for (const auto& away : s.at_infinity)
+        out["directions_at_infinity"].push_back(
+            {{"direction", direction_in_words(away.direction)}, {"paths", away.paths}, {"residual", away.residual}});
+    out["starts"] = s.starts;
+    add_verdict(out, s.verdict);
+    out["tracking_seconds"] = s.tracking_seconds;
+    out["seconds"] = s.seconds;
+    return out;
+}
+
+}  // namespace equilibria

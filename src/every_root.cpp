@@ -1,0 +1,3 @@
+#include <equilibria/enumerate/detail/every_root_definitions.hpp>
+#include <equilibria/homotopy/detail/local_multiplicity_definitions.hpp>
+#include <equilibria/homotopy/detail/path_limit_definitions.hpp>

@@ -24,7 +24,7 @@ struct LocalMultiplicity {
     int multiplicity = 0;        ///< its dimension; 0: not decided
     int order = 0;               ///< the order of the series at which the dimension was last seen to grow
     bool grows = false;          ///< the dimension was above `most`, or grew at every order that was looked at
-    double smallest_kept = 1;    ///< the smallest pivot that counted, against the largest
+    double smallest_kept = 1;    ///< the smallest pivot that counted, against the terms of an equation
     double largest_dropped = 0;  ///< the largest that did not
 };
 

@@ -72,10 +72,11 @@ private:
         }
         e[u] = 0;
     }
-    /// Each equation to the order d, its largest coefficient 1, without its value: unknowns against their size, those
-    /// that are 0 as they are.
+    /// Each equation to the order d, the sizes of its terms adding up to 1, without its value: unknowns against their
+    /// size, those that are 0 as they are.
     std::vector<Series> series(int d) const {
         std::vector<Series> y(n_);
+        std::vector<S> size(n_, S(0));
         for (const LaurentColumn& c : *columns_) {
             if (c.to == 0.0) continue;
             Series product{{Exponents(n_), Z(S(c.to.real()), S(c.to.imag()))}};
@@ -105,27 +106,27 @@ private:
                 }
                 product = std::move(next);
             }
+            S largest(0);
             for (const auto& [at, value] : product) {
+                largest = std::max(largest, norm2(value));
                 Z& sum = y[static_cast<std::size_t>(c.equation)].try_emplace(at, Z(0.0)).first->second;
                 sum += value;
             }
+            size[static_cast<std::size_t>(c.equation)] += sqrt(largest);
         }
-        for (Series& f : y) {
-            f.erase(Exponents(n_));
-            S largest(0);
-            for (const auto& [_, value] : f) largest = std::max(largest, norm2(value));
-            if (!(largest > S(0))) continue;
-            const S by = S(1) / sqrt(largest);
-            for (auto& [_, value] : f) value = by * value;
+        for (std::size_t i = 0; i < n_; ++i) {
+            y[i].erase(Exponents(n_));
+            if (!(size[i] > S(0))) continue;
+            const S by = S(1) / size[i];
+            for (auto& [_, value] : y[i]) value = by * value;
         }
         return y;
     }
-    /// By elimination with full pivots.
+    /// By elimination with full pivots, whose sizes count against those of the equations' terms.
     static int rank(std::vector<std::vector<Z>>& a, LocalMultiplicity& y) {
         if (a.empty()) return 0;
         const std::size_t columns = a.front().size();
         std::vector<char> used(a.size());
-        double largest = 0;
         for (std::size_t r = 0; r < std::min(a.size(), columns); ++r) {
             std::size_t row = 0, column = 0;
             double pivot = -1;
@@ -137,12 +138,11 @@ private:
                     if (size > pivot) pivot = size, row = i, column = j;
                 }
             }
-            if (r == 0) largest = pivot;
-            if (!(pivot > smallest_pivot * largest)) {
-                y.largest_dropped = std::max(y.largest_dropped, pivot / largest);
+            if (!(pivot > smallest_pivot)) {
+                y.largest_dropped = std::max(y.largest_dropped, pivot);
                 return static_cast<int>(r);
             }
-            y.smallest_kept = std::min(y.smallest_kept, pivot / largest);
+            y.smallest_kept = std::min(y.smallest_kept, pivot);
             used[row] = 1;
             const Z by = inverse(a[row][column]);
             for (std::size_t i = 0; i < a.size(); ++i) {

@@ -84,7 +84,7 @@ public:
         s_ = -std::log(r);
         y_ = PathLimit();
         y_.digits = double_double ? 31 : 64;
-        if (!correct(z_, s_, 0.3)) return open("Newton's method does not find the path");
+        if (!correct(z_, s_, 0.1)) return open("Newton's method does not find the path");
         double h = r > 0.5 ? 0.02 : 0.2;
         int since_test = 0;
         while (true) {
@@ -92,11 +92,11 @@ public:
             const double end = -std::log(smallest_r);
             const double step = s_ < end ? std::min(h, end - s_) : h;
             std::vector<Z> next = z_;
-            if (predict(next, step) && correct(next, s_ + step, 0.02)) {
+            if (predict(next, step) && correct(next, s_ + step, 0.05)) {
                 z_ = std::move(next);
                 s_ += step;
-                if (first_ < 1e-3) h = std::min(1.6 * h, 4.0);
-                if (first_ > 5e-3) h *= 0.7;
+                if (contraction_ < 5e-4) h = std::min(1.6 * h, 4.0);
+                if (contraction_ > 4e-3) h *= 0.7;
                 if (++since_test >= 3 && s_ > 3) {
                     since_test = 0;
                     if (decided()) return finish();
@@ -215,17 +215,20 @@ private:
         }
         return size;
     }
-    /// Newton's method at s; whether it converges from no farther than `most`. first_: the first correction.
+    /// Newton's method at s, from no farther than `most`; whether its corrections shrink as they do near this path
+    /// alone.
     bool correct(std::vector<Z>& z, double s, double most) {
-        double before = most;
+        constexpr double largest_contraction = 0.02, settled = double_double ? 1e-13 : 1e-24;
+        double before = 0;
         const double r = std::exp(-s);
+        contraction_ = 0;
         for (int round = 0; round < 8; ++round) {
             if (!linearize(z, r)) return false;
             const double size = newton_step();
-            if (round == 0) first_ = size;
-            if (!(size < (round == 0 ? most : 0.3 * before + 1e-14))) return false;
-            for (int u = 0; u < n_; ++u) z[at(u)] *= Z(1.0) + f_[u];
-            if (size < 1e-13) return true;
+            if (!(size < (round == 0 ? most : largest_contraction * before + settled))) return false;
+            if (round == 1) contraction_ = size / before;
+            for (int u = 0; u < n_; ++u) z[at(u)] += f_[u] * z[at(u)];
+            if (size < settled) return true;
             before = size;
         }
         return false;
@@ -244,12 +247,14 @@ private:
         }
         return true;
     }
+    /// exp(d) - 1, to a double's digits of itself.
+    static Z growth_factor(const std::complex<double>& d) {
+        const double half = std::sin(d.imag() / 2), size = std::exp(d.real());
+        return Z(R(std::expm1(d.real()) * std::cos(d.imag()) - 2 * half * half), R(size * std::sin(d.imag())));
+    }
     std::vector<Z> turned(const std::vector<Z>& z, double h, const Vector& d) const {
         std::vector<Z> y = z;
-        for (std::size_t u = 0; u < y.size(); ++u) {
-            const auto by = std::exp(h * d[u]);
-            y[u] *= Z(R(by.real()), R(by.imag()));
-        }
+        for (std::size_t u = 0; u < y.size(); ++u) y[u] += growth_factor(h * d[u]) * y[u];
         return y;
     }
     /// Runge and Kutta's fourth-order step.
@@ -501,7 +506,7 @@ private:
     std::vector<double> sum_;
     std::vector<Z> terms_;
     std::vector<Z> z_;
-    double s_ = 0, first_ = 0;
+    double s_ = 0, contraction_ = 0;
     PathLimit y_;
 };
 

@@ -66,14 +66,14 @@ def _common(y, d, proof, prefix):
     y.families = [f for f in d.get("families", []) if isinstance(f, dict)]
 
 
-def said_of_polynomials(solve, path, seed, seconds, prove):
+def said_of_polynomials(solve, path, seed, seconds, prove, unknowns):
     y = run(solve, [str(path), *(["--prove"] if prove else []), "--seed", str(seed), "--json", "-"], seconds)
     if y.status != 0 or not y.document:
         return y
     d = y.document
     _common(y, d, d, "proved_")
     for r in d["roots"]:
-        y.roots.append(_root([mpmath.mpc(*r["unknowns"][name]) for name in d["unknowns"]], r))
+        y.roots.append(_root([mpmath.mpc(*r["unknowns"][name]) for name in unknowns], r))
     return y
 
 

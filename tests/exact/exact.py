@@ -3,7 +3,7 @@
   scripts/exact [N] [--seeds K] [--classes a,b] [--first-seed S] [--programs DIR]
   scripts/exact --scale N        the same systems in other units: counts must be the same
 
-N systems (default 340), as many of each class as of any other, each solved with K seeds of the programs (default 1). What they say
+N systems (default 360), as many of each class as of any other, each solved with K seeds of the programs (default 1). What they say
 is compared with what Singular and PARI/gp compute. A system of which something false is said, with the truth, what was said and a
 line of cause, is kept in build/exact/failures. The first seed chooses the systems: the same seed, the same systems.
 """
@@ -39,7 +39,7 @@ def truth_of(oracle, system):
 def ask(system, path, o, seed):
     """What the programs say of a system in a file."""
     if not system.model:
-        return compare.said_of_polynomials(o.solve, path, seed, o.time, o.prove)
+        return compare.said_of_polynomials(o.solve, path, seed, o.time, o.prove, system.coordinates)
     return compare.said_of_model(o.equilibria, path, seed, o.time, o.command, system.n_angles)
 
 
@@ -47,7 +47,7 @@ def one(task):
     """One system: the class, the verdict of each seed of the programs, the causes."""
     name, k = task
     o = one.options
-    system = systems.draw(name, random.Random(f"{o.first_seed}/{name}/{k}"))
+    system = systems.draw(name, random.Random(f"{o.first_seed}/{name}/{k}"), k)
     label = f"{name}-{o.first_seed}-{k}"
     try:
         truth = truth_of(one.oracle, system)
@@ -82,6 +82,15 @@ def keep(o, path, label, seed, truth, said, sentences):
     (folder / f"{label}.{seed}.cause.txt").write_text("\n".join(sentences) + "\n")
 
 
+def clear(folder):
+    """Removes what an earlier run kept."""
+    for pattern in ("*.truth.json", "*.said.json", "*.cause.txt"):
+        for path in folder.glob(pattern):
+            path.unlink()
+            for extension in ("txt", "json"):
+                (folder / f"{path.name.split('.')[0]}.{extension}").unlink(missing_ok=True)
+
+
 def begin(options, folder):
     one.options, one.folder, one.oracle = options, folder, Oracle(options.oracle_time)
     import atexit
@@ -90,7 +99,7 @@ def begin(options, folder):
 
 
 def table(results, columns):
-    print(f"{'class':<14}{'systems':>8}" + "".join(f"{c:>11}" for c in columns) + f"{'slow':>7}{'worst s':>9}")
+    print(f"{'class':<30}{'systems':>8}" + "".join(f"{c:>11}" for c in columns) + f"{'slow':>7}{'worst s':>9}")
     total = dict.fromkeys(columns, 0)
     for name, rows in results.items():
         counts = {c: sum(v == c for vs in rows for v, _ in vs) for c in columns}
@@ -98,10 +107,10 @@ def table(results, columns):
         for c in columns:
             total[c] += counts[c]
         print(
-            f"{name:<14}{len(rows):>8}" + "".join(f"{counts[c]:>11}" for c in columns)
+            f"{name:<30}{len(rows):>8}" + "".join(f"{counts[c]:>11}" for c in columns)
             + f"{sum(s > 10 for s in seconds):>7}{max(seconds, default=0):>9.2f}"
         )
-    print(f"{'all':<14}{sum(len(r) for r in results.values()):>8}" + "".join(f"{total[c]:>11}" for c in columns))
+    print(f"{'all':<30}{sum(len(r) for r in results.values()):>8}" + "".join(f"{total[c]:>11}" for c in columns))
     return total
 
 
@@ -116,7 +125,7 @@ def find_programs(asked):
 
 def main():
     p = argparse.ArgumentParser(prog="scripts/exact", description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    p.add_argument("systems", nargs="?", type=int, default=340, metavar="N")
+    p.add_argument("systems", nargs="?", type=int, default=360, metavar="N")
     p.add_argument("--seeds", type=int, default=1, metavar="K", help="of the programs, from 1 to K")
     p.add_argument("--classes", default="", help="names, separated by commas; all: " + ", ".join(systems.CLASSES))
     p.add_argument("--first-seed", type=int, default=1, metavar="S", help="chooses the systems")
@@ -143,6 +152,7 @@ def main():
         for name in names:
             if name not in systems.CLASSES:
                 raise SystemExit(f"scripts/exact: --classes {name}: must be of " + ", ".join(systems.CLASSES))
+        clear(Path(o.failures))
         tasks = [(names[j % len(names)], j // len(names)) for j in range(o.systems)]
         results = {name: [] for name in names}
         all_causes = []

@@ -23,7 +23,8 @@ class System:
 
     @property
     def coordinates(self):
-        return ["x", "y", "z", "w", "v", "u"][: self.n_coordinates]
+        n = self.n_coordinates
+        return ["x", "y", "z", "w", "v", "u"][:n] if n <= 6 else [f"x{k + 1}" for k in range(n)]
 
     def sums(self):
         """The equations of a model, those of a potential its derivatives."""
@@ -55,7 +56,7 @@ def names(words):
     return "[" + ", ".join(f'"{w}"' for w in words) + "]"
 
 
-def polynomials(equations, n, scale=None):
+def polynomials(equations, n, scale=None, most=80):
     """A system for solve, or None if a program would be right to refuse it, or if it has an unknown that no equation has."""
     equations = [rounded(f) for f in equations]
     if any(degree(f) < 1 for f in equations) or len(equations) != n:
@@ -64,17 +65,10 @@ def polynomials(equations, n, scale=None):
         return None
     if any(abs(c) > 1e250 or abs(c) < 1e-250 for f in equations for c in f.values()):
         return None
-    if prod(degree(f) for f in equations) > 80:
+    if prod(degree(f) for f in equations) > most:
         return None
-    # the order in which unknowns appear is theirs in the program's output
-    seen = []
-    for f in equations:
-        for e in sorted(f, reverse=True):
-            seen += [k for k in range(n) if e[k] and k not in seen]
-    place = sorted(range(n), key=lambda k: seen.index(k))
     y = System(0, n)
-    y.equations = [{tuple(e[k] for k in place): c for e, c in f.items()} for f in equations]
-    y.scale = [scale[k] for k in place] if scale else None
+    y.equations, y.scale = equations, scale
     return y
 
 
@@ -460,11 +454,16 @@ CLASSES = {
     "potentials": coordinate_potential,
     "mixed": mixed_potential,
     "units": units,
+    "known": None,
 }
 
 
-def draw(name, r):
-    """The first system that the class makes and that is none that is refused."""
+def draw(name, r, k):
+    """The first system that the class makes and that is none that is refused; of the known ones the one with number k."""
+    if name == "known":
+        from known import known
+
+        return known(k)
     while True:
         y = CLASSES[name](r)
         if y:

@@ -3,7 +3,7 @@
   scripts/exact [N] [--seeds K] [--classes a,b] [--first-seed S] [--programs DIR]
   scripts/exact --scale N        the same systems in other units: counts must be the same
 
-N systems (default 360), as many of each class as of any other, each solved with K seeds of the programs (default 1). What they say
+N systems (default 400), as many of each class as of any other, each solved with K seeds of the programs (default 1). What they say
 is compared with what Singular and PARI/gp compute. A system of which something false is said, with the truth, what was said and a
 line of cause, is kept in build/exact/failures. The first seed chooses the systems: the same seed, the same systems.
 """
@@ -19,9 +19,11 @@ import time
 from pathlib import Path
 
 import compare
+import parameters
 import systems
 from oracle import Oracle, Slow, trigonometric_system
 
+CLASSES = [*systems.CLASSES, *parameters.CLASSES]
 ROOT = Path(__file__).resolve().parents[2]
 
 
@@ -47,6 +49,8 @@ def one(task):
     """One system: the class, the verdict of each seed of the programs, the causes."""
     name, k = task
     o = one.options
+    if name in parameters.CLASSES:
+        return one_family(name, k)
     system = systems.draw(name, random.Random(f"{o.first_seed}/{name}/{k}"), k)
     label = f"{name}-{o.first_seed}-{k}"
     try:
@@ -73,11 +77,35 @@ def one(task):
     return name, verdicts, causes
 
 
+def one_family(name, k):
+    """One model with parameters."""
+    o = one.options
+    f = parameters.CLASSES[name](random.Random(f"{o.first_seed}/{name}/{k}"))
+    label = f"{name}-{o.first_seed}-{k}"
+    path = Path(one.folder) / f"{label}.json"
+    path.write_text(f.text())
+    verdicts, causes = [], []
+    for seed in range(1, o.seeds + 1):
+        said = parameters.ask(o, f, path, seed)
+        try:
+            sentences, complete = parameters.wrong(one.oracle, truth_of, f, said, random.Random(f"{label}/{seed}"))
+        except Slow as error:
+            return name, [("unknown", 0.0)], [f"{label}: {error}"]
+        if sentences:
+            keep(o, path, label, seed, None, said, [" ".join(f.options())] + sentences)
+            causes += [f"{label} ({' '.join(f.options())}), seed {seed}: {s}" for s in sentences]
+        verdict = "wrong" if sentences else "refused" if said.status == 2 else "complete" if complete else "undecided"
+        verdicts.append((verdict, said.seconds))
+    path.unlink()
+    return name, verdicts, causes
+
+
 def keep(o, path, label, seed, truth, said, sentences):
     folder = Path(o.failures)
     folder.mkdir(parents=True, exist_ok=True)
     shutil.copy(path, folder / path.name)
-    (folder / f"{label}.truth.json").write_text(json.dumps(truth.document(), indent=1) + "\n")
+    if truth:
+        (folder / f"{label}.truth.json").write_text(json.dumps(truth.document(), indent=1) + "\n")
     (folder / f"{label}.{seed}.said.json").write_text(json.dumps(said.document, indent=1) + "\n")
     (folder / f"{label}.{seed}.cause.txt").write_text("\n".join(sentences) + "\n")
 
@@ -125,9 +153,9 @@ def find_programs(asked):
 
 def main():
     p = argparse.ArgumentParser(prog="scripts/exact", description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    p.add_argument("systems", nargs="?", type=int, default=360, metavar="N")
+    p.add_argument("systems", nargs="?", type=int, default=400, metavar="N")
     p.add_argument("--seeds", type=int, default=1, metavar="K", help="of the programs, from 1 to K")
-    p.add_argument("--classes", default="", help="names, separated by commas; all: " + ", ".join(systems.CLASSES))
+    p.add_argument("--classes", default="", help="names, separated by commas; all: " + ", ".join(CLASSES))
     p.add_argument("--first-seed", type=int, default=1, metavar="S", help="chooses the systems")
     p.add_argument("--programs", default="", metavar="DIR", help="where solve and equilibria are")
     p.add_argument("--failures", default=str(ROOT / "build/exact/failures"), metavar="DIR", help="where failing systems are kept")
@@ -148,10 +176,10 @@ def main():
             import scale
 
             return scale.main(o, folder)
-        names = o.classes.split(",") if o.classes else list(systems.CLASSES)
+        names = o.classes.split(",") if o.classes else list(CLASSES)
         for name in names:
-            if name not in systems.CLASSES:
-                raise SystemExit(f"scripts/exact: --classes {name}: must be of " + ", ".join(systems.CLASSES))
+            if name not in CLASSES:
+                raise SystemExit(f"scripts/exact: --classes {name}: must be of " + ", ".join(CLASSES))
         clear(Path(o.failures))
         tasks = [(names[j % len(names)], j // len(names)) for j in range(o.systems)]
         results = {name: [] for name in names}

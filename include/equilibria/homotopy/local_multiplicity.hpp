@@ -9,7 +9,7 @@
 /// Ranks are decided with 64 digits: the root has to be known to about 30 of them.
 #pragma once
 
-#include <cstdint>
+#include <cstddef>
 #include <vector>
 
 #include <equilibria/core/compiled.hpp>
@@ -28,10 +28,11 @@ struct LocalMultiplicity {
     double largest_dropped = 0;  ///< the largest that did not
 };
 
-/// Multiplicity of the target system (`to` of the columns) at the mean of these singular limits, which are the ends of
-/// as many paths at one root. most: above this dimension it is not looked at any further.
+/// Multiplicity of the target system (`to` of the columns) at the mean of the points number `level` of these singular
+/// limits, which are the ends of as many paths at one root: branches around it, whose mean is nearer to it than they are.
+/// most: above this dimension it is not looked at any further.
 LocalMultiplicity local_multiplicity(const RuntimeSizes& sizes, const std::vector<LaurentColumn>& columns,
-                                     const std::vector<const PathLimit*>& limits, int most);
+                                     const std::vector<const PathLimit*>& limits, std::size_t level, int most);
 
 }  // namespace equilibria
 

@@ -10,7 +10,8 @@
 /// a system of equations, Functional Analysis and its Applications 9 (1975) 183-185; B. Huber, J. Verschelde,
 /// Polyhedral end games for polynomial continuation, Numerical Algorithms 18 (1998) 91-108.
 ///
-/// Where it fails: roots nearer to each other than about 1e-15 of their size are one singular limit.
+/// Where it fails: with 64 digits, simple roots nearer to each other than 1e-25 of their size are one singular limit; a
+/// root that is 1e30 out, in scaled units, next to a root at infinity, counts as that one.
 #pragma once
 
 #include <array>
@@ -33,6 +34,13 @@ enum class LimitKind : std::uint8_t {
     open          ///< none of these could be shown
 };
 
+/// A point of a path to more digits than a double has.
+struct PathPoint {
+    double r;  ///< 1 - t there
+    std::vector<std::array<std::vector<double>, 2>>
+        z;  ///< real and imaginary parts of each unknown, as sums of doubles
+};
+
 /// The limit of one path, with what shows it.
 struct PathLimit {
     LimitKind kind = LimitKind::open;  ///< what the path tends to
@@ -44,12 +52,12 @@ struct PathLimit {
     int steps = 0;                  ///< predictor-corrector steps, refused ones included
     int digits = 31;                ///< decimal digits of the arithmetic
     std::string reason;             ///< why the path is open
-    /// The point at r, for limits that need more than a double's digits: real and imaginary parts as sums of doubles.
-    std::vector<std::array<std::vector<double>, 2>> exact;
+    /// Singular: the path on its way, at 1 - t = 1e-16 with 31 digits; at 1e-32, 1e-44 and 1e-56 with 64.
+    std::vector<PathPoint> points;
 };
 
-/// The path through z at 1 - t = r, an approximation of which is given. With `digits` 31 (sums of two doubles) or 64.
-/// smallest_r: where a path that has not been decided counts as singular, if it does not move any more.
+/// The limit of the path through z at 1 - t = r, which is given to a double's digits. digits: 31 (sums of two doubles)
+/// or 64.
 PathLimit follow_to_limit(const RuntimeSizes& sizes, const std::vector<LaurentColumn>& columns,
                           std::vector<std::complex<double>> z, double r, int digits);
 

@@ -157,7 +157,9 @@ private:
     }
     static Point last_point(const PathLimit& limit) {
         Point z = limit.z;
-        for (std::size_t u = 0; u < limit.exact.size(); ++u) z[u] = {limit.exact[u][0][0], limit.exact[u][1][0]};
+        if (!limit.points.empty())
+            for (std::size_t u = 0; u < z.size(); ++u)
+                z[u] = {limit.points.back().z[u][0][0], limit.points.back().z[u][1][0]};
         return z;
     }
 
@@ -244,37 +246,28 @@ private:
         y_.at_infinity.push_back({limit.direction, 1, limit.residual});
     }
 
-    void explain_singular(const std::vector<std::size_t>& singular, const std::vector<PathLimit>& limits,
+    using Members = std::vector<std::size_t>;
+
+    /// Confirms what ends at multiple roots, group by group; what is left may lie on curves.
+    void explain_singular(const Members& singular, const std::vector<PathLimit>& limits,
                           const std::vector<std::size_t>& open, std::map<std::string, std::uint64_t>& reasons) {
-        std::vector<std::vector<std::size_t>> groups;
-        for (const std::size_t m : singular) {
-            const auto near = std::ranges::find_if(
-                groups, [&](const auto& group) { return is_near(limits[group.front()].z, limits[m].z); });
-            if (near == groups.end())
-                groups.push_back({m});
-            else
-                near->push_back(m);
-        }
+        Members left = singular;
+        // roots near to each other are parted by smaller groups, nearer to t = 1
+        for (std::size_t level = 0; level < 3; ++level)
+            for (const double apart : {1e-3, 1e-6, 1e-9, 1e-12}) {
+                Members again;
+                for (const Members& group : groups_of(left, limits, apart))
+                    if (!confirm(group, limits, level, open)) again.insert(again.end(), group.begin(), group.end());
+                left = std::move(again);
+            }
+        if (left.empty()) return;
         std::vector<Root<RuntimeUnknowns>> suspects;
-        for (const auto& group : groups) {
-            std::vector<const PathLimit*> of_group;
-            for (const std::size_t m : group) of_group.push_back(&limits[m]);
-            const auto paths = static_cast<int>(group.size());
-            const LocalMultiplicity local = local_multiplicity(sizes_, columns_, of_group, 2 * paths + 4);
+        for (const Members& group : groups_of(left, limits, 1e-6)) {
             auto root = root_at(limits[group.front()].z, open[group.front()]);
             root.status = PathStatus::singular;
-            root.paths = paths;
-            // a gap between what counted as 0 and what did not
-            const bool clear = local.smallest_kept > 1e4 * local.largest_dropped && local.smallest_kept > 1e-16;
-            if (local.multiplicity == paths && clear && limits[group.front()].digits > 31) {
-                root.q = mean(of_group);
-                y_.found.roots.push_back(std::move(root));
-                y_.confirmed.push_back(1);
-            } else {
-                suspects.push_back(std::move(root));
-            }
+            root.paths = static_cast<std::int32_t>(group.size());
+            suspects.push_back(std::move(root));
         }
-        if (suspects.empty()) return;
         auto found = find_families(homotopy_, suspects, run_.executor);
         for (std::size_t k = 0; k < suspects.size(); ++k) {
             if (found.on_one[k]) continue;
@@ -285,16 +278,49 @@ private:
         }
         y_.families = std::move(found.families);
     }
-    bool is_near(const Point& a, const Point& b) const {
-        for (std::size_t u = 0; u < a.size(); ++u)
-            if (!(std::abs(a[u] - b[u]) <= 1e-3 * std::max(std::abs(a[u]), std::abs(b[u])))) return false;
+    std::vector<Members> groups_of(const Members& members, const std::vector<PathLimit>& limits, double apart) const {
+        std::vector<Members> groups;
+        for (const std::size_t m : members) {
+            const auto near = std::ranges::find_if(groups, [&](const Members& group) {
+                return std::ranges::any_of(group,
+                                           [&](std::size_t l) { return is_near(limits[l].z, limits[m].z, apart); });
+            });
+            if (near == groups.end())
+                groups.push_back({m});
+            else
+                near->push_back(m);
+        }
+        return groups;
+    }
+    bool confirm(const Members& group, const std::vector<PathLimit>& limits, std::size_t level,
+                 const std::vector<std::size_t>& open) {
+        std::vector<const PathLimit*> of_group;
+        for (const std::size_t m : group) {
+            of_group.push_back(&limits[m]);
+            if (limits[m].digits < 64 || level >= limits[m].points.size()) return false;
+        }
+        const auto paths = static_cast<int>(group.size());
+        const LocalMultiplicity local = local_multiplicity(sizes_, columns_, of_group, level, paths);
+        // a gap between what counted as 0 and what did not
+        if (local.multiplicity != paths || !(local.smallest_kept > 1e-13) || !(local.largest_dropped < 1e-26))
+            return false;
+        auto root = root_at(mean(of_group), open[group.front()]);
+        root.status = PathStatus::singular;
+        root.paths = paths;
+        y_.found.roots.push_back(std::move(root));
+        y_.confirmed.push_back(1);
         return true;
     }
-    UnknownArray<RuntimeUnknowns, std::complex<double>> mean(const std::vector<const PathLimit*>& group) const {
+    static bool is_near(const Point& a, const Point& b, double apart) {
+        for (std::size_t u = 0; u < a.size(); ++u)
+            if (!(std::abs(a[u] - b[u]) <= apart * std::max(std::abs(a[u]), std::abs(b[u])))) return false;
+        return true;
+    }
+    static Point mean(const std::vector<const PathLimit*>& group) {
         Point z(group.front()->z.size());
         for (const PathLimit* limit : group)
             for (std::size_t u = 0; u < z.size(); ++u) z[u] += limit->z[u] / static_cast<double>(group.size());
-        return unknowns(z);
+        return z;
     }
 
     void count(std::size_t size) {

@@ -23,7 +23,7 @@ public:
     using Exponents = std::vector<int>;
     using Series = std::map<Exponents, Z>;
 
-    static constexpr double smallest_pivot = 1e-20;
+    static constexpr double smallest_pivot = 1e-26;
     static constexpr std::size_t most_columns = 230;
 
     DualSpace(const RuntimeSizes& sizes, const std::vector<LaurentColumn>& columns, std::vector<Z> at)
@@ -167,7 +167,8 @@ private:
 
 EQUILIBRIA_INLINE LocalMultiplicity local_multiplicity(const RuntimeSizes& sizes,
                                                        const std::vector<LaurentColumn>& columns,
-                                                       const std::vector<const PathLimit*>& limits, int most) {
+                                                       const std::vector<const PathLimit*>& limits, std::size_t level,
+                                                       int most) {
     using S = detail::DualSpace::S;
     using Z = detail::DualSpace::Z;
     const auto n = static_cast<std::size_t>(sizes.unknowns);
@@ -178,7 +179,7 @@ EQUILIBRIA_INLINE LocalMultiplicity local_multiplicity(const RuntimeSizes& sizes
             vanishes = vanishes && limit->z[u] == 0.0;
             S part[2] = {S(0), S(0)};
             for (std::size_t k = 0; k < 2; ++k)
-                for (const double x : limit->exact[u][k]) part[k] += S(x);
+                for (const double x : limit->points[level].z[u][k]) part[k] += S(x);
             mean[u] += Z(part[0], part[1]);
         }
         mean[u] = vanishes ? Z(0.0) : mean[u] / S(static_cast<double>(limits.size()));

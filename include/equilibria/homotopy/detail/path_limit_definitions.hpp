@@ -59,10 +59,19 @@ public:
     using Vector = std::vector<std::complex<double>>;
 
     static constexpr bool double_double = std::is_same_v<R, DoubleDouble>;
-    /// Where a path that does not move any more is singular: half of the digits.
-    static constexpr double smallest_r = double_double ? 1e-16 : 1e-32;
+    /// Where points of a path are kept; one that does not move any more at the last is singular.
+    static constexpr std::array<double, double_double ? 1 : 3> levels = [] {
+        if constexpr (double_double)
+            return std::array{1e-16};
+        else
+            return std::array{1e-32, 1e-44, 1e-56};
+    }();
+    /// A correction that leaves the digits of a regular root: next to a multiple one corrections are halved at best.
+    static constexpr double converged = double_double ? 1e-24 : 1e-44;
+    /// Where a path may be believed to go to infinity.
+    static constexpr double far_r = double_double ? 1e-13 : 1e-30;
     /// A residual that is rounding, against the size of the terms.
-    static constexpr double vanishing = double_double ? 1e-25 : 1e-50;
+    static constexpr double vanishing = double_double ? 1e-24 : 1e-45;
 
     LogarithmicPath(const RuntimeSizes& sizes, const std::vector<LaurentColumn>& columns)
         : n_(sizes.unknowns), angles_(sizes.angles), columns_(&columns), highest_(at(n_)), lowest_(at(n_)),
@@ -83,14 +92,17 @@ public:
         for (const auto& z : begin) z_.emplace_back(R(z.real()), R(z.imag()));
         s_ = -std::log(r);
         y_ = PathLimit();
+        before_.clear();
         y_.digits = double_double ? 31 : 64;
         if (!correct(z_, s_, 0.1)) return open("Newton's method does not find the path");
         double h = r > 0.5 ? 0.02 : 0.2;
-        int since_test = 0;
-        while (true) {
+        std::size_t level = 0;
+        while (level < levels.size() && s_ > -std::log(levels[level]) - 1e-9) ++level;
+        if (level == levels.size()) return open("it begins too near to its end");
+        for (int since_test = 0;;) {
             if (y_.steps++ > 4000) return open("too many steps");
-            const double end = -std::log(smallest_r);
-            const double step = s_ < end ? std::min(h, end - s_) : h;
+            const double end = -std::log(levels[level]);
+            const double step = std::min(h, end - s_);
             std::vector<Z> next = z_;
             if (predict(next, step) && correct(next, s_ + step, 0.05)) {
                 z_ = std::move(next);
@@ -105,14 +117,15 @@ public:
                 h = 0.4 * step;
                 if (h < 1e-7) {
                     if (s_ > 3 && decided()) return finish();
-                    return open("steps become too small");
+                    return y_.points.empty() ? open("steps become too small") : singular();
                 }
             }
-            if (s_ >= end - 1e-9) {
-                if (decided()) return finish();
-                if (is_still()) return singular();
-                if (s_ > 1.5 * end) return open("no limit can be told");
-            }
+            if (s_ < end - 1e-9) continue;
+            if (decided()) return finish();
+            if (is_still()) keep_point();
+            if (++level < levels.size()) continue;
+            if (!y_.points.empty()) return singular();
+            return open("no limit can be told");
         }
     }
 
@@ -298,6 +311,9 @@ private:
             for (std::size_t u = 0; u < v.size(); ++u) moving = moving || (!(*zero)[u] && std::abs(v[u]) > 0.05);
             if (!moving && ends_regularly(*zero, v)) return true;
         }
+        const bool steady = is_steady(v);
+        before_ = v;
+        if (!steady || s_ < -std::log(far_r)) return false;
         const bool away = [&] {
             for (std::size_t u = 0; u < v.size(); ++u)
                 if (u < at(angles_) ? std::abs(v[u]) > 0.02 : v[u] > 0.02) return true;
@@ -306,6 +322,23 @@ private:
         if (away)
             for (const double tolerance : {0.02, 0.1, 0.3})
                 if (has_leading_root(v, tolerance)) return true;
+        return false;
+    }
+    /// Whether the growth is as it was before.
+    bool is_steady(const std::vector<double>& v) const {
+        if (before_.size() != v.size()) return false;
+        for (std::size_t u = 0; u < v.size(); ++u)
+            if (!(std::abs(v[u] - before_[u]) < 2e-3)) return false;
+        return true;
+    }
+    /// The fractions of one small denominator that v are nearly; whether there are any.
+    static bool make_rational(std::vector<double>& v) {
+        for (int by = 1; by <= 24; ++by) {
+            if (!std::ranges::all_of(v, [by](double x) { return std::abs(x - std::round(by * x) / by) < 2e-3; }))
+                continue;
+            for (double& x : v) x = std::round(by * x) / by;
+            return true;
+        }
         return false;
     }
     /// Whether Newton's method at t = 1 converges quadratically to a root, no farther than the path has to go.
@@ -323,7 +356,7 @@ private:
         for (int round = 0; round < 12; ++round) {
             if (!linearize(q, 0, some_zero ? &zero : nullptr)) return false;
             const double size = newton_step();
-            if (!(size < 0.05) || !(round == 0 || size < 0.05 * before + 1e-20)) return false;
+            if (!(size < 0.05) || !(round == 0 || size < 0.05 * before)) return false;
             for (int u = 0; u < n_; ++u) {
                 if (zero[at(u)]) {
                     if (std::abs(rounded(f_[u])) > 1e-22) return false;
@@ -332,7 +365,7 @@ private:
                 q[at(u)] *= Z(1.0) + f_[u];
                 moved = std::max(moved, std::abs(rounded(f_[u])));
             }
-            if (size < 1e-18) {
+            if (size < converged) {
                 if (!(moved <= 4 * left)) return false;
                 y_.kind = LimitKind::finite;
                 y_.z.clear();
@@ -360,6 +393,23 @@ private:
         }
         return true;
     }
+    void keep_point() {
+        PathPoint point{levels[0], {}};
+        for (const double r : levels)
+            if (std::abs(s_ + std::log(r)) < 1e-6) point.r = r;
+        for (const Z& z : z_) {
+            auto& parts = point.z.emplace_back();
+            for (int part = 0; part < 2; ++part) {
+                R rest = part == 0 ? z.re : z.im;
+                for (int k = 0; k < (double_double ? 2 : 5); ++k) {
+                    const auto high = static_cast<double>(rest);
+                    parts[at(part)].push_back(high);
+                    rest = rest - R(high);
+                }
+            }
+        }
+        y_.points.push_back(std::move(point));
+    }
     PathLimit singular() {
         const std::vector<double> v = growth();
         y_.kind = LimitKind::singular;
@@ -368,17 +418,6 @@ private:
         for (std::size_t u = 0; u < z_.size(); ++u) {
             const bool to_zero = u >= at(angles_) && v[u] < -0.01 && size_exponent(z_[u]) < -5;
             y_.z.push_back(to_zero ? 0.0 : rounded(z_[u]));
-            // the point itself, as sums of doubles
-            std::array<std::vector<double>, 2> parts;
-            for (int part = 0; part < 2; ++part) {
-                R rest = part == 0 ? z_[u].re : z_[u].im;
-                for (int k = 0; k < (double_double ? 2 : 5); ++k) {
-                    const auto high = static_cast<double>(rest);
-                    parts[at(part)].push_back(high);
-                    rest = rest - R(high);
-                }
-            }
-            y_.exact.push_back(std::move(parts));
         }
         linearize(z_, std::exp(-s_));
         return finish();
@@ -429,13 +468,15 @@ private:
             return false;
         std::vector<double> w = v;
         for (std::size_t u = 0; u < w.size(); ++u) w[u] += change(static_cast<Eigen::Index>(u));
+        if (!make_rational(w)) return false;
         bool away = false;
         for (std::size_t u = 0; u < w.size(); ++u)
             away = away || (u < at(angles_) ? std::abs(w[u]) > 1e-6 : w[u] > 1e-6);
         if (!away) return false;
-        // the others must fall behind, and have done so
+        // the leading terms grow alike, the others must fall behind
         for (std::size_t k = 0; k < size; ++k) {
             const auto i = at((*columns_)[k].equation);
+            if (leads[k] && !(std::abs(rate(k, w) - rate(first[i], w)) < 1e-9)) return false;
             if (!leads[k] && !(rate(k, w) < rate(first[i], w) - 1e-6)) return false;
         }
         return leading_terms_vanish(leads, w);
@@ -444,7 +485,7 @@ private:
         std::vector<Z> q = z_;
         const double r = std::exp(-s_);
         double moved = 0, before = 1e300;
-        for (int round = 0; round < 90; ++round) {
+        for (int round = 0; round < 150; ++round) {
             if (!linearize(q, r)) return false;
             // the equations of the leading terms alone
             std::vector<double> behind(at(n_)), ahead(at(n_));
@@ -468,10 +509,13 @@ private:
             double residual = 0;
             for (std::size_t i = 0; i < at(n_); ++i) {
                 if (round == 0 && !(behind[i] < 0.3 * ahead[i])) return false;
-                const double by = 1 / ahead[i];
-                right[i] = by * rounded(face[i]);
-                for (std::size_t u = 0; u < at(n_); ++u) j[u * at(n_) + i] *= by;
-                residual = std::max(residual, std::abs(right[i]));
+                residual = std::max(residual, std::abs(rounded(face[i])) / ahead[i]);
+                // rows of one size: next to a multiple root they are small
+                double row = 0;
+                for (std::size_t u = 0; u < at(n_); ++u) row = std::max(row, std::abs(j[u * at(n_) + i]));
+                if (!(row > 0)) continue;
+                right[i] = rounded(face[i]) / row;
+                for (std::size_t u = 0; u < at(n_); ++u) j[u * at(n_) + i] /= row;
             }
             if (round == 0 && !(residual < 0.3)) return false;
             if (residual < vanishing) {
@@ -480,10 +524,10 @@ private:
                 y_.residual = residual;
                 return true;
             }
-            if (round > 10 && residual > 0.5 * before && residual < 1e-14) return false;
+            if (round > 10 && residual > 0.98 * before) return false;
             before = residual;
             const SingularValues svd(n_, n_, std::move(j));
-            const auto step = svd.solve(right, svd.rank(1e-12));
+            const auto step = svd.solve(right, svd.rank(1e-9));
             for (std::size_t u = 0; u < at(n_); ++u) {
                 if (!(std::abs(step[u]) < 0.5)) return false;
                 moved += std::abs(step[u]);
@@ -506,6 +550,7 @@ private:
     std::vector<double> sum_;
     std::vector<Z> terms_;
     std::vector<Z> z_;
+    std::vector<double> before_;
     double s_ = 0, contraction_ = 0;
     PathLimit y_;
 };

@@ -173,7 +173,8 @@ void print_verdicts(const Json& r) {
                     count(r["proved_distinct"]), count(r["proved_real"]), count(r["proved_non_real"]),
                     count(r["undecided"]));
     for (const auto& family : r["families"])
-        std::printf("beside them: %s\n", family["kind"].get<std::string>().c_str());
+        std::printf("beside them: %s%s\n", family["kind"].get<std::string>().c_str(),
+                    family["degree"].is_null() ? "" : (", degree " + std::to_string(count(family["degree"]))).c_str());
     for (const auto& away : r["directions_at_infinity"])
         std::printf("to infinity: %llu paths along %s, to roots of its face system (residual %.0e)\n",
                     count(away["paths"]), away["direction"].get<std::string>().c_str(), away["residual"].get<double>());

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include <equilibria/io/results/diagram_output.hpp>
+#include <equilibria/io/results/every_root_output.hpp>
 #include <equilibria/io/results/line_events_output.hpp>
 #include <equilibria/io/results/locus_output.hpp>
 #include <equilibria/io/results/motion_output.hpp>
@@ -35,12 +36,16 @@ Json heading(const Input& input) {
 }
 
 Solved solved(const Input& input, const equilibria::RunOptions& run, const SolveOptions& options) {
-    Solved y{equilibria::enumerate(input.model, input.p, run, options.start, options.more_digits), {}, {}};
-    if (y.set.cancelled()) return y;
+    Solved y;
     if (options.prove) {
-        equilibria::RunOptions whole = run;
-        whole.cancel = nullptr;
-        y.proof = equilibria::prove(input.model, y.set, whole);
+        auto found = equilibria::every_equilibrium(input.model, input.p, run, options.start);
+        y.set = std::move(found.set);
+        if (y.set.cancelled()) return y;
+        y.proof = std::move(found.proof);
+        y.at_infinity = std::move(found.at_infinity);
+    } else {
+        y.set = equilibria::enumerate(input.model, input.p, run, options.start, options.more_digits);
+        if (y.set.cancelled()) return y;
     }
     if (input.model.kinetics)
         for (const auto& e : y.set.equilibria)
@@ -67,7 +72,12 @@ std::string document(const Input& input, const Solved& found) {
         e["poles"] = found.poles[k] ? equilibria::json_list(found.poles[k]->poles) : Json();
     }
     equilibria::add_keys(out, roots);
-    if (found.proof) out["proof"] = equilibria::json_of(*found.proof);
+    if (found.proof) {
+        out["proof"] = equilibria::json_of(*found.proof);
+        equilibria::add_certificates(out["equilibria"], *found.proof);
+    }
+    equilibria::add_verdict(out, found.set.completeness);
+    out["directions_at_infinity"] = equilibria::json_of(found.at_infinity);
     return equilibria::json_text(out);
 }
 

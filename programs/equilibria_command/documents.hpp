@@ -44,12 +44,14 @@ Json heading(const Input& input);
 /// How equilibria are enumerated.
 struct SolveOptions {
     equilibria::FormulaStart start = equilibria::FormulaStart::least_cost;
-    bool more_digits = false, prove = false;
+    bool more_digits = false;
+    bool prove = true;  ///< the roots, with a verdict on their completeness
 };
 /// Equilibria, their proof where it is asked for, and their poles where the model moves.
 struct Solved {
     equilibria::RootSet<RuntimeUnknowns> set;
     std::optional<equilibria::ProofOfRoots> proof;
+    std::vector<equilibria::DivergingPaths> at_infinity;
     std::vector<std::optional<equilibria::PoleCount<Eigen::MatrixXd>>> poles;
 };
 /// A run that was cancelled has neither proof nor poles.

@@ -1,8 +1,11 @@
 // equilibria solve, equilibria prove
+#include <cstdint>
 #include <cstdio>
 #include <iostream>
 #include <sstream>
 #include <string>
+
+#include <equilibria/homotopy/path_limit.hpp>
 
 #include "command.hpp"
 #include "support/interrupt.hpp"
@@ -11,19 +14,25 @@ namespace commands {
 
 namespace {
 
-int enumerated(const char* name, bool proved, int argc, char** argv) {
+unsigned long long count(std::uint64_t value) { return value; }
+
+int enumerated(const char* name, bool proving, int argc, char** argv) {
     Command c;
     std::string start = "auto";
-    bool more_digits = false;
-    support::CommandLine app{proved
+    bool more_digits = false, no_proof = false;
+    support::CommandLine app{proving
                                  ? "Every isolated equilibrium of a model, each proved to exist, to be distinct from "
                                    "the others, and real or not, with its index; and, where a bound is reached, that "
                                    "none is missing."
-                                 : "Every isolated equilibrium of a model, with its index and its energy."};
+                                 : "Every isolated equilibrium of a model, with its index and its energy, proved, and "
+                                   "what is known of others."};
     c.add_to(app);
     app.add_option("--start", start, "total-degree or polyhedral (default auto: that of the least predicted cost)")
         .transform(support::one_of({"auto", "total-degree", "polyhedral"}, "must be auto, total-degree or polyhedral"));
-    app.add_flag("--more-digits", more_digits, "track paths that fail in double with more digits");
+    app.add_flag("--more-digits", more_digits, "without proofs: track paths that fail in double with more digits");
+    if (!proving)
+        app.add_flag("--no-proof", no_proof,
+                     "track paths alone: nothing is proved, and nothing is said of completeness");
     app.parse(name, argc, argv);
     const Input input = read(c);
 
@@ -34,8 +43,8 @@ int enumerated(const char* name, bool proved, int argc, char** argv) {
                                           : start == "polyhedral" ? equilibria::FormulaStart::polyhedral
                                                                   : equilibria::FormulaStart::least_cost,
                                  .more_digits = more_digits,
-                                 .prove = proved});
-    const auto& [set, proof, poles] = found;
+                                 .prove = !no_proof});
+    const auto& [set, proof, at_infinity, poles] = found;
     if (set.cancelled()) {
         std::fprintf(stderr, "%s: interrupted\n", name);
         return 130;
@@ -58,12 +67,14 @@ int enumerated(const char* name, bool proved, int argc, char** argv) {
         std::ostringstream text;
         text << set;
         std::printf("\n%s\nstart: %s, %s\n", text.str().c_str(), set.start.name.c_str(), set.start.why.c_str());
-        if (proof) {
-            std::ostringstream words;
-            words << *proof;
-            std::printf("%s\n", words.str().c_str());
-        }
-        std::printf("%.3g s\n", set.seconds + (proof ? proof->seconds : 0));
+        if (proof)
+            std::printf("%llu distinct roots proved, %llu real, %llu non-real, %llu undecided, %llu with their index\n",
+                        count(proof->distinct), count(proof->real), count(proof->non_real), count(proof->undecided),
+                        count(proof->index));
+        for (const auto& away : at_infinity)
+            std::printf("to infinity: %llu paths along %s, to roots of its face system (residual %.0e)\n",
+                        count(away.paths), equilibria::direction_in_words(away.direction).c_str(), away.residual);
+        std::printf("%.3g s\n%s\n", set.seconds, in_words(set.completeness).c_str());
     }
     return 0;
 }

@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <vector>
 
+#include <equilibria/algebra/exact_scalars.hpp>
 #include <equilibria/algebra/formulation.hpp>
 #include <equilibria/algebra/runtime_equations.hpp>
 #include <equilibria/core/dual.hpp>
@@ -17,14 +18,6 @@
 #include <equilibria/model/sizes.hpp>
 
 namespace equilibria {
-
-/// Midpoints are exact.
-/// \{
-template <>
-inline constexpr bool exact_cancellation<ExactBall> = true;
-template <int N>
-inline constexpr bool exact_cancellation<Dual<ExactBall, N>> = true;
-/// \}
 
 /// One term of an equation over exact numbers.
 template <class M>
@@ -214,14 +207,3 @@ struct ExactTermFamily {
 };
 
 }  // namespace equilibria
-
-#ifdef EQUILIBRIA_COMPILED
-namespace equilibria {
-extern template class RuntimePool<ExactBall>;
-extern template class RuntimeScalar<ExactBall>;
-extern template class RuntimeAngle<ExactBall>;
-extern template class RuntimePool<Dual<ExactBall, 2>>;
-extern template class RuntimeScalar<Dual<ExactBall, 2>>;
-extern template class RuntimeAngle<Dual<ExactBall, 2>>;
-}  // namespace equilibria
-#endif

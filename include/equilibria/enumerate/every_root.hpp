@@ -13,14 +13,12 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
-#include <string>
-#include <string_view>
 #include <vector>
 
 #include <equilibria/core/compiled.hpp>
 #include <equilibria/enumerate/family.hpp>
 #include <equilibria/enumerate/prove.hpp>
+#include <equilibria/enumerate/roots_verdict.hpp>
 #include <equilibria/homotopy/tracker_options.hpp>
 #include <equilibria/paths/choose_start.hpp>
 #include <equilibria/paths/complex_roots.hpp>
@@ -28,25 +26,6 @@
 #include <equilibria/system/sparse_system.hpp>
 
 namespace equilibria {
-
-/// What is known of the roots that were not found.
-enum class Completeness : std::uint8_t {
-    complete,   ///< a theorem: there are no others
-    explained,  ///< every path of a start that reaches every isolated root is accounted for, with evidence for each
-    open        ///< something is left: the verdict says what
-};
-
-/// In words: "complete", "explained" or "open".
-std::string_view to_string(Completeness completeness);
-
-/// The verdict on a set of roots.
-struct RootsVerdict {
-    Completeness completeness = Completeness::open;  ///< what is known
-    /// How many isolated roots may be missing, each counted with its multiplicity; 0 unless it is open. Nothing: no
-    /// bound is known.
-    std::optional<std::uint64_t> missing_at_most;
-    std::string sentence;  ///< the evidence, or what is left, in words
-};
 
 /// Paths that leave in one direction, each to a root of that face system.
 struct DivergingPaths {
@@ -60,6 +39,8 @@ struct EveryRootOptions {
     TrackerOptions tracker{};              ///< of all paths in double
     std::uint64_t most_explained = 20000;  ///< paths above which none is explained one by one
     int seeds = 3;                         ///< starts that are tried before something is left open
+    /// Bounds that hold as theorems, of the system that this one is the rounding of; none: those of this system.
+    std::vector<ProvedBound> bounds{};
 };
 
 /// All isolated complex roots of a system, and curves of solutions beside them.

@@ -36,6 +36,7 @@ struct FamilyPoint {
 template <class M>
 struct Family {
     int dimension = 0;  ///< complex dimension: 1 a curve, 2 a surface
+    int degree = 0;     ///< in how many points generic hyperplanes meet it, `dimension` of them; 0: not counted
     std::optional<UnknownArray<M, double>>
         real_point;                      ///< a real point with real neighbours in as many directions, if one was found
     std::vector<FamilyPoint<M>> points;  ///< the endpoints on it, by path
@@ -53,7 +54,7 @@ struct Family {
 /// In the unknowns of a model, which are as many.
 template <class M>
 [[gnu::cold]] Family<M> typed(const Family<RuntimeUnknowns>& family) {
-    Family<M> y{family.dimension, std::nullopt, std::vector<FamilyPoint<M>>(family.points.size())};
+    Family<M> y{family.dimension, family.degree, std::nullopt, std::vector<FamilyPoint<M>>(family.points.size())};
     if (family.real_point) y.real_point = unknowns_from<M>(*family.real_point);
     for (std::size_t k = 0; k < y.points.size(); ++k) {
         const auto& from = family.points[k];

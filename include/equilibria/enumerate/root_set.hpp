@@ -16,6 +16,7 @@
 #include <equilibria/enumerate/count_verdict.hpp>
 #include <equilibria/enumerate/family.hpp>
 #include <equilibria/enumerate/model_properties.hpp>
+#include <equilibria/enumerate/roots_verdict.hpp>
 #include <equilibria/enumerate/start_report.hpp>
 #include <equilibria/paths/path_counts.hpp>
 #include <equilibria/paths/root.hpp>
@@ -32,7 +33,7 @@ struct Equilibrium {
     /// of theirs.
     int index = 0;
     int nullity = 0;                ///< eigenvalues that count as zero: above 0 the equilibrium is degenerate
-    double margin = 0;              ///< the smallest |eigenvalue| over the largest
+    double margin = 0;              ///< the smallest |eigenvalue| over the largest, in units of the Hessian's own
     double residual = 0;            ///< as of the root
     double condition = 0;           ///< as of the root
     std::uint64_t path = 0;         ///< number of the path that ends there
@@ -79,6 +80,7 @@ struct RootSet {
     double tracking_seconds = 0;                       ///< for the paths alone
     double seconds = 0;                                ///< for everything
     StartReport start{};                               ///< which start it was, and why
+    RootsVerdict completeness{};                       ///< what is known of roots that are not in the set
     [[no_unique_address]] ModelProperties<M> model{};  ///< sizes and symmetries
 
     std::uint64_t distinct() const { return roots.size(); }   ///< complex and real roots
@@ -141,6 +143,7 @@ template <class M>
     y.tracking_seconds = set.tracking_seconds;
     y.seconds = set.seconds;
     y.start = std::move(set.start);
+    y.completeness = std::move(set.completeness);
     return y;
 }
 

@@ -6,8 +6,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <vector>
 
+#include <equilibria/algebra/exact_scalars.hpp>
 #include <equilibria/algebra/formulation.hpp>
 #include <equilibria/algebra/runtime_equations.hpp>
 #include <equilibria/core/compiled.hpp>
@@ -24,7 +26,12 @@ public:
     template <RuntimeModel T>
     explicit RuntimeFormulation(const T& model)
         : RuntimeFormulation(sizes_of(model), RuntimePotentialModel<T>,
-                             detail::symbolic_equations<double>(model, generic_parameters(model.parameters()))) {}
+                             detail::symbolic_equations<double>(model, generic_parameters(model.parameters())), [&] {
+                                 const auto p = generic_parameters(model.parameters());
+                                 RuntimeArray<ExactBall> exact(p.size());
+                                 for (int k = 0; k < p.size(); ++k) exact[k] = p[k];
+                                 return detail::symbolic_equations<ExactBall>(model, exact);
+                             }) {}
 
     /// So many generic parameters.
     static RuntimeArray<double> generic_parameters(int number) {
@@ -50,7 +57,9 @@ public:
     }
 
 private:
-    RuntimeFormulation(const RuntimeSizes& sizes, bool has_potential, RuntimePolynomials<> generic);
+    /// exactly: the same polynomials over exact numbers, asked for where a term may be rounding.
+    RuntimeFormulation(const RuntimeSizes& sizes, bool has_potential, RuntimePolynomials<> generic,
+                       const std::function<RuntimePolynomials<ExactBall>()>& exactly);
     std::vector<SparseTerm> with_coefficients(const RuntimePolynomials<>& equations) const;
     RuntimeSizes sizes_;
     bool has_potential_, reflection_symmetric_;

@@ -67,7 +67,7 @@ EQUILIBRIA_INLINE std::optional<std::uint64_t> bernstein_bound(const ExactTerms&
     if (!supports) return {};
     try {
         const MixedVolume volume = mixed_volume(*supports);
-        if (volume.value == 0 || detail::mixed_volume_again(*supports, volume.order) != volume.value) return {};
+        if (detail::mixed_volume_again(*supports, volume.order) != volume.value) return {};
         if (supports->unknowns() == 2) {
             std::array<std::vector<detail::LatticePoint>, 2> polygons;
             for (std::size_t i = 0; i < 2; ++i)

@@ -25,6 +25,23 @@ namespace equilibria::detail {
 /// No root with a larger imaginary part is real.
 inline constexpr double nearly_real = 1e-5;
 
+/// D H D with powers of two for D, so that the largest entry of each row is about 1: a congruence, which keeps the
+/// inertia and makes it independent of the unknowns' units.
+EQUILIBRIA_INLINE void equilibrate(auto& hessian) {
+    const auto n = hessian.rows();
+    for (int round = 0; round < 3; ++round) {
+        std::array<int, 64> power{};
+        for (Eigen::Index i = 0; i < n && i < 64; ++i) {
+            const double largest = hessian.row(i).cwiseAbs().maxCoeff();
+            if (std::isnormal(largest)) power[static_cast<std::size_t>(i)] = -(std::ilogb(largest) / 2);
+        }
+        for (Eigen::Index i = 0; i < n && i < 64; ++i)
+            for (Eigen::Index j = 0; j < n && j < 64; ++j)
+                hessian(i, j) =
+                    std::ldexp(hessian(i, j), power[static_cast<std::size_t>(i)] + power[static_cast<std::size_t>(j)]);
+    }
+}
+
 struct RootClassifier::Workspace {
     RuntimeArray<double> step;
     RuntimeMatrix<double> jacobian;
@@ -83,6 +100,7 @@ EQUILIBRIA_INLINE Classification RootClassifier::classify(std::span<const double
     Classification y;
     y.energy = equations_->energy(q.data());
     if (equations_->has_potential) {
+        equilibrate(jacobian);
         const Inertia hessian = inertia_in_place(jacobian);
         y.index = hessian.negative;
         y.nullity = hessian.zero;

@@ -8,11 +8,12 @@
 #include <cstddef>
 #include <map>
 #include <numbers>
+#include <set>
 #include <utility>
 
-#include <equilibria/core/random.hpp>
 #include <equilibria/enumerate/every_root.hpp>
 #include <equilibria/enumerate/families.hpp>
+#include <equilibria/enumerate/named_families.hpp>
 #include <equilibria/enumerate/prove_complex_roots.hpp>
 #include <equilibria/evaluation/point_of.hpp>
 #include <equilibria/evaluation/table_evaluation.hpp>
@@ -22,7 +23,6 @@
 #include <equilibria/paths/generic_instance.hpp>
 #include <equilibria/paths/track.hpp>
 #include <equilibria/run/elapsed.hpp>
-#include <equilibria/start/total_degree_start.hpp>
 #include <equilibria/system/path_bounds.hpp>
 #include <equilibria/system/unit_scaling.hpp>
 
@@ -50,6 +50,18 @@ struct RootAttempt {
         return y;
     }
 };
+
+/// A proof of the roots, which are moved to where it finds them.
+EQUILIBRIA_INLINE ProofOfRoots prove_and_refine(const SparseSystem& system, ComplexRoots<>& found,
+                                                const std::vector<ProvedBound>& bounds, const RunOptions& run) {
+    auto proof = prove(system, found, bounds, {.executor = run.executor, .ranks = run.ranks});
+    for (const RefinedRoot& refined : proof.refined) {
+        auto& root = found.roots[refined.root];
+        std::copy(refined.q.begin(), refined.q.end(), root.q.begin());
+        proof.certificates[refined.root].radius = refined.radius;
+    }
+    return proof;
+}
 
 /// The paths of a polyhedral start, each explained or not.
 class ExplainedPaths {
@@ -79,7 +91,6 @@ public:
             }
         prove_roots();
         std::vector<char> settled(size);
-        std::map<std::size_t, bool> doubled;
         for (std::size_t m = 0; m < of_candidate.size(); ++m)
             settled[of_candidate[m]] = y_.proof.certificates[m].exists && y_.proof.certificates[m].distinct;
         if (y_.proof.duplicates > 0) unsettle_duplicates(of_candidate, settled);
@@ -98,9 +109,7 @@ public:
     }
 
 private:
-    void prove_roots() {
-        y_.proof = prove(system_, y_.found, bounds_, {.executor = run_.executor, .ranks = run_.ranks});
-    }
+    void prove_roots() { y_.proof = prove_and_refine(system_, y_.found, bounds_, run_); }
 
     /// Two paths at one root: one of them jumped, and it is not known which.
     void unsettle_duplicates(const std::vector<std::size_t>& of_candidate, std::vector<char>& settled) const {
@@ -136,24 +145,25 @@ private:
         return q;
     }
 
-    PathLimit limit_of(std::size_t k, PathSet& paths) const {
+    static bool is_decided(const PathLimit& y) {
+        return y.kind == LimitKind::finite || y.kind == LimitKind::at_infinity;
+    }
+    /// The limit of path k with sums of two doubles: from where the tracker left it, else from its start.
+    PathLimit first_limit(std::size_t k, PathSet& paths) const {
         const EndpointRecord end = paths.record(k);
-        PathLimit y;
         if (end.t > 0.5 && end.t < 1 && end.status != PathStatus::finite && end.status != PathStatus::singular) {
-            y = follow_to_limit(sizes_, columns_, exponentials(root_of(paths.point(k), end, k).q), 1 - end.t, 31);
-            if (y.kind == LimitKind::finite || y.kind == LimitKind::at_infinity) return y;
+            auto y = follow_to_limit(sizes_, columns_, exponentials(root_of(paths.point(k), end, k).q), 1 - end.t, 31);
+            if (is_decided(y)) return y;
         }
-        const Point begin = exponentials(instance_.roots()[k]);
-        y = follow_to_limit(sizes_, columns_, begin, 1, 31);
-        if (y.kind == LimitKind::finite || y.kind == LimitKind::at_infinity) return y;
-        // from where sums of two doubles left it, if that was near the end
-        PathLimit more;
-        if (y.r < 1e-3) {
-            more = follow_to_limit(sizes_, columns_, last_point(y), y.r, 64);
-            if (more.kind != LimitKind::open) return more;
+        return follow_to_limit(sizes_, columns_, exponentials(instance_.roots()[k]), 1, 31);
+    }
+    /// The same with 64 digits: from where sums of two doubles left it, if that was near the end.
+    PathLimit exact_limit(std::size_t k, const PathLimit& first) const {
+        if (first.r < 1e-3) {
+            auto y = follow_to_limit(sizes_, columns_, last_point(first), first.r, 64);
+            if (y.kind != LimitKind::open) return y;
         }
-        more = follow_to_limit(sizes_, columns_, begin, 1, 64);
-        return more;
+        return follow_to_limit(sizes_, columns_, exponentials(instance_.roots()[k]), 1, 64);
     }
     static Point last_point(const PathLimit& limit) {
         Point z = limit.z;
@@ -174,11 +184,16 @@ private:
         std::vector<PathLimit> limits(open.size());
         // what the store hands out is valid until the next call: points are read by one thread
         run_.executor.for_blocks(open.size(), open.size(), [&](std::size_t first, std::size_t last) {
-            for (std::size_t m = first; m < last; ++m) limits[m] = limit_of(open[m], paths);
+            for (std::size_t m = first; m < last; ++m) limits[m] = first_limit(open[m], paths);
+        });
+        const auto on_curves = find_curves(open, limits);
+        run_.executor.for_blocks(open.size(), 1, [&](std::size_t m, std::size_t) {
+            if (!is_decided(limits[m]) && !on_curves[m]) limits[m] = exact_limit(open[m], limits[m]);
         });
         std::vector<std::size_t> singular;
         std::map<std::string, std::uint64_t> reasons;
         for (std::size_t m = 0; m < open.size(); ++m) {
+            if (on_curves[m]) continue;
             const PathLimit& limit = limits[m];
             switch (limit.kind) {
                 case LimitKind::finite: add_regular(limit, open[m]); break;
@@ -252,31 +267,46 @@ private:
     void explain_singular(const Members& singular, const std::vector<PathLimit>& limits,
                           const std::vector<std::size_t>& open, std::map<std::string, std::uint64_t>& reasons) {
         Members left = singular;
+        std::set<std::pair<std::size_t, Members>> tried;
         // roots near to each other are parted by smaller groups, nearer to t = 1
         for (std::size_t level = 0; level < 3; ++level)
             for (const double apart : {1e-3, 1e-6, 1e-9, 1e-12}) {
                 Members again;
                 for (const Members& group : groups_of(left, limits, apart))
-                    if (!confirm(group, limits, level, open)) again.insert(again.end(), group.begin(), group.end());
+                    if (!tried.insert({level, group}).second || !confirm(group, limits, level, open))
+                        again.insert(again.end(), group.begin(), group.end());
                 left = std::move(again);
             }
         if (left.empty()) return;
-        std::vector<Root<RuntimeUnknowns>> suspects;
         for (const Members& group : groups_of(left, limits, 1e-6)) {
-            auto root = root_at(limits[group.front()].z, open[group.front()]);
-            root.status = PathStatus::singular;
-            root.paths = static_cast<std::int32_t>(group.size());
-            suspects.push_back(std::move(root));
-        }
-        auto found = find_families(homotopy_, suspects, run_.executor);
-        for (std::size_t k = 0; k < suspects.size(); ++k) {
-            if (found.on_one[k]) continue;
-            reasons["end at singular points whose multiplicity could not be confirmed"] +=
-                static_cast<std::uint64_t>(suspects[k].paths);
-            y_.found.roots.push_back(suspects[k]);
+            y_.found.roots.push_back(singular_root(group, limits, open));
             y_.confirmed.push_back(0);
+            reasons["end at singular points whose multiplicity could not be confirmed"] += group.size();
         }
+    }
+    Root<RuntimeUnknowns> singular_root(const Members& group, const std::vector<PathLimit>& limits,
+                                        const std::vector<std::size_t>& open) const {
+        auto root = root_at(limits[group.front()].z, open[group.front()]);
+        root.status = PathStatus::singular;
+        root.paths = static_cast<std::int32_t>(group.size());
+        return root;
+    }
+    /// Which of the paths end on curves or surfaces of solutions.
+    std::vector<char> find_curves(const std::vector<std::size_t>& open, const std::vector<PathLimit>& limits) {
+        std::vector<char> y(limits.size());
+        Members singular;
+        for (std::size_t m = 0; m < limits.size(); ++m)
+            if (limits[m].kind == LimitKind::singular) singular.push_back(m);
+        if (singular.empty()) return y;
+        const auto groups = groups_of(singular, limits, 1e-6);
+        std::vector<Root<RuntimeUnknowns>> suspects;
+        for (const Members& group : groups) suspects.push_back(singular_root(group, limits, open));
+        auto found = find_families(homotopy_, suspects, run_.executor);
+        for (std::size_t k = 0; k < groups.size(); ++k)
+            if (found.on_one[k])
+                for (const std::size_t m : groups[k]) y[m] = 1;
         y_.families = std::move(found.families);
+        return y;
     }
     std::vector<Members> groups_of(const Members& members, const std::vector<PathLimit>& limits, double apart) const {
         std::vector<Members> groups;
@@ -380,7 +410,7 @@ EQUILIBRIA_INLINE RootAttempt plain_attempt(const SparseSystem& system, const St
     const Stopwatch clock;
     y.found = solve_from_start(system, choice, run, options.tracker, nullptr);
     y.tracking_seconds = clock.seconds();
-    y.proof = prove(system, y.found, bounds, {.executor = run.executor, .ranks = run.ranks});
+    y.proof = prove_and_refine(system, y.found, bounds, run);
     y.confirmed.assign(y.found.roots.size(), 0);
     const PathCounts& c = y.found.paths;
     y.unexplained = c.total - std::min(c.total, y.proof.distinct);
@@ -443,16 +473,17 @@ EQUILIBRIA_INLINE void undo(const UnitScaling& units, EveryRoot& y) {
     for (auto& c : y.proof.certificates) c.radius *= largest;
 }
 
-/// Curves that a polyhedral start does not meet are met by the total degree: its singular endpoints, with those known.
-EQUILIBRIA_INLINE void find_all_families(const SparseSystem& system, const StartBounds& bounds, const RunOptions& run,
+/// Names the curves on which singular ends lie, and leaves no root among those that lies on one.
+EQUILIBRIA_INLINE void find_all_families(const SparseSystem& system, const RunOptions& run,
                                          const EveryRootOptions& options, RootAttempt& y) {
-    if (bounds.total_degree.saturated || static_cast<std::uint64_t>(bounds.total_degree.value) > options.most_explained)
-        return;
-    if (std::ranges::any_of(system.degrees(), [](int d) { return d < 1; })) return;
-    const auto found = solve_total_degree(system, run, options.tracker, nullptr);
     std::vector<Root<RuntimeUnknowns>> suspects;
-    for (const auto& root : found.roots)
-        if (root.status == PathStatus::singular) suspects.push_back(root);
+    std::vector<std::size_t> numbers;
+    for (std::size_t k = 0; k < y.found.roots.size(); ++k)
+        if (y.found.roots[k].status == PathStatus::singular && !y.confirmed[k]) {
+            suspects.push_back(y.found.roots[k]);
+            numbers.push_back(k);
+        }
+    const std::size_t roots = suspects.size();
     for (const auto& family : y.families)
         for (const auto& point : family.points) {
             Root<RuntimeUnknowns> root;
@@ -463,25 +494,21 @@ EQUILIBRIA_INLINE void find_all_families(const SparseSystem& system, const Start
             root.status = PathStatus::singular;
             suspects.push_back(std::move(root));
         }
-    if (suspects.empty()) return;
-    Generator generator(run.seed);
-    const TotalDegreeStart start(TotalDegreeKind::general, system.sizes(), system.degrees(), system.scale(), generator);
-    const PolynomialHomotopy homotopy({.sizes = system.sizes(),
-                                       .terms = system.terms(),
-                                       .from = {},
-                                       .forms = {.terms = start.system().terms(), .products = {}},
-                                       .scale = system.scale(),
-                                       .degrees = system.degrees()});
-    auto all = find_families(homotopy, suspects, run.executor);
-    if (all.families.size() >= y.families.size()) y.families = std::move(all.families);
+    auto found = name_families(system, suspects, run, options.tracker, options.most_explained);
+    y.families = std::move(found.families);
+    for (std::size_t m = roots; m-- > 0;) {
+        if (!found.on_one[m]) continue;
+        const auto at = static_cast<std::ptrdiff_t>(numbers[m]);
+        y.found.roots.erase(y.found.roots.begin() + at);
+        y.confirmed.erase(y.confirmed.begin() + at);
+        if (numbers[m] < y.proof.certificates.size()) {
+            y.proof.certificates.erase(y.proof.certificates.begin() + at);
+            --y.proof.undecided;
+        }
+    }
 }
 
 }  // namespace detail
-
-EQUILIBRIA_INLINE std::string_view to_string(Completeness completeness) {
-    constexpr std::array names{"complete", "explained", "open"};
-    return names[static_cast<std::size_t>(completeness)];
-}
 
 EQUILIBRIA_INLINE std::uint64_t EveryRoot::distinct() const {
     std::uint64_t y = proof.distinct;
@@ -496,7 +523,7 @@ EQUILIBRIA_INLINE EveryRoot every_root(const SparseSystem& system, const StartCh
     const detail::Stopwatch clock;
     const UnitScaling units = unit_scaling(system);
     const SparseSystem in_units = scaled(system, units);
-    const auto bounds = detail::bounds_of(choice.bounds, system);
+    const auto bounds = options.bounds.empty() ? detail::bounds_of(choice.bounds, system) : options.bounds;
     const bool may_explain = choice.kind != StartKind::monodromy && choice.bounds.mixed_volume.has_value() &&
                              *choice.bounds.mixed_volume <= 4 * options.most_explained;
     EveryRoot y;
@@ -538,8 +565,7 @@ EQUILIBRIA_INLINE EveryRoot every_root(const SparseSystem& system, const StartCh
     }
     if (verdict.completeness != Completeness::complete ||
         (choice.bounds.mixed_volume && *choice.bounds.mixed_volume == 0))
-        if (choice.kind != StartKind::monodromy)
-            detail::find_all_families(in_units, choice.bounds, run, options, *best);
+        if (choice.kind != StartKind::monodromy) detail::find_all_families(in_units, run, options, *best);
     y.start = std::move(best->start);
     y.found = std::move(best->found);
     y.confirmed = std::move(best->confirmed);

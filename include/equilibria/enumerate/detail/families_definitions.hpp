@@ -92,7 +92,7 @@ EQUILIBRIA_INLINE FoundFamilies find_families(const PolynomialHomotopy& homotopy
     std::vector<Family<RuntimeUnknowns>> families;
     std::vector<std::array<std::int64_t, 3>> keys;
     for (const auto& group : FamilyFinder(probe, sizes.unknowns, sizes.angles).groups(points, found)) {
-        Family<RuntimeUnknowns> family{group.dimension, std::nullopt, {}};
+        Family<RuntimeUnknowns> family{group.dimension, 0, std::nullopt, {}};
         for (const std::size_t m : group.members) {
             const FamilyProbe::Finding& finding = found[m];
             const auto& root = roots[number[m]];

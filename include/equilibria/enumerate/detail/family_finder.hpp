@@ -36,7 +36,9 @@ public:
         std::vector<Group> y;
         for (std::size_t k = 0; k < points.size(); ++k) {
             const int d = found[k].dimension;
-            const Vector q = probe_->projected(points[k], n_ - d, 1e-3).value_or(points[k]);
+            // where families cross no walk begins or ends: one from a neighbour does
+            const Vector& at = found[k].nullity > d ? found[k].neighbour : points[k];
+            const Vector q = probe_->projected(at, n_ - d, 1e-3).value_or(at);
             Group group{d, {k}, std::nullopt, {q}};
             const std::size_t home = connected_group(q, group, y, y.size());
             if (home == y.size()) {

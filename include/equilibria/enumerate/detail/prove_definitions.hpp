@@ -78,6 +78,7 @@ public:
         with_more_digits(hard);
         certify_images();
         tell_apart();
+        std::ranges::sort(proof_.refined, {}, &RefinedRoot::root);
         count();
         conclude();
         proof_.seconds = begin.seconds();
@@ -217,6 +218,26 @@ private:
         if (size <= sqrt(rounding_unit<S>)) record_alone(k, test(point, true), true, Digits);
         if (!settled(k) && proof_.certificates[k].reality != Reality::real)
             record_alone(k, test(point, false), false, Digits);
+        if (proof_.certificates[k].digits == Digits) move_to(k, q);
+    }
+    /// The root is known better than it was given: the certificate's radius is one around what was given.
+    template <class S>
+    void move_to(std::size_t k, const SizedArray<Complex<S>, at_run_time>& q) {
+        Certificate& c = proof_.certificates[k];
+        RefinedRoot refined{k, {}, c.radius};
+        double moved = 0, rounding = 0;
+        for (int u = 0; u < sizes_.unknowns; ++u) {
+            const std::complex<double> given = set_.roots[k].q[static_cast<std::size_t>(u)];
+            std::complex<double> at(static_cast<double>(q[u].re),
+                                    c.reality == Reality::real ? 0.0 : static_cast<double>(q[u].im));
+            rounding = std::max({rounding, std::abs(at.real()), std::abs(at.imag())});
+            moved = std::max(moved, std::abs(at - given));
+            refined.q.push_back(at);
+        }
+        refined.radius = rounded_up(refined.radius + 2 * rounding_unit<double> * rounding);
+        c.radius = rounded_up(refined.radius + rounded_up(moved));
+        const detail::Lock lock(guard_);
+        proof_.refined.push_back(std::move(refined));
     }
     template <class S>
     void record_alone(std::size_t k, const KrawczykResult<S>& proof, bool real, int digits) {

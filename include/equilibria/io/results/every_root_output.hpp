@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <span>
 #include <string>
+#include <vector>
 
 #include <equilibria/enumerate/every_root.hpp>
 #include <equilibria/homotopy/path_limit.hpp>
@@ -13,18 +14,6 @@
 #include <equilibria/io/results/proof_output.hpp>
 
 namespace equilibria {
-
-/// The verdict in a sentence: what is said last of a set of roots.
-inline std::string in_words(const RootsVerdict& v) {
-    switch (v.completeness) {
-        case Completeness::complete: return "COMPLETE: " + v.sentence + ".";
-        case Completeness::explained: return "COMPLETE BUT FOR WHAT IS EXPLAINED: " + v.sentence + ".";
-        case Completeness::open: break;
-    }
-    return (v.missing_at_most ? "AT MOST " + std::to_string(*v.missing_at_most) + " ROOTS MAY BE MISSING: "
-                              : std::string("ROOTS MAY BE MISSING: ")) +
-           v.sentence + ".";
-}
 
 /// The keys "complete", "completeness", "reason", "missing_at_most" (null: unknown) and "verdict".
 inline void add_verdict(Json& out, const RootsVerdict& v) {
@@ -35,10 +24,20 @@ inline void add_verdict(Json& out, const RootsVerdict& v) {
                    {"verdict", in_words(v)}});
 }
 
-/// The keys of complex roots, of their proof and of the verdict, with "families" (of each "dimension", "kind", "paths",
-/// "point", "real"), "directions_at_infinity" ("direction", "paths", "residual"), "starts", "tracking_seconds" and
-/// "seconds". Of each root "multiplicity_proved", and "certificate" where it is regular. Real is what is proved real;
-/// without a proof, what has no imaginary part above rounding. names: one for each unknown.
+/// Of each direction "direction", "paths" and "residual".
+inline Json json_of(const std::vector<DivergingPaths>& at_infinity) {
+    Json out = Json::array();
+    for (const auto& away : at_infinity)
+        out.push_back(
+            {{"direction", direction_in_words(away.direction)}, {"paths", away.paths}, {"residual", away.residual}});
+    return out;
+}
+
+/// The keys of complex roots, of their proof and of the verdict, with "families" (of each "dimension", "degree" (null:
+/// not counted), "kind", "paths", "point", "real"), "directions_at_infinity" ("direction", "paths", "residual"),
+/// "starts", "tracking_seconds" and "seconds". Of each root "multiplicity_proved", and "certificate" where it is
+/// regular. Real is what is proved real; without a proof, what has no imaginary part above rounding. names: one for
+/// each unknown.
 inline Json json_of(const EveryRoot& s, std::span<const std::string> names) {
     Json out = json_of(s.found, names);
     const bool proved = !s.proof.certificates.empty() || s.found.roots.empty();
@@ -62,15 +61,13 @@ inline Json json_of(const EveryRoot& s, std::span<const std::string> names) {
         for (const auto& name : names) point[name] = json_of(family.points.front().q[u++]);
         out["families"].push_back(
             {{"dimension", family.dimension},
+             {"degree", family.degree > 0 ? Json(family.degree) : Json(nullptr)},
              {"kind", (family.real() ? "a real " : "a ") + family_kind(family.dimension) + " of solutions"},
              {"paths", family.paths()},
              {"real", family.real()},
              {"point", std::move(point)}});
     }
-    out["directions_at_infinity"] = Json::array();
-    for (const auto& away : s.at_infinity)
-        out["directions_at_infinity"].push_back(
-            {{"direction", direction_in_words(away.direction)}, {"paths", away.paths}, {"residual", away.residual}});
+    out["directions_at_infinity"] = json_of(s.at_infinity);
     out["starts"] = s.starts;
     add_verdict(out, s.verdict);
     out["tracking_seconds"] = s.tracking_seconds;

@@ -10,6 +10,7 @@
 #include <equilibria/algebra/polynomial_system.hpp>
 #include <equilibria/core/compiled.hpp>
 #include <equilibria/enumerate/enumerate.hpp>
+#include <equilibria/enumerate/every_equilibrium.hpp>
 #include <equilibria/enumerate/prove.hpp>
 #include <equilibria/enumerate/sweep.hpp>
 #include <equilibria/formula/formula_model.hpp>
@@ -26,6 +27,9 @@ enum class FormulaStart { least_cost, total_degree, polyhedral };
 /// with_more_digits: paths that fail in double are tracked with 50 digits.
 RootSet<RuntimeUnknowns> enumerate(const FormulaModel& model, const RuntimeArray<double>& p, const RunOptions& run = {},
                                    FormulaStart start = FormulaStart::least_cost, bool with_more_digits = false);
+/// Every equilibrium, proved, with a verdict on their completeness.
+EveryEquilibrium every_equilibrium(const FormulaModel& model, const RuntimeArray<double>& p, const RunOptions& run = {},
+                                   FormulaStart start = FormulaStart::least_cost);
 /// From the roots at other parameters.
 RootSet<RuntimeUnknowns> enumerate(const FormulaModel& model, const RootSet<RuntimeUnknowns>& solved,
                                    const RuntimeArray<double>& p, const RunOptions& run = {});

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -28,18 +29,31 @@ EQUILIBRIA_INLINE const char* sentence(NotPolynomial fault) {
         default: return "must be a trigonometric polynomial";
     }
 }
+/// True if the polynomial has no such term, or one whose coefficient is 0.
+EQUILIBRIA_INLINE bool vanishes(const RuntimePolynomial<ExactBall>& f, const auto& monomial) {
+    const auto& terms = f.terms();
+    const auto at = std::ranges::find_if(terms, [&](const auto& t) { return t.monomial == monomial; });
+    return at == terms.end() || !may_differ_from_zero(at->coefficient);
+}
 EQUILIBRIA_INLINE std::string equation_name(int i) { return "equation " + std::to_string(i); }
 }  // namespace detail
 
 EQUILIBRIA_INLINE RuntimeFormulation::RuntimeFormulation(const RuntimeSizes& sizes, bool has_potential,
-                                                         RuntimePolynomials<> generic)
+                                                         RuntimePolynomials<> generic,
+                                                         const std::function<RuntimePolynomials<ExactBall>()>& exactly)
     : sizes_(sizes), has_potential_(has_potential), reflection_symmetric_(sizes.coordinates == 0) {
+    // a small coefficient may be the rounding of terms that cancel, or a small coefficient: exact numbers know
+    std::optional<RuntimePolynomials<ExactBall>> exact;
     int i = 0;
     for (auto& f : generic) {
         require(f.fault() == NotPolynomial::no, "model", detail::equation_name(i), detail::sentence(f.fault()));
-        f = f.pruned();
+        const double suspicious = 1e-10 * f.scale();
         int degree = 0;
         for (const auto& t : f.terms()) {
+            if (std::abs(t.coefficient) < suspicious) {
+                if (!exact) exact = exactly();
+                if (detail::vanishes((*exact)[static_cast<std::size_t>(i)], t.monomial)) continue;
+            }
             const auto codes = codes_of(t.monomial, sizes);
             support_.push_back({i, SparseMonomial(codes), 0});
             degree = std::max(degree, support_.back().monomial.degree());

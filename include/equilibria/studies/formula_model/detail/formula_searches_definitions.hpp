@@ -58,6 +58,17 @@ EQUILIBRIA_INLINE RootSet<RuntimeUnknowns> enumerate(const FormulaModel& formula
         return enumerate_from<LeastCost>(model, p, run, {}, resort);
     });
 }
+EQUILIBRIA_INLINE EveryEquilibrium every_equilibrium(const FormulaModel& formulas, const RuntimeArray<double>& p,
+                                                     const RunOptions& run, FormulaStart start) {
+    return visit(formulas, [&](const auto& model) {
+        switch (start) {
+            case FormulaStart::total_degree: return every_equilibrium<TotalDegreeStart>(model, p, run);
+            case FormulaStart::polyhedral: return every_equilibrium<Polyhedral>(model, p, run);
+            case FormulaStart::least_cost: break;
+        }
+        return every_equilibrium<LeastCost>(model, p, run);
+    });
+}
 EQUILIBRIA_INLINE RootSet<RuntimeUnknowns> enumerate(const FormulaModel& formulas,
                                                      const RootSet<RuntimeUnknowns>& solved,
                                                      const RuntimeArray<double>& p, const RunOptions& run) {

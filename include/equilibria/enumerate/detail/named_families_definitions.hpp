@@ -1,0 +1,122 @@
+/// \file
+/// See enumerate/named_families.hpp.
+#pragma once
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <utility>
+
+#include <equilibria/core/random.hpp>
+#include <equilibria/enumerate/named_families.hpp>
+#include <equilibria/evaluation/point_of.hpp>
+#include <equilibria/evaluation/table_evaluation.hpp>
+#include <equilibria/homotopy/polish.hpp>
+#include <equilibria/paths/complex_roots.hpp>
+#include <equilibria/paths/generic_instance.hpp>
+#include <equilibria/start/total_degree_start.hpp>
+#include <equilibria/system/path_bounds.hpp>
+
+namespace equilibria::detail {
+
+/// Generic combinations of the equations, as many as unknowns but for d, and d generic hyperplanes.
+EQUILIBRIA_INLINE SparseSystem sliced(const SparseSystem& system, int d, Generator& generator) {
+    const int n = system.sizes().unknowns;
+    std::vector<SparseTerm> terms;
+    for (int i = 0; i < n - d; ++i) {
+        std::map<SparseMonomial, double> sum;
+        std::vector<double> weight;
+        for (int k = 0; k < n; ++k)
+            weight.push_back((k == i ? 1 : uniform(generator, -1, 1)) / system.scale()[static_cast<std::size_t>(k)]);
+        for (const SparseTerm& t : system.terms())
+            sum[t.monomial] += weight[static_cast<std::size_t>(t.equation)] * t.coefficient;
+        for (const auto& [monomial, c] : sum)
+            if (c != 0) terms.push_back({i, monomial, c});
+    }
+    for (int i = n - d; i < n; ++i)
+        for (int u = -1; u < n; ++u) {
+            std::vector<int> codes(static_cast<std::size_t>(n));
+            if (u >= 0) codes[static_cast<std::size_t>(u)] = 1;
+            const double size = uniform(generator, 0.4, 1);
+            terms.push_back({i, SparseMonomial(std::move(codes)), uniform(generator) < 0.5 ? size : -size});
+        }
+    return {system.sizes(), std::move(terms)};
+}
+
+/// Points of all families of dimension d on one generic plane, distinct; nothing where there are too many paths.
+EQUILIBRIA_INLINE std::optional<std::vector<Root<RuntimeUnknowns>>> witness_points(const SparseSystem& system,
+                                                                                   const PolynomialHomotopy& homotopy,
+                                                                                   int d, const RunOptions& run,
+                                                                                   const TrackerOptions& options,
+                                                                                   std::uint64_t most_paths) {
+    Generator generator(run.seed + 0x51ed270b * static_cast<std::uint64_t>(d));
+    const SparseSystem on_plane = sliced(system, d, generator);
+    const PathCount paths = total_degree_count(on_plane);
+    if (paths.saturated || static_cast<std::uint64_t>(paths.value) > most_paths) return {};
+    const auto found = solve_total_degree(on_plane, run, options, nullptr);
+    std::vector<Root<RuntimeUnknowns>> y;
+    Polisher<PolynomialHomotopy>::Workspace<double> with(homotopy);
+    for (const auto& root : found.roots) {
+        PolishedEvidence evidence;
+        Polisher(homotopy).assess(point_of<RuntimeUnknowns>(root.q, system.sizes()), &evidence, with);
+        if (!(evidence.residual < 1e-7)) continue;
+        y.push_back(root);
+        y.back().status = PathStatus::singular;
+        y.back().condition = evidence.condition;
+    }
+    return y;
+}
+
+EQUILIBRIA_INLINE FoundFamilies name_families(const SparseSystem& system,
+                                              const std::vector<Root<RuntimeUnknowns>>& suspects, const RunOptions& run,
+                                              const TrackerOptions& options, std::uint64_t most_paths) {
+    const PathCount degree = total_degree_count(system);
+    std::vector<Root<RuntimeUnknowns>> all = suspects;
+    const bool tracked = std::ranges::all_of(system.degrees(), [](int d) { return d > 0; }) && !degree.saturated &&
+                         static_cast<std::uint64_t>(degree.value) <= most_paths;
+    if (tracked)
+        for (const auto& root : solve_total_degree(system, run, options, nullptr).roots)
+            if (root.status == PathStatus::singular) all.push_back(root);
+    if (all.empty()) return {};
+    Generator generator(run.seed);
+    std::vector<int> degrees = system.degrees();
+    for (int& d : degrees) d = std::max(d, 1);
+    const TotalDegreeStart start(TotalDegreeKind::general, system.sizes(), degrees, system.scale(), generator);
+    const PolynomialHomotopy homotopy({.sizes = system.sizes(),
+                                       .terms = system.terms(),
+                                       .from = {},
+                                       .forms = {.terms = start.system().terms(), .products = {}},
+                                       .scale = system.scale(),
+                                       .degrees = degrees});
+    auto y = find_families(homotopy, all, run.executor);
+    if (tracked && system.sizes().angles == 0 && !y.families.empty()) {
+        const std::size_t known = all.size();
+        std::vector<int> dimensions;
+        for (const auto& family : y.families) dimensions.push_back(family.dimension);
+        std::ranges::sort(dimensions);
+        dimensions.erase(std::unique(dimensions.begin(), dimensions.end()), dimensions.end());
+        std::vector<std::pair<std::uint64_t, int>> witnesses;  // by a path number of their own
+        for (const int d : dimensions)
+            if (const auto points = witness_points(system, homotopy, d, run, options, most_paths))
+                for (auto root : *points) {
+                    root.path = (std::uint64_t{1} << 62) + all.size();
+                    witnesses.emplace_back(root.path, d);
+                    all.push_back(std::move(root));
+                }
+        y = find_families(homotopy, all, run.executor);
+        y.on_one.resize(known);
+        for (auto& family : y.families) {
+            std::erase_if(family.points, [&](const FamilyPoint<RuntimeUnknowns>& point) {
+                const auto at = std::ranges::find(witnesses, point.path, &std::pair<std::uint64_t, int>::first);
+                if (at == witnesses.end()) return false;
+                family.degree += at->second == family.dimension;
+                return family.points.size() > 1;
+            });
+        }
+        std::erase_if(y.families, [](const auto& family) { return family.points.empty(); });
+    }
+    y.on_one.resize(suspects.size());
+    return y;
+}
+
+}  // namespace equilibria::detail

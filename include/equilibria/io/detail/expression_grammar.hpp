@@ -38,10 +38,11 @@ struct sign : one<'+', '-'> {};
 struct times : seq<one<'*'>, not_at<one<'*'>>> {};
 struct over : one<'/'> {};
 struct to_the : sor<one<'^'>, string<'*', '*'>> {};
-struct exponent_part : seq<one<'e', 'E'>, opt<one<'+', '-'>>, plus<digit>> {};
+struct exponent_part : seq<one<'e', 'E', 'd', 'D'>, opt<one<'+', '-'>>, plus<digit>> {};
 struct number : seq<sor<seq<plus<digit>, opt<one<'.'>, star<digit>>>, seq<one<'.'>, plus<digit>>>,
                     opt<exponent_part>> {};
-struct name : identifier {};
+struct index : seq<one<'['>, plus<sor<digit, one<','>>>, one<']'>> {};
+struct name : seq<identifier, opt<index>> {};
 struct open : one<'('> {};
 struct close : one<')'> {};
 struct sum;
@@ -98,7 +99,9 @@ Expansion product(const Expansion& a, const Expansion& b, Reading& r, const Inpu
 
 template <class Number, class Input>
 Number value_of(const Input& in) {
-    const std::string text = in.string();
+    std::string text = in.string();
+    for (char& c : text)
+        if (c == 'd' || c == 'D') c = 'e';  // as Fortran writes it
     const char* first = text.data() + (text[0] == '+' ? 1 : 0);
     Number value{};
     const auto [end, error] = detail::read_number(first, text.data() + text.size(), value);

@@ -28,7 +28,7 @@ EQUILIBRIA_INLINE const char* sentence(NotPolynomial fault) {
         default: return "must be a trigonometric polynomial";
     }
 }
-EQUILIBRIA_INLINE std::string equation_name(int i) { return "equation " + std::to_string(i); }
+EQUILIBRIA_INLINE std::string equation_name(int i) { return "equation " + std::to_string(i + 1); }
 }  // namespace detail
 
 EQUILIBRIA_INLINE RuntimeFormulation::RuntimeFormulation(const RuntimeSizes& sizes, bool has_potential,

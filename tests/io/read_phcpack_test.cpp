@@ -152,6 +152,11 @@ TEST_CASE("What is no polynomial system is refused with its place") {
     CHECK(refusal("1\n(x + 1)^(-1);") ==
           "line 2, column 10 = -1);: must not be negative, for it is not the power of one term");
     CHECK(refusal("1\n1e999*x;") == "line 2, column 1 = 1e999*x;: must be a number that fits its type");
+    CHECK(refusal("1\n(1e-200*x)^2 - 1;") ==
+          "line 2, column 12 = 2 - 1;: makes a coefficient that is too small for a double");
+    CHECK(refusal("1\n1e-200/1e200*x;") ==
+          "line 2, column 8 = 1e200*x;: makes a coefficient that is too small for a double");
+    CHECK(terms(parse_phcpack("1\n1e200*x - 1e-200;")) == Terms{{{1}, 1e200}, {{0}, -1e-200}});
     CHECK(refusal("1\n1e200*1e200*x;") == "line 2, column 1 = 1e200*1e200*x;: has a coefficient that is not finite");
     CHECK(refusal("1\ny;", {"x"}) == "line 2, column 1 = y;: is not among the names of the variables");
     CHECK(refusal("1\nx*y;") == "number of variables = 2: must be 1, as the first line says");

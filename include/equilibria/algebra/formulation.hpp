@@ -108,7 +108,7 @@ constexpr bool is_trigonometric() {
                           "equilibria: the model is not a trigonometric polynomial: it divides by something that "
                           "depends on the angles or coordinates");
             static_assert(fault<M> != NotPolynomial::degree_too_high,
-                          "equilibria: the model has a multiple of an angle, or a power of a coordinate, above 127");
+                          "equilibria: the model has a multiple of an angle, or a power of a coordinate, above 1000");
             return fault<M> == NotPolynomial::no;
         }
     }

@@ -92,6 +92,7 @@ Expansion product(const Expansion& a, const Expansion& b, Reading& r, const Inpu
         refuse("takes more than " + std::to_string(r.limits.products) + " products of terms, the limit", in);
     r.products += size * other;
     Expansion y = a.times(b);
+    if (y.underflows()) refuse("makes a coefficient that is too small for a double", in);
     if (y.largest_exponent() > r.limits.exponent)
         refuse("has an exponent above " + std::to_string(r.limits.exponent) + ", the limit", in);
     return y;
@@ -183,6 +184,7 @@ struct Action<grammar::factor> {
             if (!r.factor.is_constant() || r.factor.terms().empty())
                 refuse("must be a number other than 0, for it is a divisor", in);
             f.product.divide_by(r.factor.constant());
+            if (f.product.underflows()) refuse("makes a coefficient that is too small for a double", in);
             f.divides = false;
         } else {
             f.product = product(f.product, r.factor, r, in);

@@ -24,7 +24,7 @@ EQUILIBRIA_INLINE const char* sentence(NotPolynomial fault) {
             return "must be a trigonometric polynomial: it divides by something that depends on the angles or "
                    "coordinates";
         case NotPolynomial::degree_too_high:
-            return "must not have a multiple of an angle, or a power of a coordinate, above 127";
+            return "must not have a multiple of an angle, or a power of a coordinate, above 1000";
         default: return "must be a trigonometric polynomial";
     }
 }

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
+#include <equilibria/core/grid_value.hpp>
 #include <equilibria/enumerate/more_digits.hpp>
 #include <equilibria/io/results/cusp_locus_output.hpp>
 #include <equilibria/locus/space/cusp_locus.hpp>
@@ -102,7 +103,7 @@ std::string ticks(const Axis& axis, double low, double high) {
         if (tick >= low && tick <= high) values.push_back(tick);
     if (values.size() < 3) {
         values.clear();
-        for (int k = 0; k < 5; ++k) values.push_back(low + (high - low) * k / 4);
+        for (std::uint64_t k = 0; k < 5; ++k) values.push_back(equilibria::grid_value(low, high, k, 5));
     }
     std::ostringstream out;
     for (const double value : values) {

@@ -1,8 +1,10 @@
 #include "documents.hpp"
 
 #include <cstddef>
+#include <cstdint>
 #include <utility>
 
+#include <equilibria/core/grid_value.hpp>
 #include <equilibria/io/results/diagram_output.hpp>
 #include <equilibria/io/results/every_root_output.hpp>
 #include <equilibria/io/results/line_events_output.hpp>
@@ -56,8 +58,8 @@ Solved solved(const Input& input, const equilibria::RunOptions& run, const Solve
 equilibria::Motion<RuntimeUnknowns> moved(const Input& input, const MotionRequest& request,
                                           const equilibria::RunOptions& run) {
     std::vector<double> times;
-    for (int k = 0; k + 1 < request.points; ++k) times.push_back(request.until * k / (request.points - 1));
-    times.push_back(request.until);
+    const auto points = static_cast<std::uint64_t>(request.points);
+    for (std::uint64_t k = 0; k < points; ++k) times.push_back(equilibria::grid_value(0, request.until, k, points));
     return equilibria::integrate_motion(
         input.model, input.p, request.from, times, {request.tolerance, request.tolerance, 0, 100'000'000}, run,
         request.hamilton ? equilibria::FormulaFormulation::hamilton : equilibria::FormulaFormulation::lagrange);

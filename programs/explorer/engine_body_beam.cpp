@@ -1,6 +1,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <utility>
@@ -9,6 +10,7 @@
 #include <Eigen/Core>
 
 #include <equilibria/core/error.hpp>
+#include <equilibria/core/grid_value.hpp>
 #include <equilibria/io/results/json.hpp>
 #include <equilibria/io/results/path_counts_output.hpp>
 #include <equilibria/studies/rotating_body_beam/body_beam_diagram.hpp>
@@ -194,7 +196,8 @@ std::string moved(const Body& body, const Eigen::Vector3d& direction, double unt
     typename Motion::State start;
     start.momentum = body.p[Base::momentum] * direction;
     std::vector<double> times;
-    for (int i = 0; i < points; ++i) times.push_back(until * i / (points - 1));
+    const auto count = static_cast<std::uint64_t>(points);
+    for (std::uint64_t i = 0; i < count; ++i) times.push_back(equilibria::grid_value(0, until, i, count));
     equilibria::MotionOptions options;
     options.relative_tolerance = 1e-9;
     options.absolute_tolerance = 1e-10;

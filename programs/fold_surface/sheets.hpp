@@ -12,6 +12,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <equilibria/core/grid_value.hpp>
 #include <equilibria/locus/plane/trace_locus.hpp>
 #include <equilibria/mechanisms/rotating_chain.hpp>
 #include <limits>
@@ -175,7 +177,9 @@ inline std::vector<Sheet> joined(Planes& planes, const std::vector<double>& rati
 /// Through planes at equal distances, and through more where two do not match: the one between, `bisections` times.
 inline Surface surface(Planes& planes, const Interval& range, int slices, int bisections) {
     Surface y;
-    for (int k = 0; k < slices; ++k) y.slices.push_back(range.low + (range.high - range.low) * k / (slices - 1));
+    const auto count = static_cast<std::uint64_t>(slices);
+    for (std::uint64_t k = 0; k < count; ++k)
+        y.slices.push_back(equilibria::grid_value(range.low, range.high, k, count));
     planes.trace(y.slices, "planes");
     y.ratios = y.slices;
     y.gaps = unmatched(planes, y.ratios);

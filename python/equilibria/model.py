@@ -569,7 +569,7 @@ class Model:
         if asked.ndim == 0:
             if not (np.isfinite(asked) and asked > 0):
                 raise InvalidArgument(f"times = {times!r}: must be positive where it is one number")
-            asked = np.linspace(0, float(asked), 201)
+            asked = float(asked) * np.arange(201) / 200
         if not 1e-15 <= tolerance < 1:
             raise InvalidArgument(f"tolerance = {tolerance}: must be from 1e-15 to 1, 1 excluded")
         p = self._at(at, parameters)

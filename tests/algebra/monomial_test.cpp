@@ -8,14 +8,14 @@
 using namespace equilibria;
 
 TEST_CASE("A monomial keeps the code of every unknown") {
-    Monomial<9, 9> m;  // more than two words of 8 codes
+    Monomial<9, 9> m;  // more than four words of 4 codes
     CHECK(m.is_one());
-    for (int u = 0; u < 18; ++u) m.set_code(u, u % 2 == 0 ? 127 - u : u - 127);
-    for (int u = 0; u < 18; ++u) CHECK(m.code(u) == (u % 2 == 0 ? 127 - u : u - 127));
+    for (int u = 0; u < 18; ++u) m.set_code(u, u % 2 == 0 ? 1000 - u : u - 1000);
+    for (int u = 0; u < 18; ++u) CHECK(m.code(u) == (u % 2 == 0 ? 1000 - u : u - 1000));
     m.set_code(8, 0);
     CHECK(m.code(8) == 0);
-    CHECK(m.code(7) == -120);
-    CHECK(m.code(9) == -118);
+    CHECK(m.code(7) == -993);
+    CHECK(m.code(9) == -991);
     CHECK_FALSE(m.is_one());
 }
 
@@ -52,7 +52,7 @@ TEST_CASE("Monomials that do not overlap join") {
 
 TEST_CASE("The order of monomials is strict and total") {
     using M = Monomial<8, 2>;
-    M all[] = {M(), M::single(0, 1), M::single(0, -1), M::single(7, 2), M::single(8, 1), M::single(9, 127)};
+    M all[] = {M(), M::single(0, 1), M::single(0, -1), M::single(7, 2), M::single(8, 1), M::single(9, 1000)};
     for (const M& a : all)
         for (const M& b : all) CHECK((a < b) + (b < a) + (a == b) == 1);
 }

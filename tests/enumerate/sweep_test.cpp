@@ -152,6 +152,9 @@ TEST_CASE("grids, random points and lists") {
     CHECK_THAT(said("a,c\n1,x\n"), Catch::Contains("line 2, column 2"));
     CHECK_THAT(said("a\ninf\n"), Catch::Contains("finite"));
     CHECK_THAT(said(""), Catch::Contains("names of parameters"));
+    const auto round = parameter_grid(fixed, {{0, -3, 3, 7}, {2, 0.1, 0.7, 7}});
+    CHECK(round.at(4 * 7 + 2)[0] == 1);
+    CHECK(round.at(4 * 7 + 2)[2] == 0.3);
     CHECK_THROWS_AS(parameter_grid(fixed, {{3, 0, 1, 2}}), InvalidArgument);
     CHECK_THROWS_AS(parameter_grid(fixed, {{0, 0, 1, 0}}), InvalidArgument);
     CHECK_THROWS_AS(parameter_grid(fixed, {{0, 0, 1, 2}, {0, 0, 1, 2}}), InvalidArgument);

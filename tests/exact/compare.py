@@ -17,7 +17,7 @@ class Said:
 
     def __init__(self):
         self.status, self.seconds, self.error, self.document = None, 0.0, "", {}
-        self.complete, self.reason, self.missing, self.clean = False, "", "absent", False
+        self.complete, self.reason, self.missing, self.clean, self.explained = False, "", "absent", False, False
         self.roots = []  # dictionaries: point, real, singular, multiplicity, stated, exists, reality, radius
         self.counts = {}  # proved: distinct, real, non_real
         self.families, self.equilibria, self.by_index = [], [], None
@@ -60,6 +60,7 @@ def _common(y, d, proof, prefix):
     y.complete = bool(d.get("complete", proof.get("complete", False)))
     y.reason = d.get("reason", proof.get("reason", "")) or ""
     y.missing = d.get("missing_at_most", "absent")
+    y.explained = d.get("completeness") == "explained"
     for key in ("distinct", "real", "non_real"):
         if prefix + key in proof:
             y.counts[key] = proof[prefix + key]
@@ -195,8 +196,8 @@ def wrong(system, truth, said):
     sizes = [mpmath.mpf(1)] * (2 * system.n_angles)
     sizes += [mpmath.mpf(s.numerator) / s.denominator for s in (system.scale or [1] * system.n_coordinates)]
     places = Places(truth, sizes)
-    claimed = said.complete or said.clean
-    claim = "complete" if said.complete else "clean"
+    claimed = said.complete or said.clean or said.explained
+    claim = "complete" if said.complete else "clean" if said.clean else "explained"
 
     if not said.complete and not said.reason:
         y.append("not complete, and no reason")

@@ -71,7 +71,7 @@ def one(task):
             keep(o, path, label, seed, truth, said, sentences)
             causes += [f"{label}, seed {seed}: {s}" for s in sentences]
         else:
-            verdict = "refused" if said.status == 2 else "complete" if said.complete else "undecided"
+            verdict = "refused" if said.status == 2 else "complete" if said.complete else "explained" if said.explained else "undecided"
         verdicts.append((verdict, said.seconds))
     path.unlink()
     return name, verdicts, causes
@@ -194,7 +194,7 @@ def main():
             pool.close()
             pool.join()
     print()
-    total = table(results, ["complete", "undecided", "refused", "wrong", "unknown"])
+    total = table(results, ["complete", "explained", "undecided", "refused", "wrong", "unknown"])
     print(f"\n{o.systems} systems, {o.seeds} seeds each, {total['wrong']} wrong answers, {time.monotonic() - start:.0f} s", end="")
     print(f"; what failed is in {o.failures}" if total["wrong"] else "")
     return 0 if total["wrong"] <= o.allow else 1

@@ -249,11 +249,11 @@ def infinity(r):
     return polynomials(f, 3)
 
 
-def rescale(r, system, base):
-    """Unknowns and equations in other units, by powers of the base up to 1e9."""
+def rescale(r, system, base, decades=9):
+    """Unknowns and equations in other units, by powers of the base up to so many decades."""
     if not system:
         return None
-    most = 9 if base == 10 else 30
+    most = decades if base == 10 else decades * 10 // 3
     n = system.n_coordinates
     scale = [Fraction(base) ** r.randint(-most, most) for _ in range(n)]
     equations = []
@@ -267,6 +267,11 @@ def scaled_unknowns(r):
     base = r.choice([2, 10])
     kind = r.choice([small_sparse, small_dense, small_dense] + ([multiple, infinity] if base == 2 else []))
     return rescale(r, kind(r), base)
+
+
+def extreme(r):
+    """Coefficients and unknowns far from 1, as doubles have them; exactly, by powers of two."""
+    return rescale(r, r.choice([small_sparse, small_dense])(r), 2, r.choice([20, 40, 60]))
 
 
 def small_sparse(r):
@@ -445,6 +450,7 @@ CLASSES = {
     "curves": curves,
     "infinity": infinity,
     "scaled": scaled_unknowns,
+    "extreme": extreme,
     "wide": wide,
     "far": far,
     "nearly-real": nearly_real,

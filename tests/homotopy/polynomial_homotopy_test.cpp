@@ -144,7 +144,7 @@ TEST_CASE("what is no square system is refused") {
     using Polynomials = std::vector<Polynomial>;
     const Polynomial x(Polynomial::Basis::single(0, 1), 1.0);
     CHECK_THROWS_WITH(System(Polynomials{x}), "equations = 1: must be as many as there are unknowns");
-    CHECK_THROWS_WITH(System(Polynomials{x, Polynomial()}), "equations = equation 1: must not be 0");
+    CHECK_THROWS_WITH(System(Polynomials{x, Polynomial()}), "equations = equation 2: must not be 0");
     CHECK_THROWS_WITH(System(Polynomials{x, Polynomial(std::numeric_limits<double>::infinity())}),
                       "equations = equation 1: has a coefficient that is not finite");
 }

@@ -223,7 +223,7 @@ TEST_CASE("models that are refused, with line and column") {
     CHECK_THAT(formula("x +"), Catch::Contains("a number, a name, a function or ( must stand here"));
     CHECK_THAT(formula("(x"), Catch::Contains("an operator or ) must stand here"));
     CHECK_THAT(formula(""), Catch::Contains("a number, a name, a function or ( must stand here"));
-    CHECK_THAT(formula("x^0.5"), Catch::Contains("must be an integer from 0 to 100"));
+    CHECK_THAT(formula("x^0.5"), Catch::Contains("must be an integer from 0 to 1000"));
     CHECK_THAT(formula("x*1e999"), Catch::Contains("must be a number that a double can hold"));
     CHECK_THAT(formula("x/0"), Catch::Contains("divisor = 0"));
     CHECK_THAT(formula("t"), Catch::Contains("a whole formula that is an angle"));

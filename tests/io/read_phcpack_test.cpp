@@ -104,6 +104,24 @@ TEST_CASE("Variables of a polynomial system come as they appear, or as they are 
     CHECK(parse_phcpack("1 2\nx;", {"x", "y"}).variables.size() == 2);
 }
 
+TEST_CASE("A polynomial system is read with blanks, comments, other names and Fortran's numbers") {
+    const auto circle = parse_phcpack(" 2 \n x^2 + y^2 - 5;\n\n x*y - 2 ;\n\nTHE SOLUTIONS :\n1 2\n");
+    CHECK(terms(circle) == Terms{{{2, 0}, 1}, {{0, 2}, 1}, {{0, 0}, -5}});
+    CHECK(terms(circle, 1) == Terms{{{1, 1}, 1}, {{0, 0}, -2}});
+    CHECK(terms(parse_phcpack("# a line\n  % and one\n 1 1\t\n-- and one\n x**2\n# - 1\n - 3;\n")) ==
+          Terms{{{2}, 1}, {{0}, -3}});
+    // a mistake keeps its place behind a comment
+    CHECK(refusal("# +\n1\nx + ;") == "line 3, column 5 = ;: a number, a variable or ( must stand here");
+    const auto named = parse_phcpack("2 6\n e1 + 2*ii - x_i*pi1;\n e + x[1]*e1;");
+    CHECK(named.variables == std::vector<std::string>{"e1", "ii", "x_i", "pi1", "e", "x[1]"});
+    CHECK(terms(parse_phcpack("1\n1.0D+03*x^4 + 1.5d0*x^3 + .5*x^2 + 5.*x + 2.e-1;")) ==
+          Terms{{{4}, 1000}, {{3}, 1.5}, {{2}, 0.5}, {{1}, 5}, {{0}, 0.2}});
+    CHECK(terms(parse_phcpack("1\n1.5e3*x - 1/3;")) == Terms{{{1}, 1500}, {{0}, -1.0 / 3.0}});
+    CHECK(terms(parse_phcpack("1\n2 * x - 1;")) == Terms{{{1}, 2}, {{0}, -1}});
+    // behind the system: one of one more equation alone is no text
+    CHECK(parse_phcpack("1\nx - 1;\n\nsolution 1 : 1 - 2 ; x").equations.size() == 1);
+}
+
 TEST_CASE("A polynomial system from a file is solved") {
     const tests::ScratchFile file("katsura");
     file.write({katsura_3.begin(), katsura_3.end()});
@@ -121,7 +139,8 @@ TEST_CASE("A polynomial system from a file is solved") {
 TEST_CASE("What is no polynomial system is refused with its place") {
     CHECK(refusal("x;") == "line 1, column 1 = x;: the number of equations must stand here");
     CHECK(refusal("") == "line 1, column 1 = the end: the number of equations must stand here");
-    CHECK(refusal("2\nx;") == "line 2, column 3 = the end: a number, a variable or ( must stand here");
+    CHECK(refusal("2\nx;") == "number of equations = 1: must be 2, as the first line says");
+    CHECK(refusal("1\nx;\n 2*y - 1 ;") == "number of equations = more than 1: must be 1, as the first line says");
     CHECK(refusal("1\nx + ;") == "line 2, column 5 = ;: a number, a variable or ( must stand here");
     CHECK(refusal("1\nx +\n y z;") == "line 3, column 4 = z;: an operator or ; must stand here");
     CHECK(refusal("1\n(x + 1;") == "line 2, column 7 = ;: an operator or ) must stand here");
@@ -133,9 +152,12 @@ TEST_CASE("What is no polynomial system is refused with its place") {
     CHECK(refusal("1\n(x + 1)^(-1);") ==
           "line 2, column 10 = -1);: must not be negative, for it is not the power of one term");
     CHECK(refusal("1\n1e999*x;") == "line 2, column 1 = 1e999*x;: must be a number that fits its type");
+    CHECK(refusal("1\n(1e-200*x)^2 - 1;") ==
+          "line 2, column 12 = 2 - 1;: makes a coefficient that is too small for a double");
+    CHECK(refusal("1\n1e-200/1e200*x;") ==
+          "line 2, column 8 = 1e200*x;: makes a coefficient that is too small for a double");
+    CHECK(terms(parse_phcpack("1\n1e200*x - 1e-200;")) == Terms{{{1}, 1e200}, {{0}, -1e-200}});
     CHECK(refusal("1\n1e200*1e200*x;") == "line 2, column 1 = 1e200*1e200*x;: has a coefficient that is not finite");
-    CHECK(refusal("1\nex;") ==
-          "line 2, column 1 = ex;: must not start with i, I, e, E or _, which no variable of PHCpack does");
     CHECK(refusal("1\ny;", {"x"}) == "line 2, column 1 = y;: is not among the names of the variables");
     CHECK(refusal("1\nx*y;") == "number of variables = 2: must be 1, as the first line says");
     CHECK(refusal("0\n") == "number of equations = 0: must be from 1 to 1000, the limit");

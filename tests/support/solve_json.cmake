@@ -113,6 +113,10 @@ endfunction()
 expect_refusal("1\nx + \n;" "line 3, column 1 = ;: a number, a variable or ( must stand here")
 expect_refusal("variable_group x;\nfunction f;\nf = y;\n"
                "line 3, column 5 = y;: is no name yet: variables and constants are declared before they are used, subfunctions get their sums")
-expect_refusal("1 2\nx*y - 1;\n" "equations = 1: must be 2")
-expect_refusal("1\nx^2 + 2*i*x + 1;\n" "coefficient in equation 0 = (0,2): must be real")
+expect_refusal("1 2\nx*y - 1;\n" "1 equation in 2 unknowns: must be as many equations as unknowns")
+expect_refusal("3 2\nx*y - 1;\nx - y;\nx;\n" "3 equations in 2 unknowns: must be as many equations as unknowns")
+expect_refusal("2\nx*y - 1;\n2*x - 2*x;\n" "equation 2 is 0: must not vanish identically")
+expect_refusal("2\nx*y - 1;\n3 - 3*x*y;\n"
+               "equation 2 is equation 1, times a number: no two may be the same, for then no root is isolated")
+expect_refusal("1\nx^2 + 2*i*x + 1;\n" "equation 1 has complex coefficients: must be real")
 file(REMOVE_RECURSE ${systems})

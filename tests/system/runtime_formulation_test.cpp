@@ -48,7 +48,7 @@ struct Pendulum {
             case 0: return p[0] * c;
             case 1: return p[0] * exp(c);
             case 2: return s / (c + 2.0);
-            case 3: return p[0] * pow(c, 200);
+            case 3: return p[0] * pow(c, 1200);
             default: return 0 * s + p[0];
         }
     }
@@ -67,9 +67,9 @@ TEST_CASE("a chain at run time has the support, the degrees and the coefficients
 TEST_CASE("a model at run time that is no trigonometric polynomial is refused in a sentence") {
     CHECK_NOTHROW(formulation(0));
     CHECK_THROWS_WITH(formulation(1),
-                      Catch::Contains("model = equation 0: must be a trigonometric polynomial: it takes"));
+                      Catch::Contains("model = equation 1: must be a trigonometric polynomial: it takes"));
     CHECK_THROWS_WITH(formulation(2), Catch::Contains("it divides by something that depends on the angles"));
-    CHECK_THROWS_WITH(formulation(3), Catch::Contains("above 127"));
+    CHECK_THROWS_WITH(formulation(3), Catch::Contains("above 1000"));
     CHECK_THROWS_WITH(formulation(4), Catch::Contains("must depend on the unknowns"));
     CHECK_THROWS_WITH(formulation(0, 17), "model.angles() = 17: must be at most 16");
 }
@@ -79,6 +79,6 @@ TEST_CASE("parameters of a model at run time: as many as it says, finite coeffic
     const RuntimeFormulation own(model);
     CHECK_THROWS_WITH(own.terms(model, {1, 2}), "parameters = 2: must be as many as model.parameters()");
     CHECK_THROWS_WITH(own.terms(model, {std::numeric_limits<double>::infinity()}),
-                      "model = equation 0: has a coefficient that is not finite at these parameters");
+                      "model = equation 1: has a coefficient that is not finite at these parameters");
     CHECK(own.terms(model, {0})[0].coefficient == 0);
 }

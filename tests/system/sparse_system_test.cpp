@@ -63,16 +63,16 @@ TEST_CASE("A sparse system refuses what it cannot hold") {
     CHECK(refusal(PolynomialSystem<double>{{}, {}}) == "variables = 0: must not be none");
     CHECK(refusal(PolynomialSystem<double>{{"x"}, {}}) == "equations = 0: must be 1");
     CHECK(refusal(PolynomialSystem<double>{{"x"}, {{{1, {1}}, {1, {1, 0}}}}}) ==
-          "exponents in equation 0 = 2: must be 1");
-    CHECK(refusal(PolynomialSystem<double>{{"x"}, {{{1, {}}}}}) == "exponents in equation 0 = 0: must be 1");
+          "exponents in equation 1 = 2: must be 1");
+    CHECK(refusal(PolynomialSystem<double>{{"x"}, {{{1, {}}}}}) == "exponents in equation 1 = 0: must be 1");
     CHECK(refusal(PolynomialSystem<double>{{"x"}, {{{1, {-1}}}}}) ==
-          "exponent of x in equation 0 = -1: must be from 0 to 127");
-    CHECK(refusal(PolynomialSystem<double>{{"x"}, {{{1, {128}}}}}) ==
-          "exponent of x in equation 0 = 128: must be from 0 to 127");
-    CHECK(refusal(PolynomialSystem<Z>{{"x"}, {{{{1, 2}, {1}}}}}) == "coefficient in equation 0 = (1,2): must be real");
-    CHECK(refusal(PolynomialSystem<double>{{"x"}, {{{1, {1}}, {-1, {1}}}}}) == "equations = equation 0: must not be 0");
+          "exponent of x in equation 1 = -1: must be from 0 to 1000");
+    CHECK(refusal(PolynomialSystem<double>{{"x"}, {{{1, {1001}}}}}) ==
+          "exponent of x in equation 1 = 1001: must be from 0 to 1000");
+    CHECK(refusal(PolynomialSystem<Z>{{"x"}, {{{{1, 2}, {1}}}}}) == "coefficient in equation 1 = (1,2): must be real");
+    CHECK(refusal(PolynomialSystem<double>{{"x"}, {{{1, {1}}, {-1, {1}}}}}) == "equations = equation 1: must not be 0");
     CHECK(refusal(PolynomialSystem<double>{{"x"}, {{{NAN, {1}}}}}) ==
-          "equations = equation 0: has a coefficient that is not finite");
+          "equations = equation 1: has a coefficient that is not finite");
 }
 
 TEST_CASE("A constant is added to each equation of a system, to the one that it has or as a term of its own") {

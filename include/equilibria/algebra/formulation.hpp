@@ -108,7 +108,7 @@ constexpr bool is_trigonometric() {
                           "equilibria: the model is not a trigonometric polynomial: it divides by something that "
                           "depends on the angles or coordinates");
             static_assert(fault<M> != NotPolynomial::degree_too_high,
-                          "equilibria: the model has a multiple of an angle, or a power of a coordinate, above 127");
+                          "equilibria: the model has a multiple of an angle, or a power of a coordinate, above 1000");
             return fault<M> == NotPolynomial::no;
         }
     }
@@ -264,11 +264,11 @@ Array<C, detail::support_size<M>> coefficients(const Parameters<M, C>& p) {
             const auto at = std::lower_bound(F::support.begin(), F::support.end(), key);
             using std::abs;
             require(static_cast<double>(abs(t.coefficient)) < std::numeric_limits<double>::infinity(), "model",
-                    "equation " + std::to_string(i), "has a coefficient that is not finite at these parameters");
+                    "equation " + std::to_string(i + 1), "has a coefficient that is not finite at these parameters");
             if (at != F::support.end() && *at == key)
                 y[at - F::support.begin()] = t.coefficient;
             else
-                require(abs(t.coefficient) <= negligible, "model", "equation " + std::to_string(i),
+                require(abs(t.coefficient) <= negligible, "model", "equation " + std::to_string(i + 1),
                         "must have the same terms for all parameters: do not branch on their values");
         }
         ++i;

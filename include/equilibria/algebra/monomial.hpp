@@ -13,23 +13,23 @@ namespace equilibria {
 /// A product of factors, one an unknown. Unknowns 0 .. Angles-1 are angles, the others plain coordinates.
 ///
 /// The code of a factor: 0 for 1; for an angle +k for cos(k theta), -k for sin(k theta); for a coordinate k for x^k.
-/// Codes are packed, one byte each: constant expressions compare and multiply monomials by the ten thousand.
+/// Codes are packed, two bytes each: constant expressions compare and multiply monomials by the ten thousand.
 template <int Angles, int Coordinates>
 class Monomial {
 public:
     static constexpr int angles = Angles;                  ///< number of angles
     static constexpr int unknowns = Angles + Coordinates;  ///< number of all unknowns
-    static constexpr int highest = 127;  ///< the largest multiple of an angle and power of a coordinate
+    static constexpr int highest = 1000;  ///< the largest multiple of an angle and power of a coordinate
 
     /// The code of the factor in an unknown; 0 where it has none.
     constexpr int code(int unknown) const {
-        return static_cast<std::int8_t>(words_[word(unknown)] >> shift(unknown) & 0xff);
+        return static_cast<std::int16_t>(words_[word(unknown)] >> shift(unknown) & 0xffff);
     }
     /// Replaces the factor in an unknown; |code| is at most `highest`.
     constexpr void set_code(int unknown, int code) {
         auto& w = words_[word(unknown)];
-        w = (w & ~(std::uint64_t{0xff} << shift(unknown))) |
-            (static_cast<std::uint64_t>(static_cast<std::uint8_t>(code)) << shift(unknown));
+        w = (w & ~(std::uint64_t{0xffff} << shift(unknown))) |
+            (static_cast<std::uint64_t>(static_cast<std::uint16_t>(code)) << shift(unknown));
     }
     /// The monomial of a single factor.
     static constexpr Monomial single(int unknown, int code) {
@@ -61,10 +61,10 @@ public:
     }
     /// The first unknown, from u on, that has a factor in both; `unknowns` if there is none.
     friend constexpr int next_overlap(const Monomial& a, const Monomial& b, int u) {
-        for (; u < unknowns; u = u / 8 * 8 + 8) {
+        for (; u < unknowns; u = u / 4 * 4 + 4) {
             const std::uint64_t both =
                 occupied(a.words_[word(u)]) & occupied(b.words_[word(u)]) & (~std::uint64_t{0} << shift(u));
-            if (both) return u / 8 * 8 + std::countr_zero(both) / 8;
+            if (both) return u / 4 * 4 + std::countr_zero(both) / 16;
         }
         return unknowns;
     }
@@ -79,21 +79,24 @@ public:
     /// \{
     friend constexpr bool operator==(const Monomial&, const Monomial&) = default;
     friend constexpr bool operator<(const Monomial& a, const Monomial& b) {
-        for (std::size_t w = 0; w + 1 < words; ++w)
-            if (a.words_[w] != b.words_[w]) return a.words_[w] < b.words_[w];
-        return a.words_[words - 1] < b.words_[words - 1];
+        for (std::size_t pair = 0; pair < words; pair += 2) {
+            if (pair + 1 < words && a.words_[pair + 1] != b.words_[pair + 1])
+                return a.words_[pair + 1] < b.words_[pair + 1];
+            if (a.words_[pair] != b.words_[pair]) return a.words_[pair] < b.words_[pair];
+        }
+        return false;
     }
     /// \}
 
 private:
-    static constexpr std::size_t word(int unknown) { return static_cast<std::size_t>(unknown) / 8; }
-    static constexpr int shift(int unknown) { return 8 * (unknown % 8); }
-    static constexpr std::uint64_t occupied(std::uint64_t w) {  // the top bit of each byte that is not 0
-        constexpr std::uint64_t low = 0x7f7f7f7f7f7f7f7f;
+    static constexpr std::size_t word(int unknown) { return static_cast<std::size_t>(unknown) / 4; }
+    static constexpr int shift(int unknown) { return 16 * (unknown % 4); }
+    static constexpr std::uint64_t occupied(std::uint64_t w) {  // the top bit of each code that is not 0
+        constexpr std::uint64_t low = 0x7fff7fff7fff7fff;
         return (((w & low) + low) | w) & ~low;
     }
 
-    static constexpr std::size_t words = static_cast<std::size_t>((unknowns + 7) / 8);
+    static constexpr std::size_t words = static_cast<std::size_t>((unknowns + 3) / 4);
     std::uint64_t words_[words]{};
 };
 

@@ -71,7 +71,7 @@ public:
     Formula quotient(const Formula& a, const Formula& b);
     Formula negative(const Formula& a);
     /// \}
-    /// b must be an integer from 0 to 100 where a has unknowns in it, and of parameters alone elsewhere; for formulas
+    /// b must be an integer from 0 to 1000 where a has unknowns in it, and of parameters alone elsewhere; for formulas
     /// of a motion it may be any number.
     Formula power(const Formula& a, const Formula& b);
     /// Of an angle, or of parameters alone; the tangent of parameters alone. For formulas of a motion of anything.
@@ -93,9 +93,9 @@ public:
     const FormulaSteps& steps() const { return steps_; }  ///< what has been made so far
     bool has_motion() const { return has_motion_; }       ///< whether any of it may be of a motion
 
-    static constexpr int largest_power = 100;     ///< exponent of what has unknowns in it
-    static constexpr int largest_multiple = 100;  ///< of an angle
-    static constexpr int most_steps = 1'000'000;  ///< of all formulas of a builder
+    static constexpr int largest_power = 1000;     ///< exponent of what has unknowns in it
+    static constexpr int largest_multiple = 1000;  ///< of an angle
+    static constexpr int most_steps = 1'000'000;   ///< of all formulas of a builder
 
 private:
     bool is_number(const Formula& a) const;

@@ -80,8 +80,8 @@ SparseSystem sparse_system(const Parameters<M>& p) {
 }
 
 /// Polynomials in plain coordinates, the variables of `system` in their order, for systems that come from a file or
-/// from terms. Throws InvalidArgument unless there are as many equations as variables, with real, finite coefficients
-/// and, in each term, an exponent of each variable from 0 to Monomial's highest.
+/// from terms. Errors count equations from 1. Throws InvalidArgument unless there are as many equations as variables,
+/// with real, finite coefficients and, in each term, an exponent of each variable from 0 to Monomial's highest.
 template <class C>
 requires std::same_as<C, double> || std::same_as<C, std::complex<double>>
 SparseSystem sparse_system(const PolynomialSystem<C>& system) {
@@ -93,7 +93,7 @@ SparseSystem sparse_system(const PolynomialSystem<C>& system) {
     for (std::size_t i = 0; i < n; ++i) {
         std::map<SparseMonomial, double> sums;  // a file may have a product of factors twice
         for (const auto& t : system.equations[i]) {
-            const std::string in = " in equation " + std::to_string(i);
+            const std::string in = " in equation " + std::to_string(i + 1);
             require(t.exponents.size() == n, "exponents" + in, t.exponents.size(), "must be " + number);
             double coefficient{};
             if constexpr (std::same_as<C, double>) {

@@ -13,6 +13,7 @@
 #include <boost/algorithm/string/split.hpp>
 #include <boost/algorithm/string/trim.hpp>
 
+#include <equilibria/core/grid_value.hpp>
 #include <equilibria/core/read_number.hpp>
 #include <equilibria/core/splitmix.hpp>
 #include <equilibria/enumerate/parameter_points.hpp>
@@ -59,10 +60,7 @@ EQUILIBRIA_INLINE ParameterPoints parameter_grid(const RuntimeArray<double>& fix
                 for (auto axis = axes.rbegin(); axis != axes.rend(); ++axis) {
                     const std::uint64_t at = k % axis->count;
                     k /= axis->count;
-                    const double t =
-                        axis->count > 1 ? static_cast<double>(at) / static_cast<double>(axis->count - 1) : 0;
-                    p[axis->parameter] =
-                        at + 1 == axis->count && at > 0 ? axis->high : axis->low + t * (axis->high - axis->low);
+                    p[axis->parameter] = grid_value(axis->low, axis->high, at, axis->count);
                 }
                 return p;
             }};

@@ -177,7 +177,7 @@ EQUILIBRIA_INLINE Formula FormulaBuilder::combined(const Formula& a, const Formu
     std::erase_if(y.angle.multiples, [](const auto& m) { return m.second == 0; });
     std::sort(y.angle.multiples.begin(), y.angle.multiples.end());
     for (const auto& m : y.angle.multiples)
-        require(std::abs(m.second) <= largest_multiple, "multiple of an angle", m.second, "must be at most 100");
+        require(std::abs(m.second) <= largest_multiple, "multiple of an angle", m.second, "must be at most 1000");
     const Formula pa = phase_of(a), pb = phase_of(b);
     if (pb.step < 0)
         y.angle.phase = pa.step;
@@ -220,7 +220,7 @@ EQUILIBRIA_INLINE Formula FormulaBuilder::product(const Formula& a, const Formul
         if (!is_number(b) || number_of(b) != std::round(number_of(b)))
             detail::refuse_formula("an angle * what is no integer", detail::angle_rule);
         const double times = number_of(b);
-        require(std::abs(times) <= largest_multiple, "multiple of an angle", times, "must be at most 100");
+        require(std::abs(times) <= largest_multiple, "multiple of an angle", times, "must be at most 1000");
         Formula y;
         const int k = static_cast<int>(std::abs(times));
         Formula phase{FormulaKind::constant, a.angle.phase, {}};
@@ -229,7 +229,7 @@ EQUILIBRIA_INLINE Formula FormulaBuilder::product(const Formula& a, const Formul
         y.angle.multiples = a.angle.multiples;
         for (auto& m : y.angle.multiples) {
             m.second *= static_cast<int>(times);
-            require(std::abs(m.second) <= largest_multiple, "multiple of an angle", m.second, "must be at most 100");
+            require(std::abs(m.second) <= largest_multiple, "multiple of an angle", m.second, "must be at most 1000");
         }
         if (phase.step >= 0) y.angle.phase = product(phase, b).step;
         return y;
@@ -269,7 +269,7 @@ EQUILIBRIA_INLINE Formula FormulaBuilder::power(const Formula& a, const Formula&
             detail::refuse_formula(detail::has_unknowns(b) ? "a power by an expression of unknowns"
                                    : is_number(b)          ? "the power " + to_text(number_of(b))
                                                            : std::string("a power by a parameter"),
-                                   "the exponent of what holds unknowns must be an integer from 0 to 100");
+                                   "the exponent of what holds unknowns must be an integer from 0 to 1000");
     } else if (!integer) {
         return exponential(product(b, logarithm(a)));
     }

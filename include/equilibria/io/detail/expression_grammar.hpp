@@ -38,10 +38,11 @@ struct sign : one<'+', '-'> {};
 struct times : seq<one<'*'>, not_at<one<'*'>>> {};
 struct over : one<'/'> {};
 struct to_the : sor<one<'^'>, string<'*', '*'>> {};
-struct exponent_part : seq<one<'e', 'E'>, opt<one<'+', '-'>>, plus<digit>> {};
+struct exponent_part : seq<one<'e', 'E', 'd', 'D'>, opt<one<'+', '-'>>, plus<digit>> {};
 struct number : seq<sor<seq<plus<digit>, opt<one<'.'>, star<digit>>>, seq<one<'.'>, plus<digit>>>,
                     opt<exponent_part>> {};
-struct name : identifier {};
+struct index : seq<one<'['>, plus<sor<digit, one<','>>>, one<']'>> {};
+struct name : seq<identifier, opt<index>> {};
 struct open : one<'('> {};
 struct close : one<')'> {};
 struct sum;
@@ -91,6 +92,7 @@ Expansion product(const Expansion& a, const Expansion& b, Reading& r, const Inpu
         refuse("takes more than " + std::to_string(r.limits.products) + " products of terms, the limit", in);
     r.products += size * other;
     Expansion y = a.times(b);
+    if (y.underflows()) refuse("makes a coefficient that is too small for a double", in);
     if (y.largest_exponent() > r.limits.exponent)
         refuse("has an exponent above " + std::to_string(r.limits.exponent) + ", the limit", in);
     return y;
@@ -98,7 +100,9 @@ Expansion product(const Expansion& a, const Expansion& b, Reading& r, const Inpu
 
 template <class Number, class Input>
 Number value_of(const Input& in) {
-    const std::string text = in.string();
+    std::string text = in.string();
+    for (char& c : text)
+        if (c == 'd' || c == 'D') c = 'e';  // as Fortran writes it
     const char* first = text.data() + (text[0] == '+' ? 1 : 0);
     Number value{};
     const auto [end, error] = detail::read_number(first, text.data() + text.size(), value);
@@ -180,6 +184,7 @@ struct Action<grammar::factor> {
             if (!r.factor.is_constant() || r.factor.terms().empty())
                 refuse("must be a number other than 0, for it is a divisor", in);
             f.product.divide_by(r.factor.constant());
+            if (f.product.underflows()) refuse("makes a coefficient that is too small for a double", in);
             f.divides = false;
         } else {
             f.product = product(f.product, r.factor, r, in);

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include <equilibria/io/detail/expression_grammar.hpp>
@@ -17,7 +16,8 @@ namespace grammar::phcpack {
 // clang-format off
 struct equation : seq<sum, blanks, must<one<';'>>> {};
 struct count : plus<digit> {};
-struct counts : seq<blanks, must<count>, opt<plus<blank>, count>, blanks> {};
+struct second_count : plus<digit> {};
+struct counts : seq<blanks, must<count>, opt<plus<blank>, second_count, at<star<blank>, eolf>>, blanks> {};
 // clang-format on
 
 }  // namespace grammar::phcpack
@@ -33,8 +33,6 @@ public:
             factor = Expansion(Coefficient(0, 1));
             return {};
         }
-        if (std::string_view("iIeE_").find(name[0]) != std::string_view::npos)
-            return "must not start with i, I, e, E or _, which no variable of PHCpack does";
         const auto at = std::find(variables.begin(), variables.end(), name);
         const auto v = static_cast<std::size_t>(at - variables.begin());
         if (at == variables.end()) {
@@ -62,6 +60,8 @@ struct Action<grammar::phcpack::count> {
         r.counts.push_back(value_of<int>(in));
     }
 };
+template <>
+struct Action<grammar::phcpack::second_count> : Action<grammar::phcpack::count> {};
 template <>
 struct Action<grammar::phcpack::equation> {
     template <class Input>

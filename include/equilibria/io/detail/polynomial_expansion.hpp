@@ -55,6 +55,10 @@ public:
         std::erase_if(terms_, [](const auto& term) { return term.second.is_rounding(); });
     }
 
+    /// Whether the product or quotient that made it has a coefficient below the normal numbers, which would lose
+    /// digits.
+    bool underflows() const { return underflows_; }
+
     /// The largest absolute value of an exponent.
     int largest_exponent() const {
         int largest = 0;
@@ -71,7 +75,9 @@ public:
                 e.resize(std::max(a.size(), b.size()));
                 for (std::size_t v = 0; v < b.size(); ++v) e[v] += b[v];
                 while (!e.empty() && e.back() == 0) e.pop_back();
-                y.add(e, {ca.value * cb.value, ca.summands * cb.summands});
+                const Coefficient c = ca.value * cb.value;
+                y.underflows_ = y.underflows_ || std::abs(c) < std::numeric_limits<double>::min();
+                y.add(e, {c, ca.summands * cb.summands});
             }
         return y;
     }
@@ -80,6 +86,7 @@ public:
         for (auto& [exponents, c] : terms_) {
             c.value = divisor.imag() == 0 ? c.value / divisor.real() : c.value / divisor;
             c.summands /= std::abs(divisor);
+            underflows_ = underflows_ || std::abs(c.value) < std::numeric_limits<double>::min();
         }
     }
 
@@ -103,6 +110,7 @@ private:
     }
 
     Terms terms_;
+    bool underflows_ = false;
 };
 
 }  // namespace equilibria::detail::polynomial_text

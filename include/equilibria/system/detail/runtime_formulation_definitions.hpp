@@ -25,7 +25,7 @@ EQUILIBRIA_INLINE const char* sentence(NotPolynomial fault) {
             return "must be a trigonometric polynomial: it divides by something that depends on the angles or "
                    "coordinates";
         case NotPolynomial::degree_too_high:
-            return "must not have a multiple of an angle, or a power of a coordinate, above 127";
+            return "must not have a multiple of an angle, or a power of a coordinate, above 1000";
         default: return "must be a trigonometric polynomial";
     }
 }
@@ -35,7 +35,7 @@ EQUILIBRIA_INLINE bool vanishes(const RuntimePolynomial<ExactBall>& f, const aut
     const auto at = std::ranges::find_if(terms, [&](const auto& t) { return t.monomial == monomial; });
     return at == terms.end() || !may_differ_from_zero(at->coefficient);
 }
-EQUILIBRIA_INLINE std::string equation_name(int i) { return "equation " + std::to_string(i); }
+EQUILIBRIA_INLINE std::string equation_name(int i) { return "equation " + std::to_string(i + 1); }
 }  // namespace detail
 
 EQUILIBRIA_INLINE RuntimeFormulation::RuntimeFormulation(const RuntimeSizes& sizes, bool has_potential,

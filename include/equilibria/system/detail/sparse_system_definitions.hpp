@@ -19,14 +19,14 @@ EQUILIBRIA_INLINE SparseSystem::SparseSystem(const RuntimeSizes& sizes, std::vec
                 "must be below the number of unknowns");
         require(t.monomial.size() == sizes.unknowns, "codes of a term", t.monomial.size(),
                 "must be as many as there are unknowns");
-        require(std::isfinite(t.coefficient), "equations", "equation " + std::to_string(t.equation),
+        require(std::isfinite(t.coefficient), "equations", "equation " + std::to_string(t.equation + 1),
                 "has a coefficient that is not finite");
         has_terms[at(t.equation)] = true;
         scale_[at(t.equation)] = std::max(scale_[at(t.equation)], std::abs(t.coefficient));
         degrees_[at(t.equation)] = std::max(degrees_[at(t.equation)], t.monomial.degree());
     }
     for (int i = 0; i < sizes.unknowns; ++i)
-        require(has_terms[at(i)], "equations", "equation " + std::to_string(i), "must not be 0");
+        require(has_terms[at(i)], "equations", "equation " + std::to_string(i + 1), "must not be 0");
     std::sort(terms_.begin(), terms_.end(), [](const Term& a, const Term& b) { return before(a, b); });
 }
 

@@ -29,7 +29,7 @@ EQUILIBRIA_INLINE std::vector<std::complex<double>> coefficients_on(
             if (at != support.end() && at->equation == i && at->monomial == key.monomial)
                 y[static_cast<std::size_t>(at - support.begin())] = t.coefficient;
             else
-                require(std::abs(t.coefficient) <= negligible, "model", "equation " + std::to_string(i),
+                require(std::abs(t.coefficient) <= negligible, "model", "equation " + std::to_string(i + 1),
                         "must have the same terms for all parameters: do not branch on their values");
         }
         ++i;

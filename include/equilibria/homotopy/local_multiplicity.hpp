@@ -25,12 +25,12 @@ struct LocalMultiplicity {
     int order = 0;               ///< the order of the series at which the dimension was last seen to grow
     bool grows = false;          ///< the dimension was above `most`, or grew at every order that was looked at
     double smallest_kept = 1;    ///< the smallest pivot that counted, against the terms of an equation
-    double largest_dropped = 0;  ///< the largest that did not
+    double largest_dropped = 0;  ///< the largest that did not, or the largest value of an equation at the point
 };
 
 /// Multiplicity of the target system (`to` of the columns) at the mean of the points number `level` of these singular
-/// limits, which are the ends of as many paths at one root: branches around it, whose mean is nearer to it than they are.
-/// most: above this dimension it is not looked at any further.
+/// limits, which are the ends of as many paths at one root: branches around it, whose mean is nearer to it than they
+/// are. most: above this dimension it is not looked at any further.
 LocalMultiplicity local_multiplicity(const RuntimeSizes& sizes, const std::vector<LaurentColumn>& columns,
                                      const std::vector<const PathLimit*>& limits, std::size_t level, int most);
 

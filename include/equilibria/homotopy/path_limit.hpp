@@ -59,7 +59,7 @@ struct PathLimit {
 /// The limit of the path through z at 1 - t = r, which is given to a double's digits. digits: 31 (sums of two doubles)
 /// or 64.
 PathLimit follow_to_limit(const RuntimeSizes& sizes, const std::vector<LaurentColumn>& columns,
-                          std::vector<std::complex<double>> z, double r, int digits);
+                          std::vector<std::complex<double>> z, double r, int digits, int most_steps = 1500);
 
 /// A direction as small integers over their common denominator: "(1, -2)/3".
 std::string direction_in_words(const std::vector<double>& direction);

@@ -158,12 +158,12 @@ private:
         return follow_to_limit(sizes_, columns_, exponentials(instance_.roots()[k]), 1, 31);
     }
     /// The same with 64 digits: from where sums of two doubles left it, if that was near the end.
-    PathLimit exact_limit(std::size_t k, const PathLimit& first) const {
+    PathLimit exact_limit(std::size_t k, const PathLimit& first, int most_steps) const {
         if (first.r < 1e-3) {
-            auto y = follow_to_limit(sizes_, columns_, last_point(first), first.r, 64);
+            auto y = follow_to_limit(sizes_, columns_, last_point(first), first.r, 64, most_steps);
             if (y.kind != LimitKind::open) return y;
         }
-        return follow_to_limit(sizes_, columns_, exponentials(instance_.roots()[k]), 1, 64);
+        return follow_to_limit(sizes_, columns_, exponentials(instance_.roots()[k]), 1, 64, most_steps);
     }
     static Point last_point(const PathLimit& limit) {
         Point z = limit.z;
@@ -187,8 +187,17 @@ private:
             for (std::size_t m = first; m < last; ++m) limits[m] = first_limit(open[m], paths);
         });
         const auto on_curves = find_curves(open, limits);
-        run_.executor.for_blocks(open.size(), 1, [&](std::size_t m, std::size_t) {
-            if (!is_decided(limits[m]) && !on_curves[m]) limits[m] = exact_limit(open[m], limits[m]);
+        Members doubtful;
+        for (std::size_t m = 0; m < open.size(); ++m)
+            if (!is_decided(limits[m]) && !on_curves[m]) doubtful.push_back(m);
+        // some seconds' worth of steps for all of them, whatever the number of threads
+        const std::size_t work = columns_.size() * static_cast<std::size_t>(sizes_.unknowns) * (doubtful.size() + 1);
+        const auto most_steps = static_cast<int>(std::clamp<std::size_t>(1'500'000 / work, 40, 1000));
+        run_.executor.for_blocks(doubtful.size(), 1, [&](std::size_t first, std::size_t last) {
+            for (std::size_t k = first; k < last; ++k) {
+                const std::size_t m = doubtful[k];
+                limits[m] = exact_limit(open[m], limits[m], most_steps);
+            }
         });
         std::vector<std::size_t> singular;
         std::map<std::string, std::uint64_t> reasons;
@@ -332,7 +341,7 @@ private:
         const auto paths = static_cast<int>(group.size());
         const LocalMultiplicity local = local_multiplicity(sizes_, columns_, of_group, level, paths);
         // a gap between what counted as 0 and what did not
-        if (local.multiplicity != paths || !(local.smallest_kept > 1e-13) || !(local.largest_dropped < 1e-26))
+        if (local.multiplicity != paths || !(local.smallest_kept > 1e-13) || !(local.largest_dropped < 1e-27))
             return false;
         auto root = root_at(mean(of_group), open[group.front()]);
         root.status = PathStatus::singular;

@@ -40,7 +40,7 @@ public:
         std::map<Exponents, std::size_t> number;
         for (std::size_t k = 0; k < monomials.size(); ++k) number[monomials[k]] = k;
         std::vector<std::vector<Z>> rows;
-        for (const Series& f : series(d)) {
+        for (const Series& f : series(d, y)) {
             for (const Exponents& by : monomials) {
                 if (degree(by) > d - 1) continue;
                 std::vector<Z> row(monomials.size(), Z(0.0));
@@ -72,9 +72,9 @@ private:
         }
         e[u] = 0;
     }
-    /// Each equation to the order d, the sizes of its terms adding up to 1, without its value: unknowns against their
-    /// size, those that are 0 as they are.
-    std::vector<Series> series(int d) const {
+    /// Each equation to the order d, the sizes of its terms adding up to 1, without its value, which counts as dropped:
+    /// unknowns against their size, those that are 0 as they are.
+    std::vector<Series> series(int d, LocalMultiplicity& evidence) const {
         std::vector<Series> y(n_);
         std::vector<S> size(n_, S(0));
         for (const LaurentColumn& c : *columns_) {
@@ -115,9 +115,14 @@ private:
             size[static_cast<std::size_t>(c.equation)] += sqrt(largest);
         }
         for (std::size_t i = 0; i < n_; ++i) {
-            y[i].erase(Exponents(n_));
             if (!(size[i] > S(0))) continue;
             const S by = S(1) / size[i];
+            if (const auto value = y[i].find(Exponents(n_)); value != y[i].end()) {
+                const auto re = static_cast<double>(value->second.re * by),
+                           im = static_cast<double>(value->second.im * by);
+                evidence.largest_dropped = std::max(evidence.largest_dropped, std::abs(re) + std::abs(im));
+                y[i].erase(value);
+            }
             for (auto& [_, value] : y[i]) value = by * value;
         }
         return y;

@@ -69,7 +69,7 @@ public:
     /// A correction that leaves the digits of a regular root: next to a multiple one corrections are halved at best.
     static constexpr double converged = double_double ? 1e-24 : 1e-44;
     /// Where a path may be believed to go to infinity.
-    static constexpr double far_r = double_double ? 1e-13 : 1e-30;
+    static constexpr double far_r = double_double ? 1e-10 : 1e-25;
     /// A residual that is rounding, against the size of the terms.
     static constexpr double vanishing = double_double ? 1e-24 : 1e-45;
 
@@ -84,29 +84,36 @@ public:
                 lowest_[u] = std::min(lowest_[u], c.exponents[u]);
             }
         }
-        for (std::size_t u = 0; u < at(n_); ++u) powers_[u].resize(at(highest_[u] - lowest_[u] + 1));
+        for (std::size_t u = 0; u < at(n_); ++u) {
+            powers_[u].resize(at(highest_[u] - lowest_[u] + 1));
+            most_whole_ = std::max({most_whole_, highest_[u], -lowest_[u]});
+        }
+        for (int k = -most_whole_; k <= most_whole_; ++k) whole_.push_back(R(k));
     }
 
-    PathLimit follow(const Vector& begin, double r) {
+    PathLimit follow(const Vector& begin, double r, int most_steps) {
         z_.clear();
         for (const auto& z : begin) z_.emplace_back(R(z.real()), R(z.imag()));
         s_ = -std::log(r);
+        r_ = R(r);
         y_ = PathLimit();
         before_.clear();
         y_.digits = double_double ? 31 : 64;
-        if (!correct(z_, s_, 0.1)) return open("Newton's method does not find the path");
+        if (!correct(z_, r_, 0.1)) return open("Newton's method does not find the path");
         double h = r > 0.5 ? 0.02 : 0.2;
         std::size_t level = 0;
         while (level < levels.size() && s_ > -std::log(levels[level]) - 1e-9) ++level;
         if (level == levels.size()) return open("it begins too near to its end");
         for (int since_test = 0;;) {
-            if (y_.steps++ > 4000) return open("too many steps");
+            if (y_.steps++ > most_steps) return y_.points.empty() ? open("too many steps") : singular();
             const double end = -std::log(levels[level]);
             const double step = std::min(h, end - s_);
             std::vector<Z> next = z_;
-            if (predict(next, step) && correct(next, s_ + step, 0.05)) {
+            const R middle = shrunk(step / 2), after = shrunk(step);
+            if (predict(next, step, middle, after) && correct(next, after, 0.05)) {
                 z_ = std::move(next);
                 s_ += step;
+                r_ = after;
                 if (contraction_ < 5e-4) h = std::min(1.6 * h, 4.0);
                 if (contraction_ > 4e-3) h *= 0.7;
                 if (++since_test >= 3 && s_ > 3) {
@@ -131,7 +138,8 @@ public:
 
 private:
     static std::size_t at(int i) { return static_cast<std::size_t>(i); }
-    static R real(double x) { return R(x); }
+    /// r exp(-h).
+    R shrunk(double h) const { return r_ + growth_factor(Z(R(-h), R(0))).re * r_; }
 
     PathLimit open(const char* why) {
         y_.kind = LimitKind::open;
@@ -144,7 +152,7 @@ private:
             y_.z.clear();
             for (const Z& z : z_) y_.z.push_back(rounded(z));
         }
-        if (y_.kind == LimitKind::open && linearize(z_, std::exp(-s_))) y_.direction = growth();
+        if (y_.kind == LimitKind::open && linearize(z_, r_)) y_.direction = growth();
         return std::move(y_);
     }
 
@@ -165,8 +173,7 @@ private:
 
     /// Terms, equations and their derivatives by the logarithms of the unknowns and by r, each equation divided by a
     /// power of two near its largest term. plain: coordinates that are 0 take derivatives by themselves.
-    bool linearize(const std::vector<Z>& z, double r_value, const std::vector<char>* plain = nullptr) {
-        const R r = real(r_value);
+    bool linearize(const std::vector<Z>& z, const R& r, const std::vector<char>* plain = nullptr) {
         set_powers(z);
         std::fill(exponent_.begin(), exponent_.end(), -100000);
         std::vector<Z> product(columns_->size()), coefficient(columns_->size());
@@ -208,12 +215,14 @@ private:
                         if (v != at(u) && c.exponents[v] != 0) p *= power(v, c.exponents[v]);
                     j_[i][u] += scaled(coefficient[k] * p, e);
                 } else {
-                    j_[i][u] += static_cast<double>(power_of_u) * t;
+                    j_[i][u] += whole(power_of_u) * t;
                 }
             }
         }
         return true;
     }
+    /// A small integer, which takes time to convert.
+    const R& whole(int k) const { return whole_[at(k + most_whole_)]; }
     static Z scaled(const Z& z, int e) { return {times_power_of_two(z.re, e), times_power_of_two(z.im, e)}; }
 
     /// f_ becomes -J^-1 f; its largest size is returned.
@@ -230,13 +239,15 @@ private:
     }
     /// Newton's method at s, from no farther than `most`; whether its corrections shrink as they do near this path
     /// alone.
-    bool correct(std::vector<Z>& z, double s, double most) {
-        constexpr double largest_contraction = 0.02, settled = double_double ? 1e-13 : 1e-24;
+    bool correct(std::vector<Z>& z, const R& r_exact, double most) {
+        constexpr double largest_contraction = 0.02, rounding = double_double ? 1e-29 : 1e-60;
         double before = 0;
-        const double r = std::exp(-s);
+        const auto r = static_cast<double>(r_exact);
+        // paths to one place at infinity are as near to each other as r; on a curve rounding moves along it
+        const double settled = std::max(rounding / r, std::min(double_double ? 1e-13 : 1e-24, 1e-4 * r));
         contraction_ = 0;
         for (int round = 0; round < 8; ++round) {
-            if (!linearize(z, r)) return false;
+            if (!linearize(z, r_exact)) return false;
             const double size = newton_step();
             if (!(size < (round == 0 ? most : largest_contraction * before + settled))) return false;
             if (round == 1) contraction_ = size / before;
@@ -247,50 +258,57 @@ private:
         return false;
     }
     /// d zeta / d s at z.
-    bool slope(const std::vector<Z>& z, double s, Vector& d) {
-        const double r = std::exp(-s);
+    bool slope(const std::vector<Z>& z, const R& r, std::vector<Z>& d) {
         if (!linearize(z, r)) return false;
         lu_.factor(j_);
-        for (int i = 0; i < n_; ++i) f_[i] = real(r) * by_r_[i];
+        for (int i = 0; i < n_; ++i) f_[i] = r * by_r_[i];
         lu_.solve(f_);
-        d.resize(at(n_));
+        d.assign(at(n_), Z(0.0));
         for (int u = 0; u < n_; ++u) {
-            d[at(u)] = rounded(f_[u]);
-            if (!(std::abs(d[at(u)]) < 1e6)) return false;
+            d[at(u)] = f_[u];
+            if (!(std::abs(rounded(f_[u])) < 1e6)) return false;
         }
         return true;
     }
-    /// exp(d) - 1, to a double's digits of itself.
-    static Z growth_factor(const std::complex<double>& d) {
-        const double half = std::sin(d.imag() / 2), size = std::exp(d.real());
-        return Z(R(std::expm1(d.real()) * std::cos(d.imag()) - 2 * half * half), R(size * std::sin(d.imag())));
+    /// exp(d) - 1 to all digits: by its series, of a small fraction of d.
+    static Z growth_factor(Z d) {
+        int halvings = 0;
+        for (double size = std::abs(rounded(d)); size > 0.05; size /= 2) ++halvings;
+        d = scaled(d, -halvings);
+        Z sum = d, term = d;
+        for (int k = 2; k < (double_double ? 18 : 34); ++k) {
+            term = (term * d) / R(k);
+            sum += term;
+        }
+        for (; halvings > 0; --halvings) sum = sum * (sum + 2.0);
+        return sum;
     }
-    std::vector<Z> turned(const std::vector<Z>& z, double h, const Vector& d) const {
+    std::vector<Z> turned(const std::vector<Z>& z, double h, const std::vector<Z>& d) const {
         std::vector<Z> y = z;
-        for (std::size_t u = 0; u < y.size(); ++u) y[u] += growth_factor(h * d[u]) * y[u];
+        for (std::size_t u = 0; u < y.size(); ++u) y[u] += growth_factor(R(h) * d[u]) * y[u];
         return y;
     }
-    /// Runge and Kutta's fourth-order step.
-    bool predict(std::vector<Z>& z, double h) {
-        Vector a, b, c, d;
-        if (!slope(z, s_, a)) return false;
-        const auto small = [h](const Vector& v) {
-            return std::ranges::all_of(v, [h](const auto& x) { return h * std::abs(x) < 40; });
+    /// Runge and Kutta's fourth-order step, in all digits: paths that go to one place at infinity stay apart.
+    bool predict(std::vector<Z>& z, double h, const R& middle, const R& end) {
+        std::vector<Z> a, b, c, d;
+        if (!slope(z, r_, a)) return false;
+        const auto small = [h](const std::vector<Z>& v) {
+            return std::ranges::all_of(v, [h](const Z& x) { return h * std::abs(rounded(x)) < 40; });
         };
-        if (!small(a) || !slope(turned(z, h / 2, a), s_ + h / 2, b) || !small(b) ||
-            !slope(turned(z, h / 2, b), s_ + h / 2, c) || !small(c) || !slope(turned(z, h, c), s_ + h, d) || !small(d))
+        if (!small(a) || !slope(turned(z, h / 2, a), middle, b) || !small(b) ||
+            !slope(turned(z, h / 2, b), middle, c) || !small(c) || !slope(turned(z, h, c), end, d) || !small(d))
             return false;
-        for (std::size_t u = 0; u < a.size(); ++u) a[u] = (a[u] + 2.0 * b[u] + 2.0 * c[u] + d[u]) / 6.0;
+        for (std::size_t u = 0; u < a.size(); ++u) a[u] = (a[u] + 2.0 * (b[u] + c[u]) + d[u]) / R(6);
         z = turned(z, h, a);
         return true;
     }
 
     /// The growth of each unknown at the last point that `slope` was called at.
     std::vector<double> growth() {
-        Vector d;
-        if (!slope(z_, s_, d)) return {};
+        std::vector<Z> d;
+        if (!slope(z_, r_, d)) return {};
         std::vector<double> y;
-        for (const auto& x : d) y.push_back(x.real());
+        for (const Z& x : d) y.push_back(static_cast<double>(x.re));
         return y;
     }
 
@@ -354,7 +372,7 @@ private:
         double before = 1e300, moved = 0;
         bool some_zero = std::ranges::count(zero, char{1}) > 0;
         for (int round = 0; round < 12; ++round) {
-            if (!linearize(q, 0, some_zero ? &zero : nullptr)) return false;
+            if (!linearize(q, R(0), some_zero ? &zero : nullptr)) return false;
             const double size = newton_step();
             if (!(size < 0.05) || !(round == 0 || size < 0.05 * before)) return false;
             for (int u = 0; u < n_; ++u) {
@@ -366,16 +384,26 @@ private:
                 moved = std::max(moved, std::abs(rounded(f_[u])));
             }
             if (size < converged) {
+                if (is_singular()) return false;
                 if (!(moved <= 4 * left)) return false;
                 y_.kind = LimitKind::finite;
                 y_.z.clear();
                 for (const Z& x : q) y_.z.push_back(rounded(x));
-                linearize(q, 0, some_zero ? &zero : nullptr);
+                linearize(q, R(0), some_zero ? &zero : nullptr);
                 y_.residual = relative_residual();
                 return true;
             }
             before = size;
         }
+        return false;
+    }
+    /// Whether the inverse of the last factors magnifies by more than half of the digits: on a curve of solutions
+    /// Newton's method converges, too.
+    bool is_singular() {
+        for (int i = 0; i < n_; ++i) f_[i] = Z(R(i % 2 == 0 ? 1.0 : -0.7), R(0.6 + 0.1 * i));
+        lu_.solve(f_);
+        for (int u = 0; u < n_; ++u)
+            if (!(std::abs(rounded(f_[u])) < (double_double ? 1e14 : 1e30))) return true;
         return false;
     }
     double relative_residual() const {
@@ -419,7 +447,7 @@ private:
             const bool to_zero = u >= at(angles_) && v[u] < -0.01 && size_exponent(z_[u]) < -5;
             y_.z.push_back(to_zero ? 0.0 : rounded(z_[u]));
         }
-        linearize(z_, std::exp(-s_));
+        linearize(z_, r_);
         return finish();
     }
 
@@ -483,7 +511,7 @@ private:
     }
     bool leading_terms_vanish(const std::vector<char>& leads, const std::vector<double>& w) {
         std::vector<Z> q = z_;
-        const double r = std::exp(-s_);
+        const R& r = r_;
         double moved = 0, before = 1e300;
         for (int round = 0; round < 150; ++round) {
             if (!linearize(q, r)) return false;
@@ -500,7 +528,7 @@ private:
                     continue;
                 }
                 // its coefficient in the limit
-                const Z limit = c.to == 0.0 ? terms_[k] : terms_[k] * (to_[k] / (to_[k] + R(r) * (from_[k] - to_[k])));
+                const Z limit = c.to == 0.0 ? terms_[k] : terms_[k] * (to_[k] / (to_[k] + r * (from_[k] - to_[k])));
                 ahead[i] += size;
                 face[i] += limit;
                 for (std::size_t u = 0; u < at(n_); ++u)
@@ -543,6 +571,8 @@ private:
     std::vector<Z> from_, to_;
     std::vector<int> highest_, lowest_;
     std::vector<std::vector<Z>> powers_;
+    int most_whole_ = 0;
+    std::vector<R> whole_;
     SizedArray<Z, at_run_time> f_, by_r_;
     RuntimeMatrix<Z> j_;
     PivotedFactorization<R> lu_;
@@ -552,15 +582,16 @@ private:
     std::vector<Z> z_;
     std::vector<double> before_;
     double s_ = 0, contraction_ = 0;
+    R r_{};
     PathLimit y_;
 };
 
 }  // namespace detail
 
 EQUILIBRIA_INLINE PathLimit follow_to_limit(const RuntimeSizes& sizes, const std::vector<LaurentColumn>& columns,
-                                            std::vector<std::complex<double>> z, double r, int digits) {
-    if (digits > 31) return detail::LogarithmicPath<Multiprecision<64>>(sizes, columns).follow(z, r);
-    return detail::LogarithmicPath<DoubleDouble>(sizes, columns).follow(z, r);
+                                            std::vector<std::complex<double>> z, double r, int digits, int most_steps) {
+    if (digits > 31) return detail::LogarithmicPath<Multiprecision<64>>(sizes, columns).follow(z, r, most_steps);
+    return detail::LogarithmicPath<DoubleDouble>(sizes, columns).follow(z, r, most_steps);
 }
 
 EQUILIBRIA_INLINE std::string direction_in_words(const std::vector<double>& direction) {

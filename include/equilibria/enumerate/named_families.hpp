@@ -19,6 +19,10 @@
 
 namespace equilibria::detail {
 
+/// Families of which a second point is a solution to 31 digits, as a near miss is not; the others are dropped, and
+/// on_one says so. roots: those that `found` is of.
+void keep_families(const SparseSystem& system, const std::vector<Root<RuntimeUnknowns>>& roots, FoundFamilies& found);
+
 /// The families that these suspects, and singular ends of paths from the total degree, lie on; on_one: of the suspects.
 /// most_paths: above so many paths the total degree is not tracked. Degrees are counted of systems without angles.
 FoundFamilies name_families(const SparseSystem& system, const std::vector<Root<RuntimeUnknowns>>& suspects,

@@ -311,6 +311,7 @@ private:
         std::vector<Root<RuntimeUnknowns>> suspects;
         for (const Members& group : groups) suspects.push_back(singular_root(group, limits, open));
         auto found = find_families(homotopy_, suspects, run_.executor);
+        keep_families(system_, suspects, found);
         for (std::size_t k = 0; k < groups.size(); ++k)
             if (found.on_one[k])
                 for (const std::size_t m : groups[k]) y[m] = 1;

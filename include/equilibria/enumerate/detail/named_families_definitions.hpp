@@ -3,6 +3,8 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
+#include <complex>
 #include <map>
 #include <optional>
 #include <utility>
@@ -11,13 +13,49 @@
 #include <equilibria/enumerate/named_families.hpp>
 #include <equilibria/evaluation/point_of.hpp>
 #include <equilibria/evaluation/table_evaluation.hpp>
+#include <equilibria/homotopy/path_limit.hpp>
 #include <equilibria/homotopy/polish.hpp>
 #include <equilibria/paths/complex_roots.hpp>
 #include <equilibria/paths/generic_instance.hpp>
 #include <equilibria/start/total_degree_start.hpp>
+#include <equilibria/system/laurent_terms.hpp>
 #include <equilibria/system/path_bounds.hpp>
 
 namespace equilibria::detail {
+
+/// The terms of a system, which do not move.
+EQUILIBRIA_INLINE std::vector<LaurentColumn> columns_at_rest(const SparseSystem& system) {
+    std::vector<LaurentColumn> y;
+    const auto equations = laurent_terms(system);
+    for (std::size_t i = 0; i < equations.size(); ++i)
+        for (const auto& t : equations[i])
+            y.push_back({static_cast<int>(i), t.exponents, t.coefficient, t.coefficient});
+    return y;
+}
+/// Exponentials of the angles, and the coordinates.
+EQUILIBRIA_INLINE std::vector<std::complex<double>> laurent_point(const auto& q, const RuntimeSizes& sizes) {
+    std::vector<std::complex<double>> z(q.begin(), q.end());
+    for (int i = 0; i < sizes.angles; ++i) {
+        auto& at = z[static_cast<std::size_t>(i)];
+        at = std::exp(std::complex<double>(0, 1) * at);
+    }
+    return z;
+}
+
+EQUILIBRIA_INLINE void keep_families(const SparseSystem& system, const std::vector<Root<RuntimeUnknowns>>& roots,
+                                     FoundFamilies& found) {
+    if (found.families.empty()) return;
+    const auto columns = columns_at_rest(system);
+    std::erase_if(found.families, [&](const Family<RuntimeUnknowns>& family) {
+        for (const auto& point : family.points)
+            if (has_solution_near(system.sizes(), columns, laurent_point(point.neighbour, system.sizes()), 1e-3))
+                return false;
+        for (const auto& point : family.points)
+            for (std::size_t k = 0; k < roots.size(); ++k)
+                if (roots[k].path == point.path) found.on_one[k] = 0;
+        return true;
+    });
+}
 
 /// Generic combinations of the equations, as many as unknowns but for d, and d generic hyperplanes.
 EQUILIBRIA_INLINE SparseSystem sliced(const SparseSystem& system, int d, Generator& generator) {
@@ -54,12 +92,21 @@ EQUILIBRIA_INLINE std::optional<std::vector<Root<RuntimeUnknowns>>> witness_poin
     const PathCount paths = total_degree_count(on_plane);
     if (paths.saturated || static_cast<std::uint64_t>(paths.value) > most_paths) return {};
     const auto found = solve_total_degree(on_plane, run, options, nullptr);
+    const auto columns = columns_at_rest(system);
     std::vector<Root<RuntimeUnknowns>> y;
     Polisher<PolynomialHomotopy>::Workspace<double> with(homotopy);
     for (const auto& root : found.roots) {
         PolishedEvidence evidence;
         Polisher(homotopy).assess(point_of<RuntimeUnknowns>(root.q, system.sizes()), &evidence, with);
-        if (!(evidence.residual < 1e-7)) continue;
+        if (!(evidence.residual < 1e-6)) continue;
+        if (!has_solution_near(system.sizes(), columns, laurent_point(root.q, system.sizes()), 1e-3)) continue;
+        const bool known = std::ranges::any_of(y, [&](const auto& other) {
+            double apart = 0;
+            for (int u = 0; u < system.sizes().unknowns; ++u)
+                apart = std::max(apart, std::abs(other.q[u] - root.q[u]) / (1e-300 + std::abs(root.q[u])));
+            return apart < 1e-5;
+        });
+        if (known) continue;
         y.push_back(root);
         y.back().status = PathStatus::singular;
         y.back().condition = evidence.condition;
@@ -89,6 +136,7 @@ EQUILIBRIA_INLINE FoundFamilies name_families(const SparseSystem& system,
                                        .scale = system.scale(),
                                        .degrees = degrees});
     auto y = find_families(homotopy, all, run.executor);
+    keep_families(system, all, y);
     if (tracked && system.sizes().angles == 0 && !y.families.empty()) {
         const std::size_t known = all.size();
         std::vector<int> dimensions;
@@ -104,6 +152,7 @@ EQUILIBRIA_INLINE FoundFamilies name_families(const SparseSystem& system,
                     all.push_back(std::move(root));
                 }
         y = find_families(homotopy, all, run.executor);
+        keep_families(system, all, y);
         y.on_one.resize(known);
         for (auto& family : y.families) {
             std::erase_if(family.points, [&](const FamilyPoint<RuntimeUnknowns>& point) {

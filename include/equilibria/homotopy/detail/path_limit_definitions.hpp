@@ -136,6 +136,55 @@ public:
         }
     }
 
+    /// See has_solution_near.
+    bool vanishes_near(const Vector& begin, double most) {
+        std::vector<Z> q;
+        std::vector<char> zero;
+        for (std::size_t u = 0; u < begin.size(); ++u) {
+            const auto z = u >= at(angles_) && std::abs(begin[u]) < 1e-6 ? 0.0 : begin[u];
+            q.emplace_back(R(z.real()), R(z.imag()));
+            zero.push_back(z == 0.0);
+        }
+        // an equation all of whose terms vanish is measured by its coefficients
+        std::vector<int> coefficient(at(n_), -100000);
+        for (std::size_t k = 0; k < to_.size(); ++k) {
+            int& most_of = coefficient[at((*columns_)[k].equation)];
+            most_of = std::max(most_of, size_exponent(to_[k]));
+        }
+        double moved = 0, before = 1e300;
+        for (int round = 0; round < 100; ++round) {
+            if (!linearize(q, R(0), &zero)) return false;
+            double residual = 0;
+            for (int i = 0; i < n_; ++i) {
+                const int below = std::max(-300, std::min(0, exponent_[at(i)] - coefficient[at(i)]));
+                residual = std::max(residual, std::ldexp(std::abs(rounded(f_[i])), below));
+            }
+            if (residual < vanishing) return true;
+            if (round > 10 && residual > 0.98 * before) return false;
+            before = residual;
+            SingularValues::Vector j(at(n_ * n_)), right(at(n_));
+            for (int i = 0; i < n_; ++i) {
+                double row = 0;
+                for (int u = 0; u < n_; ++u) row = std::max(row, std::abs(rounded(j_[i][u])));
+                if (!(row > 0)) continue;
+                right[at(i)] = rounded(f_[i]) / row;
+                for (int u = 0; u < n_; ++u) j[at(u * n_ + i)] = rounded(j_[i][u]) / row;
+            }
+            const SingularValues svd(n_, n_, std::move(j));
+            const auto step = svd.solve(right, svd.rank(1e-9));
+            for (std::size_t u = 0; u < at(n_); ++u) {
+                moved += std::abs(step[u]);
+                const Z d(R(-step[u].real()), R(-step[u].imag()));
+                if (zero[u])
+                    q[u] += d, zero[u] = step[u] == 0.0;
+                else
+                    q[u] += d * q[u];
+            }
+            if (!(moved < most)) return false;
+        }
+        return false;
+    }
+
 private:
     static std::size_t at(int i) { return static_cast<std::size_t>(i); }
     /// r exp(-h).
@@ -189,6 +238,8 @@ private:
             if (e >= 100000) return false;
             exponent_[at(c.equation)] = std::max(exponent_[at(c.equation)], e);
         }
+        for (int& e : exponent_)
+            if (e == -100000) e = 0;  // all terms are 0
         if constexpr (double_double)
             for (const int e : exponent_)
                 if (e > 900 || e < -800) return false;
@@ -501,6 +552,10 @@ private:
         for (std::size_t u = 0; u < w.size(); ++u)
             away = away || (u < at(angles_) ? std::abs(w[u]) > 1e-6 : w[u] > 1e-6);
         if (!away) return false;
+        // far enough for the leading terms to lead
+        double farthest = 0;
+        for (const double x : w) farthest = std::max(farthest, std::abs(x));
+        if (s_ * farthest < 16) return false;
         // the leading terms grow alike, the others must fall behind
         for (std::size_t k = 0; k < size; ++k) {
             const auto i = at((*columns_)[k].equation);
@@ -592,6 +647,11 @@ EQUILIBRIA_INLINE PathLimit follow_to_limit(const RuntimeSizes& sizes, const std
                                             std::vector<std::complex<double>> z, double r, int digits, int most_steps) {
     if (digits > 31) return detail::LogarithmicPath<Multiprecision<64>>(sizes, columns).follow(z, r, most_steps);
     return detail::LogarithmicPath<DoubleDouble>(sizes, columns).follow(z, r, most_steps);
+}
+
+EQUILIBRIA_INLINE bool has_solution_near(const RuntimeSizes& sizes, const std::vector<LaurentColumn>& columns,
+                                         const std::vector<std::complex<double>>& z, double most) {
+    return detail::LogarithmicPath<DoubleDouble>(sizes, columns).vanishes_near(z, most);
 }
 
 EQUILIBRIA_INLINE std::string direction_in_words(const std::vector<double>& direction) {

@@ -1,0 +1,176 @@
+// Systems that a floating threshold misjudges, with what exact algebra says of them: numbers of roots, of real ones,
+// multiplicities, curves; and what is claimed of completeness.
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include <equilibria/enumerate/every_root.hpp>
+#include <equilibria/io/read_phcpack.hpp>
+#include <equilibria/system/sparse_system.hpp>
+
+#include "support/catch.hpp"
+
+using namespace equilibria;
+
+namespace {
+
+EveryRoot solved(const std::string& text, std::uint64_t seed = 1, std::optional<StartKind> asked = {}) {
+    const auto system = sparse_system(parse_phcpack(text));
+    return every_root(system, fewest_paths(start_bounds(system, {}, true), asked), {.seed = seed});
+}
+
+struct Truth {
+    const char* text;
+    std::uint64_t regular, real;      // isolated regular roots, and the real ones
+    std::vector<int> multiplicities;  // of the others, ascending
+    Completeness completeness;
+};
+
+}  // namespace
+
+TEST_CASE("every root of systems far from size 1, near to multiple roots, beside curves", "[every_root]") {
+    const std::vector<Truth> systems{
+        {"2\n5*x-1;\nx^9+y-20;\n", 1, 1, {}, Completeness::complete},
+        {"2\nx^2+x*y-200;\nx^7+y-200;\n", 8, 2, {}, Completeness::complete},
+        {"2\nx^2+x*y-200;\nx^12+y-200;\n", 13, 3, {}, Completeness::complete},
+        {"1\nx^2-1e12;\n", 2, 2, {}, Completeness::complete},
+        {"2\n-2*x^5*y+8*y^4;\n8*x^5*y-2*x^2*y^3+1;\n", 21, 1, {}, Completeness::complete},
+        {"1\n(x-1)^2-1e-10;\n", 2, 2, {}, Completeness::complete},
+        {"1\n(x-1)^3*(200*x-201);\n", 1, 1, {3}, Completeness::complete},
+        {"2\n(x+y-1)^2;\nx-3*y-1;\n", 0, 0, {2}, Completeness::complete},
+        {"1\ny^2+1e-18;\n", 2, 0, {}, Completeness::complete},
+        {"2\n-2*x^9-9*x^5*y^2+9*x^3*y^4;\n-2*x^8*y+5*x*y^4;\n", 10, 2, {}, Completeness::explained},
+        {"4\n-2*L*x+2*x*y^2*z^2;\n-2*L*y+2*x^2*y*z^2;\n-2*L*z+2*x^2*y^2*z;\nx^2+y^2+z^2-1;\n",
+         8,
+         8,
+         {},
+         Completeness::explained},
+        {"2\nx*y^8+1;\nx^6+x^3*y^6;\n", 30, 2, {}, Completeness::complete},
+        // two roots 5e-8 i beside the real points, two at infinity, at a double root of a face system
+        {"2\nx^2+4*x*y-2*x+4*y^2-4*y+1.0000000000000024;\n-2*x^2-8*x*y+3*x-8*y^2+7*y+2;\n",
+         2,
+         0,
+         {},
+         Completeness::explained},
+        // a triple root 2e-10 beside a simple one
+        {"2\nx^4+7.9999999998*x^3+23.9999999988*x^2+31.9999999976*x+15.9999999984;\n3*x^2-2*x+y+3;\n",
+         1,
+         1,
+         {3},
+         Completeness::complete},
+    };
+    for (const Truth& truth : systems)
+        for (const std::uint64_t seed : {1, 2, 3}) {
+            INFO(truth.text << "seed " << seed);
+            const EveryRoot y = solved(truth.text, seed);
+            CHECK(y.proof.distinct == truth.regular);
+            CHECK(y.proof.real == truth.real);
+            CHECK(y.proof.real + y.proof.non_real == truth.regular);
+            std::vector<int> multiplicities;
+            for (std::size_t k = 0; k < y.found.roots.size(); ++k)
+                if (y.found.roots[k].status == PathStatus::singular) {
+                    CHECK(y.confirmed[k]);
+                    multiplicities.push_back(y.found.roots[k].paths);
+                }
+            std::ranges::sort(multiplicities);
+            CHECK(multiplicities == truth.multiplicities);
+            CHECK(y.verdict.completeness == truth.completeness);
+            CHECK(y.verdict.missing_at_most == 0);
+            CHECK(y.found.paths.accounted_for());
+            CHECK_FALSE(y.verdict.sentence.empty());
+        }
+}
+
+TEST_CASE("roots come back in the units of the system", "[every_root]") {
+    const EveryRoot y = solved("2\n5*x-1;\nx^9+y-20;\n");
+    REQUIRE(y.found.roots.size() == 1);
+    CHECK(std::abs(y.found.roots[0].q[0] - 0.2) < 1e-15);
+    CHECK(std::abs(y.found.roots[0].q[1] - (20 - std::pow(0.2, 9))) < 1e-14);
+    CHECK(y.proof.certificates[0].radius < 1e-12);
+}
+
+TEST_CASE("curves beside isolated roots have their dimension and degree", "[every_root]") {
+    const EveryRoot circles =
+        solved("4\n-2*L*x+2*x*y^2*z^2;\n-2*L*y+2*x^2*y*z^2;\n-2*L*z+2*x^2*y^2*z;\nx^2+y^2+z^2-1;\n");
+    REQUIRE(circles.families.size() == 3);
+    for (const auto& family : circles.families) {
+        CHECK(family.dimension == 1);
+        CHECK(family.degree == 2);
+    }
+    // a parabola, and one root beside it
+    const EveryRoot y = solved("2\n(y-x^2)*(x-1);\n(y-x^2)*(y-3);\n");
+    CHECK(y.proof.distinct == 1);
+    REQUIRE(y.families.size() == 1);
+    CHECK(y.families[0].dimension == 1);
+    CHECK(y.families[0].degree == 2);
+}
+
+TEST_CASE("polynomials known for ill-conditioned roots are solved and proved", "[every_root]") {
+    const auto polynomial = [](const std::vector<double>& c) {
+        std::string text = "1\n";
+        for (std::size_t k = 0; k < c.size(); ++k) {
+            char term[64];
+            std::snprintf(term, sizeof term, "%+.17g*x^%zu", c[k], k);
+            if (c[k] != 0) text += k == 0 ? std::string(term).substr(0, std::string(term).find('*')) : term;
+        }
+        return text + ";\n";
+    };
+    // Wilkinson's: the product of x - k
+    std::vector<double> w{1};
+    for (int k = 1; k <= 15; ++k) {
+        std::vector<double> next(w.size() + 1);
+        for (std::size_t i = 0; i < w.size(); ++i) next[i + 1] += w[i], next[i] -= k * w[i];
+        w = next;
+    }
+    const EveryRoot wilkinson = solved(polynomial(w));
+    CHECK(wilkinson.proof.real == 15);
+    CHECK(wilkinson.verdict.completeness == Completeness::complete);
+    // Chebyshev's: 2 x T_k - T_(k-1)
+    std::vector<double> before{1}, t{0, 1};
+    for (int k = 2; k <= 20; ++k) {
+        std::vector<double> next(t.size() + 1);
+        for (std::size_t i = 0; i < t.size(); ++i) next[i + 1] += 2 * t[i];
+        for (std::size_t i = 0; i < before.size(); ++i) next[i] -= before[i];
+        before = t, t = next;
+    }
+    const EveryRoot chebyshev = solved(polynomial(t));
+    CHECK(chebyshev.proof.real == 20);
+    CHECK(chebyshev.verdict.completeness == Completeness::complete);
+    // Mignotte's: x^8 - 2 (100 x - 1)^2, two real roots 1e-10 apart
+    std::vector<double> m(9);
+    m[8] = 1, m[2] = -20000, m[1] = 400, m[0] = -2;
+    const EveryRoot mignotte = solved(polynomial(m));
+    CHECK(mignotte.proof.real == 4);
+    CHECK(mignotte.verdict.completeness == Completeness::complete);
+}
+
+TEST_CASE("units of unknowns and equations change neither counts nor claims", "[every_root]") {
+    const auto counts = [](const EveryRoot& y) {
+        return std::vector<std::uint64_t>{y.proof.distinct, y.proof.real, y.proof.non_real,
+                                          static_cast<std::uint64_t>(y.verdict.completeness)};
+    };
+    const char* text = "2\nx^3+2*x*y-7*y+1;\ny^2*x-3*x^2+5;\n";
+    const auto system = sparse_system(parse_phcpack(text));
+    const auto before = counts(solved(text));
+    for (const double a : {1e-9, 1e-4, 1e9})
+        for (const double b : {1e-7, 1e3}) {
+            std::vector<SparseTerm> terms = system.terms();
+            for (auto& t : terms)
+                t.coefficient *=
+                    std::pow(a, t.monomial.code(0)) * std::pow(b, t.monomial.code(1)) * (t.equation == 0 ? 1e8 : 1e-6);
+            const SparseSystem other(system.sizes(), std::move(terms));
+            CHECK(counts(every_root(other, fewest_paths(start_bounds(other, {}, true)))) == before);
+        }
+}
+
+TEST_CASE("the result does not depend on the number of threads", "[every_root]") {
+    const auto system = sparse_system(parse_phcpack("1\n(x-1)^3*(200*x-201);\n"));
+    const auto choice = fewest_paths(start_bounds(system, {}, true));
+    const EveryRoot one = every_root(system, choice), two = every_root(system, choice, {.executor = threads(2)});
+    REQUIRE(one.found.roots.size() == two.found.roots.size());
+    for (std::size_t k = 0; k < one.found.roots.size(); ++k) CHECK(one.found.roots[k].q[0] == two.found.roots[k].q[0]);
+    CHECK(one.verdict.sentence == two.verdict.sentence);
+}

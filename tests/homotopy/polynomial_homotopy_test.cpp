@@ -146,5 +146,5 @@ TEST_CASE("what is no square system is refused") {
     CHECK_THROWS_WITH(System(Polynomials{x}), "equations = 1: must be as many as there are unknowns");
     CHECK_THROWS_WITH(System(Polynomials{x, Polynomial()}), "equations = equation 2: must not be 0");
     CHECK_THROWS_WITH(System(Polynomials{x, Polynomial(std::numeric_limits<double>::infinity())}),
-                      "equations = equation 1: has a coefficient that is not finite");
+                      "equations = equation 2: has a coefficient that is not finite");
 }

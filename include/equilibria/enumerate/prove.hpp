@@ -40,7 +40,7 @@ struct ProveOptions {
 };
 
 /// A root that took more digits than a double has: where it is, rounded.
-struct RefinedRoot {
+struct MovedRoot {
     std::size_t root;                     ///< its number in the set
     std::vector<std::complex<double>> q;  ///< angles in radians, then coordinates
     double radius;                        ///< of its certificate, around q
@@ -60,7 +60,7 @@ struct ProofOfRoots {
     std::uint64_t more_digits = 0;       ///< roots that doubles were not enough for
     std::vector<std::int64_t> by_index;  ///< real roots by their proved index
     std::optional<ProvedBound> bound;    ///< of the number of isolated complex roots
-    std::vector<RefinedRoot> refined;    ///< roots that more digits have moved, by their number
+    std::vector<MovedRoot> moved;        ///< roots that more digits have moved, by their number
     bool complete = false;               ///< no root is missing: `distinct` is the bound
     std::string reason;                  ///< why, or why not, in words
     double seconds = 0;                  ///< of the whole proof

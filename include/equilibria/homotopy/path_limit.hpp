@@ -52,6 +52,7 @@ struct PathLimit {
     int steps = 0;                  ///< predictor-corrector steps, refused ones included
     int digits = 31;                ///< decimal digits of the arithmetic
     std::string reason;             ///< why the path is open
+    bool to_multiple_root = false;  ///< open, since near a multiple root at infinity far roots may be hidden
     /// Singular: the path on its way, at 1 - t = 1e-16 with 31 digits; at 1e-32, 1e-44 and 1e-56 with 64.
     std::vector<PathPoint> points;
 };

@@ -42,6 +42,7 @@ struct StartBounds {
     PathCount total_degree;      ///< number of Bezout
     PathCount multihomogeneous;  ///< of `grouping`
     std::vector<int> grouping;   ///< the group of each unknown
+    int highest_degree = 0;      ///< of an equation
     /// Of the supports that count solutions with coordinates 0 as well (affine_supports); nothing where it was not
     /// needed, or is 2^64 or more.
     std::optional<std::uint64_t> mixed_volume;

@@ -123,7 +123,7 @@ EQUILIBRIA_INLINE EveryEquilibrium equilibria_of(const SparseSystem& system, con
                         },
                         {.executor = run.executor, .ranks = run.ranks}, {});
     const double largest = std::ldexp(1.0, *std::ranges::max_element(units.unknown));
-    for (const RefinedRoot& refined : y.proof.refined) {
+    for (const MovedRoot& refined : y.proof.moved) {
         std::copy(refined.q.begin(), refined.q.end(), set.roots[refined.root].q.begin());
         y.proof.certificates[refined.root].radius = refined.radius;
     }

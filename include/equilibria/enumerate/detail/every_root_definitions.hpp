@@ -39,6 +39,7 @@ struct RootAttempt {
     std::vector<Family<RuntimeUnknowns>> families;
     std::vector<DivergingPaths> at_infinity;
     std::uint64_t unexplained = 0;  ///< paths
+    std::uint64_t hidden = 0;       ///< of those, paths to multiple roots at infinity: other starts have them, too
     std::string left;               ///< what they are, in words
     double tracking_seconds = 0;
 
@@ -55,7 +56,7 @@ struct RootAttempt {
 EQUILIBRIA_INLINE ProofOfRoots prove_and_refine(const SparseSystem& system, ComplexRoots<>& found,
                                                 const std::vector<ProvedBound>& bounds, const RunOptions& run) {
     auto proof = prove(system, found, bounds, {.executor = run.executor, .ranks = run.ranks});
-    for (const RefinedRoot& refined : proof.refined) {
+    for (const MovedRoot& refined : proof.moved) {
         auto& root = found.roots[refined.root];
         std::copy(refined.q.begin(), refined.q.end(), root.q.begin());
         proof.certificates[refined.root].radius = refined.radius;
@@ -153,12 +154,14 @@ private:
         const EndpointRecord end = paths.record(k);
         if (end.t > 0.5 && end.t < 1 && end.status != PathStatus::finite && end.status != PathStatus::singular) {
             auto y = follow_to_limit(sizes_, columns_, exponentials(root_of(paths.point(k), end, k).q), 1 - end.t, 31);
-            if (is_decided(y)) return y;
+            if (is_decided(y) || y.to_multiple_root) return y;
         }
         return follow_to_limit(sizes_, columns_, exponentials(instance_.roots()[k]), 1, 31);
     }
     /// The same with 64 digits: from where sums of two doubles left it, if that was near the end.
     PathLimit exact_limit(std::size_t k, const PathLimit& first, int most_steps) const {
+        // no digits come far enough to tell
+        if (first.to_multiple_root) return first;
         if (first.r < 1e-3) {
             auto y = follow_to_limit(sizes_, columns_, last_point(first), first.r, 64, most_steps);
             if (y.kind != LimitKind::open) return y;
@@ -192,7 +195,7 @@ private:
             if (!is_decided(limits[m]) && !on_curves[m]) doubtful.push_back(m);
         // some seconds' worth of steps for all of them, whatever the number of threads
         const std::size_t work = columns_.size() * static_cast<std::size_t>(sizes_.unknowns) * (doubtful.size() + 1);
-        const auto most_steps = static_cast<int>(std::clamp<std::size_t>(1'500'000 / work, 40, 1000));
+        const auto most_steps = static_cast<int>(std::clamp<std::size_t>(300'000 / work, 30, 300));
         run_.executor.for_blocks(doubtful.size(), 1, [&](std::size_t first, std::size_t last) {
             for (std::size_t k = first; k < last; ++k) {
                 const std::size_t m = doubtful[k];
@@ -209,6 +212,7 @@ private:
                 case LimitKind::singular: singular.push_back(m); break;
                 case LimitKind::at_infinity: add_infinite(limit); break;
                 case LimitKind::open:
+                    y_.hidden += limit.to_multiple_root;
                     ++reasons[limit.reason];
                     y_.found.failures.push_back({open[m], FailureReason::endgame_undecided, unknowns(limit.z)});
                     break;
@@ -465,6 +469,24 @@ EQUILIBRIA_INLINE RootsVerdict verdict_of(const RootAttempt& y, const std::vecto
 
 EQUILIBRIA_INLINE void undo(const UnitScaling& units, EveryRoot& y) {
     if (units.trivial()) return;
+    // roots that no double can hold in the system's own units
+    std::uint64_t too_large = 0;
+    for (std::size_t k = y.found.roots.size(); k-- > 0;) {
+        auto q = y.found.roots[k].q;
+        units.undo({q.begin(), q.end()});
+        if (std::ranges::all_of(q, [](const auto& z) { return std::isfinite(z.real()) && std::isfinite(z.imag()); }))
+            continue;
+        ++too_large;
+        const auto at = static_cast<std::ptrdiff_t>(k);
+        y.found.roots.erase(y.found.roots.begin() + at);
+        y.confirmed.erase(y.confirmed.begin() + at);
+        if (k < y.proof.certificates.size()) y.proof.certificates.erase(y.proof.certificates.begin() + at);
+    }
+    if (too_large > 0) {
+        y.proof.distinct -= std::min(y.proof.distinct, too_large);
+        y.verdict = {Completeness::open, too_large,
+                     std::to_string(too_large) + " roots are too large for double precision, and not shown"};
+    }
     const auto back = [&](auto& q) { units.undo({q.begin(), q.end()}); };
     for (auto& root : y.found.roots) back(root.q);
     for (auto& failed : y.found.failures) back(failed.q);
@@ -554,7 +576,7 @@ EQUILIBRIA_INLINE EveryRoot every_root(const SparseSystem& system, const StartCh
         best->start = choice;
     }
     for (int k = 0; k < options.seeds && may_explain && verdict.completeness == Completeness::open; ++k) {
-        if (*choice.bounds.mixed_volume == 0) break;
+        if (*choice.bounds.mixed_volume == 0 || (best && best->hidden > 0 && best->hidden == best->unexplained)) break;
         const RunOptions again = run.with_seed(run.seed + 0x9e3779b97f4a7c15 * static_cast<std::uint64_t>(k));
         auto attempt = detail::ExplainedPaths(in_units, bounds, again, options).run();
         attempt.start = {
@@ -583,9 +605,9 @@ EQUILIBRIA_INLINE EveryRoot every_root(const SparseSystem& system, const StartCh
     y.families = std::move(best->families);
     y.at_infinity = std::move(best->at_infinity);
     y.verdict = std::move(verdict);
+    detail::undo(units, y);
     y.proof.complete = y.verdict.completeness == Completeness::complete;
     y.proof.reason = y.verdict.sentence;
-    detail::undo(units, y);
     y.tracking_seconds = tracking;
     y.seconds = clock.seconds();
     return y;

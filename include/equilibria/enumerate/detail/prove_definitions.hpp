@@ -78,7 +78,7 @@ public:
         with_more_digits(hard);
         certify_images();
         tell_apart();
-        std::ranges::sort(proof_.refined, {}, &RefinedRoot::root);
+        std::ranges::sort(proof_.moved, {}, &MovedRoot::root);
         count();
         conclude();
         proof_.seconds = begin.seconds();
@@ -224,7 +224,7 @@ private:
     template <class S>
     void move_to(std::size_t k, const SizedArray<Complex<S>, at_run_time>& q) {
         Certificate& c = proof_.certificates[k];
-        RefinedRoot refined{k, {}, c.radius};
+        MovedRoot root{k, {}, c.radius};
         double moved = 0, rounding = 0;
         for (int u = 0; u < sizes_.unknowns; ++u) {
             const std::complex<double> given = set_.roots[k].q[static_cast<std::size_t>(u)];
@@ -232,12 +232,12 @@ private:
                                     c.reality == Reality::real ? 0.0 : static_cast<double>(q[u].im));
             rounding = std::max({rounding, std::abs(at.real()), std::abs(at.imag())});
             moved = std::max(moved, std::abs(at - given));
-            refined.q.push_back(at);
+            root.q.push_back(at);
         }
-        refined.radius = rounded_up(refined.radius + 2 * rounding_unit<double> * rounding);
-        c.radius = rounded_up(refined.radius + rounded_up(moved));
+        root.radius = rounded_up(root.radius + 2 * rounding_unit<double> * rounding);
+        c.radius = rounded_up(root.radius + rounded_up(moved));
         const detail::Lock lock(guard_);
-        proof_.refined.push_back(std::move(refined));
+        proof_.moved.push_back(std::move(root));
     }
     template <class S>
     void record_alone(std::size_t k, const KrawczykResult<S>& proof, bool real, int digits) {

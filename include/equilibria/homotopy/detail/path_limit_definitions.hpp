@@ -68,6 +68,8 @@ public:
     }();
     /// A correction that leaves the digits of a regular root: next to a multiple one corrections are halved at best.
     static constexpr double converged = double_double ? 1e-24 : 1e-44;
+    /// The logarithm of the size from which on it is believed to go to a multiple root at infinity.
+    static constexpr double multiple_size = 100;
     /// Where a path may be believed to go to infinity.
     static constexpr double far_r = double_double ? 1e-10 : 1e-25;
     /// A residual that is rounding, against the size of the terms.
@@ -98,6 +100,7 @@ public:
         r_ = R(r);
         y_ = PathLimit();
         before_.clear();
+        to_multiple_ = false;
         y_.digits = double_double ? 31 : 64;
         if (!correct(z_, r_, 0.1)) return open("Newton's method does not find the path");
         double h = r > 0.5 ? 0.02 : 0.2;
@@ -119,6 +122,7 @@ public:
                 if (++since_test >= 3 && s_ > 3) {
                     since_test = 0;
                     if (decided()) return finish();
+                    if (to_multiple_ && double_double) return open("");
                 }
             } else {
                 h = 0.4 * step;
@@ -192,7 +196,8 @@ private:
 
     PathLimit open(const char* why) {
         y_.kind = LimitKind::open;
-        y_.reason = why;
+        y_.to_multiple_root = to_multiple_;
+        y_.reason = to_multiple_ ? "leave for a multiple root at infinity, next to which far roots may be hidden" : why;
         return finish();
     }
     PathLimit finish() {
@@ -553,9 +558,7 @@ private:
             away = away || (u < at(angles_) ? std::abs(w[u]) > 1e-6 : w[u] > 1e-6);
         if (!away) return false;
         // far enough for the leading terms to lead
-        double farthest = 0;
-        for (const double x : w) farthest = std::max(farthest, std::abs(x));
-        if (s_ * farthest < 16) return false;
+        if (s_ * farthest(w) < 16) return false;
         // the leading terms grow alike, the others must fall behind
         for (std::size_t k = 0; k < size; ++k) {
             const auto i = at((*columns_)[k].equation);
@@ -563,6 +566,11 @@ private:
             if (!leads[k] && !(rate(k, w) < rate(first[i], w) - 1e-6)) return false;
         }
         return leading_terms_vanish(leads, w);
+    }
+    static double farthest(const std::vector<double>& w) {
+        double y = 0;
+        for (const double x : w) y = std::max(y, std::abs(x));
+        return y;
     }
     bool leading_terms_vanish(const std::vector<char>& leads, const std::vector<double>& w) {
         std::vector<Z> q = z_;
@@ -573,7 +581,7 @@ private:
             // the equations of the leading terms alone
             std::vector<double> behind(at(n_)), ahead(at(n_));
             std::vector<Z> face(at(n_), Z(0.0));
-            SingularValues::Vector j(at(n_ * n_)), right(at(n_));
+            SingularValues::Vector j(at(n_ * n_)), of_terms(at(n_ * n_)), right(at(n_));
             for (std::size_t k = 0; k < columns_->size(); ++k) {
                 const LaurentColumn& c = (*columns_)[k];
                 const auto i = at(c.equation);
@@ -593,6 +601,7 @@ private:
             for (std::size_t i = 0; i < at(n_); ++i) {
                 if (round == 0 && !(behind[i] < 0.3 * ahead[i])) return false;
                 residual = std::max(residual, std::abs(rounded(face[i])) / ahead[i]);
+                for (std::size_t u = 0; u < at(n_); ++u) of_terms[u * at(n_) + i] = j[u * at(n_) + i] / ahead[i];
                 // rows of one size: next to a multiple root they are small
                 double row = 0;
                 for (std::size_t u = 0; u < at(n_); ++u) row = std::max(row, std::abs(j[u * at(n_) + i]));
@@ -602,6 +611,17 @@ private:
             }
             if (round == 0 && !(residual < 0.3)) return false;
             if (residual < vanishing) {
+                // near a multiple root at infinity there may be roots that are merely far away: 1e16 and more out,
+                // where coefficients are rounded
+                if (s_ * farthest(w) < multiple_size) {
+                    const SingularValues regular(n_, n_, std::move(of_terms));
+                    int rank = 0;
+                    while (rank < n_ && regular[rank] > 1e-6) ++rank;
+                    if (rank < n_ - 1) {
+                        to_multiple_ = true;
+                        return false;
+                    }
+                }
                 y_.kind = LimitKind::at_infinity;
                 y_.direction = w;
                 y_.residual = residual;
@@ -636,6 +656,7 @@ private:
     std::vector<Z> terms_;
     std::vector<Z> z_;
     std::vector<double> before_;
+    bool to_multiple_ = false;
     double s_ = 0, contraction_ = 0;
     R r_{};
     PathLimit y_;

@@ -17,7 +17,7 @@ namespace grammar::phcpack {
 struct equation : seq<sum, blanks, must<one<';'>>> {};
 struct count : plus<digit> {};
 struct second_count : plus<digit> {};
-struct counts : seq<blanks, must<count>, opt<plus<blank>, second_count, at<star<blank>, eolf>>, blanks> {};
+struct counts : seq<blanks, must<count>, opt<plus<blank>, second_count, tao::pegtl::at<star<blank>, eolf>>, blanks> {};
 // clang-format on
 
 }  // namespace grammar::phcpack

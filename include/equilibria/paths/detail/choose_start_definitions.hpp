@@ -56,6 +56,7 @@ EQUILIBRIA_INLINE StartBounds start_bounds(const SparseSystem& system, const std
                                            bool all_bounds, const RunOptions& run) {
     StartBounds y;
     y.total_degree = y.multihomogeneous = total_degree_count(system);
+    y.highest_degree = *std::ranges::max_element(system.degrees());
     y.grouping.assign(system.degrees().size(), 0);
     const auto compare = [&](const PathCount& number, const std::vector<int>& grouping) {
         if (number < y.multihomogeneous) y.multihomogeneous = number, y.grouping = grouping;
@@ -99,7 +100,9 @@ EQUILIBRIA_INLINE StartChoice choose_start(StartBounds bounds, std::optional<Sta
 EQUILIBRIA_INLINE StartChoice fewest_paths(StartBounds bounds, std::optional<StartKind> asked) {
     constexpr double few = 2000;  // then cells cost little
     const double degrees = detail::least_cost_of_degrees(bounds);
-    if (!asked && bounds.mixed_volume && degrees <= few && static_cast<double>(*bounds.mixed_volume) < degrees &&
+    // of as many paths those in logarithms, where degrees are high
+    const double most = bounds.highest_degree > 30 ? degrees : degrees - 1;
+    if (!asked && bounds.mixed_volume && degrees <= few && static_cast<double>(*bounds.mixed_volume) <= most &&
         *bounds.mixed_volume > 0)
         return {StartKind::polyhedral, "the mixed volume is the smallest number of paths", std::move(bounds)};
     if (!asked && bounds.mixed_volume == 0 && !bounds.total_degree.saturated)

@@ -27,8 +27,7 @@ auto search_formula_model(const FormulaModel& formulas, const Search& search) {
         const RuntimeModelPolynomials<T> polynomials(model);
         const SearchedModel searched{&functions, &polynomials,
                                      [&](const RuntimeArray<double>& at, const RunOptions& how) {
-                                         const auto set = equilibria::enumerate(model, at, how);
-                                         return EquilibriaCount{set.real(), set.by_index(), set.clean()};
+                                         return count_of(equilibria::enumerate(model, at, how));
                                      }};
         return search(searched, model);
     });

@@ -71,6 +71,16 @@ public:
                (model_->reflection_symmetric() && same_unknowns(sizes, a.q, mirrored(sizes, b.q), 100 * tolerance));
     }
 
+    /// Where a parameter by which equations were divided is 0, one of them vanishes identically, as that of a massless
+    /// link does: all its solutions are degenerate, and none is an event.
+    bool is_family(double x, double y) const {
+        for (const auto& content : system_->entry().content)
+            for (std::size_t k = 0; k < 2; ++k)
+                if (content[k] > 0 && std::abs(k == 0 ? x : y) <= 1e-9 * (k == 0 ? window_.width() : window_.height()))
+                    return true;
+        return false;
+    }
+
     /// Every point solved for is on a curve, and every special point of a curve was solved for.
     void compare(Locus<RuntimeUnknowns>& locus) {
         if (!model_->has_potential()) return;
@@ -85,7 +95,7 @@ public:
 
 private:
     void add_seed(const LocusSeed& seed) {
-        if (!window_.contains(seed.at.x(), seed.at.y()) || is_family(seed.at)) return;
+        if (!window_.contains(seed.at.x(), seed.at.y()) || is_family(seed.at.x(), seed.at.y())) return;
         if (seed.fixed < 0 && is_continuum(seed.at)) return;
         for (const LocusSeed& other : seeds_)  // the mirror image
             if (other.at.kind == seed.at.kind && other.at.extremal == seed.at.extremal && other.fixed == seed.fixed &&
@@ -181,17 +191,6 @@ private:
             add_points(solver_.extremal_pitchforks(which, solved[Kind::extremal_pitchfork]), Kind::extremal_pitchfork,
                        parameter(which));
         add_points(solver_.degenerate_pitchforks(solved[Kind::tricritical_pitchfork]), Kind::tricritical_pitchfork);
-    }
-
-    /// Where a parameter by which equations were divided is 0, one of them vanishes identically, as that of a massless
-    /// link does: all its solutions are degenerate, and none is an event.
-    bool is_family(const RuntimeSingularity<>& at) const {
-        for (const auto& content : system_->entry().content)
-            for (std::size_t k = 0; k < 2; ++k)
-                if (content[k] > 0 &&
-                    std::abs(k == 0 ? at.x() : at.y()) <= 1e-9 * (k == 0 ? window_.width() : window_.height()))
-                    return true;
-        return false;
     }
 
     /// Whether the reduced potential vanishes to fourth order, by what it is elsewhere in the window: a curve of

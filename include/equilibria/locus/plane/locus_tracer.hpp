@@ -14,6 +14,7 @@
 #include <equilibria/continuation/curves/critical_curve.hpp>
 #include <equilibria/continuation/event_function.hpp>
 #include <equilibria/core/eigen_copies.hpp>
+#include <equilibria/locus/line/infinity_search.hpp>
 #include <equilibria/locus/plane/curve_copies.hpp>
 #include <equilibria/locus/plane/locus_options.hpp>
 #include <equilibria/locus/plane/locus_result.hpp>
@@ -47,6 +48,7 @@ public:
     Locus<RuntimeUnknowns> run() {
         const detail::Stopwatch begin;
         seeds_.solve(locus_.evidence);
+        look_for_infinity();
         for (Seed& seed : seeds_.all())
             if (!seed.traced) trace_from(seed);
         drop_copies();
@@ -166,7 +168,7 @@ private:
                 std::optional<BranchPoint<Curve>> cusp;
                 if (std::signbit(third.value(last)) != std::signbit(third.value(*next)))
                     cusp = zero_between(stepper, third, last, *next);
-                if (cusp && put_into_window(*cusp)) {
+                if (cusp && put_into_window(*cusp) && !(leaves && is_family(*cusp))) {
                     points.push_back(*cusp);
                     if (note_cusp(*cusp)) return CurveEnd::symmetric;
                     if (leaves && on_border(*cusp)) return CurveEnd::border;
@@ -193,6 +195,10 @@ private:
         return std::abs(start.q.p - seed.at.x()) < 1e-3 * w.width() &&
                std::abs(start.p - seed.at.y()) < 1e-3 * w.height() &&
                same_unknowns(model_.sizes(), runtime_array(start.q.q), seed.at.q, 1e-2);
+    }
+    template <class Point>
+    bool is_family(const Point& at) const {
+        return seeds_.is_family(at.q.p, at.p);
     }
     /// Moves a point that is outside by rounding to the border; false where it is further outside.
     template <class Point>
@@ -252,6 +258,40 @@ private:
         }
         clear(at.x(), locus_.window.width());
         clear(at.y(), locus_.window.height());
+    }
+
+    /// Lines of both directions on which equilibria come from infinity, or go there: no curve of that kind is traced,
+    /// but that there is one is said.
+    void look_for_infinity() {
+        const int coordinates = model_.sizes().coordinates, angles = model_.sizes().angles;
+        if (coordinates == 0) return;
+        const Window& w = locus_.window;
+        std::vector<double> sizes(static_cast<std::size_t>(coordinates), 0);
+        const auto at = [&](double x, double y) {
+            RuntimeArray<double> p = locus_.parameters;
+            p[x_number()] = x;
+            p[y_number()] = y;
+            return p;
+        };
+        for (const double part : {0.21, 0.79})
+            for (const auto& q : model_.count(at(w.x.low + part * w.width(), w.y.low + part * w.height()), run_).at)
+                for (std::size_t j = 0; j < sizes.size(); ++j)
+                    sizes[j] = std::max(sizes[j], std::abs(q[angles + static_cast<int>(j)]));
+        const double largest = *std::max_element(sizes.begin(), sizes.end());
+        for (double& size : sizes) size = size > 1e-6 * largest ? size : largest > 0 ? largest : 1;
+        for (const int axis : {0, 1}) {
+            const auto& lines = seeds_.lines(axis);
+            const Interval& moving = axis == 0 ? w.y : w.x;
+            for (std::size_t k = 0; k < lines.size(); k += std::max<std::size_t>(1, lines.size() / 6)) {
+                const double line = lines[k];
+                const auto found = search_infinity(model_, axis == 0 ? at(line, moving.low) : at(moving.low, line),
+                                                   axis == 0 ? y_number() : x_number(), moving, sizes, run_);
+                locus_.evidence.failed_paths += found.paths.failed;
+                for (const auto& event : found.events)
+                    locus_.evidence.add(LocusFaultKind::from_infinity,
+                                        axis == 0 ? PlanePoint{line, event.value} : PlanePoint{event.value, line});
+            }
+        }
     }
 
     /// The reduced third derivative along the null vector on the side of `before`.

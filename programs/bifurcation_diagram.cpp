@@ -89,9 +89,7 @@ void print(const Diagram& diagram) {
         std::printf("%-9s  omega %.12f  at %9.6f %9.6f\n",
                     e.kind == equilibria::CriticalKind::fold ? "fold" : "pitchfork", e.value, e.q[0], e.q[1]);
     std::printf("%zu branches between them\n", diagram.pieces.size());
-    if (diagram.failed_paths > 0)
-        std::printf("INCOMPLETE: %llu paths failed; events may be missing.\n",
-                    static_cast<unsigned long long>(diagram.failed_paths));
+    if (!diagram.complete()) std::printf("NOT COMPLETE: %s.\n", diagram.argument().c_str());
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 // equilibria events, equilibria diagram
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
 #include <numbers>
 #include <optional>
@@ -22,9 +23,33 @@ namespace {
 using Diagram = equilibria::BifurcationDiagram<equilibria::RuntimeUnknowns>;
 using Event = equilibria::LineEvent<equilibria::RuntimeUnknowns>;
 
+/// "2 come, 1 goes: +2 of index 0, -1 of index 1".
+std::string comings(const Event& e) {
+    std::ostringstream out;
+    const auto number = [&](std::uint64_t n, const char* one, const char* more) {
+        if (n > 0) out << (out.tellp() > 0 ? ", " : "") << n << ' ' << (n == 1 ? one : more);
+    };
+    number(e.at_infinity[1], "comes", "come");
+    number(e.at_infinity[0], "goes", "go");
+    const char* before = ": ";
+    for (std::size_t k = 0; k < e.change.size(); ++k)
+        if (e.change[k] != 0) {
+            out << before << (e.change[k] > 0 ? "+" : "") << e.change[k] << " of index " << k;
+            before = ", ";
+        }
+    return out.str();
+}
+
 void print(const Event& e) {
-    std::printf("%-18.14g  %-24s", e.value, std::string(equilibria::kind_name(e.kind)).c_str());
-    print_unknowns(e.q);
+    std::printf("%-18.14g  %-24s", e.value + 0.0, std::string(equilibria::kind_name(e.kind)).c_str());
+    if (e.kind == equilibria::CriticalKind::continuum)
+        std::printf("  an equation vanishes identically");
+    else if (e.kind == equilibria::CriticalKind::unexplained)
+        std::printf("  the equilibria change, and it is not known how");
+    else if (!e.has_equilibrium())
+        std::printf("  %s", comings(e).c_str());
+    else
+        print_unknowns(e.q);
     std::printf("\n");
 }
 
@@ -58,6 +83,7 @@ equilibria::GnuplotData plotted(const Input& input, const Varied& by, const Diag
         rows << "\n\n";
     }
     for (const Event& e : diagram.events) {
+        if (!e.has_equilibrium()) continue;
         std::ostringstream& rows = e.kind == equilibria::CriticalKind::fold ? folds : others;
         rows << e.value;
         for (int u = 0; u < e.q.size(); ++u)
@@ -99,8 +125,9 @@ int events(int argc, char** argv) {
             for (; next < found.events.size() && found.events[next].interval == k; ++next) print(found.events[next]);
             if (k == found.intervals.size()) break;
             const auto& gap = found.intervals[k];
-            std::printf("    %llu equilibria, by index %s%s\n", static_cast<unsigned long long>(gap.count),
-                        support::joined(gap.by_index).c_str(), gap.clean ? "" : ", NOT CLEAN");
+            std::printf("    %llu equilibria, by index %s%s%s\n", static_cast<unsigned long long>(gap.count),
+                        support::joined(gap.by_index).c_str(), gap.clean ? "" : ", NOT CLEAN",
+                        gap.confirmed ? "" : ", NOT CONFIRMED: another table elsewhere in the interval");
         }
         std::printf("\n%s: %s.\n%.3g s\n", found.complete() ? "All events" : "NOT COMPLETE", found.argument().c_str(),
                     found.seconds);
@@ -138,10 +165,15 @@ int diagram(int argc, char** argv) {
         print_names(input.model);
         std::printf("\n");
         for (const Event& e : found.events) print(e);
-        std::printf("%zu branches between them\n", found.pieces.size());
-        if (found.failed_paths > 0)
-            std::printf("INCOMPLETE: %llu paths failed; events may be missing.\n",
-                        static_cast<unsigned long long>(found.failed_paths));
+        for (const auto& piece : found.pieces)
+            for (const int end : {0, 1})
+                if (piece.ends[static_cast<std::size_t>(end)] == equilibria::PieceEnd::stopped) {
+                    const auto& last = end == 0 ? piece.points.front() : piece.points.back();
+                    std::printf("%-18.14g  %-24s", last.parameter, "NOT FOLLOWED FURTHER");
+                    print_unknowns(last.q);
+                    std::printf("\n");
+                }
+        std::printf("\n%s: %s.\n", found.complete() ? "All branches" : "NOT COMPLETE", found.argument().c_str());
     }
     return 0;
 }

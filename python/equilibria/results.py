@@ -212,6 +212,7 @@ class Event(Printed):
     slope: float  #: of folds v . dF/dp; else the derivative by p of the eigenvalue that vanishes, along the branch
     index: int  #: negative eigenvalues beside the one that vanishes
     change: Integers  #: of the numbers of equilibria of index 0 .. n as the parameter grows; or empty
+    at_infinity: Tuple[int, int]  #: equilibria that go to infinity as the parameter grows, and that come from there
 
     def _line(self) -> str:
         return f"{self.kind} at {number(self.value)}"
@@ -224,6 +225,8 @@ class Interval(Printed):
     low: float
     high: float
     at: float  #: where the equilibria were counted
+    also_at: float  #: where they were counted again
+    confirmed: bool  #: both have the same table
     count: int
     by_index: Integers
     clean: bool
@@ -291,6 +294,7 @@ class Piece(Printed):
     index: int  #: of its equilibria
     parameter: Reals  #: (points,), increasing
     q: Reals  #: (points, unknowns)
+    ends: Tuple[str, str]  #: why it has its first and its last point: range, event, infinity, stopped
 
     @property
     def stable(self) -> bool:
@@ -314,6 +318,8 @@ class Diagram(Printed):
     pieces: List[Piece]
     events: List[Event]
     failed_paths: int
+    complete: bool  #: nothing speaks against all branches being there, from end to end
+    argument: str  #: what speaks for it, or against it
 
     @staticmethod
     def _of(model: "Model", parameter: str, range: Tuple[float, float], found: Mapping[str, Any]) -> "Diagram":
@@ -324,6 +330,8 @@ class Diagram(Printed):
             pieces=[Piece(**piece) for piece in found["pieces"]],
             events=[Event(**e) for e in found["events"]],
             failed_paths=found["failed_paths"],
+            complete=found["complete"],
+            argument=found["argument"],
         )
 
     def plot(self, ax: Any = None, unknown: Union[int, str, Callable[[Reals], Reals]] = 0) -> Any:

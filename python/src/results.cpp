@@ -58,6 +58,7 @@ py::list events_of(const std::vector<LineEvent<RuntimeUnknowns>>& events) {
         y["slope"] = e.slope;
         y["index"] = e.index;
         y["change"] = array_of(e.change);
+        y["at_infinity"] = py::make_tuple(e.at_infinity[0], e.at_infinity[1]);
         all.append(std::move(y));
     }
     return all;
@@ -154,6 +155,8 @@ py::dict to_python(const LineEvents<RuntimeUnknowns>& found) {
         one["low"] = gap.low;
         one["high"] = gap.high;
         one["at"] = gap.at;
+        one["also_at"] = gap.also_at;
+        one["confirmed"] = gap.confirmed;
         one["count"] = gap.count;
         one["by_index"] = array_of(gap.by_index);
         one["clean"] = gap.clean;
@@ -176,6 +179,7 @@ py::dict to_python(const BifurcationDiagram<RuntimeUnknowns>& diagram, int unkno
     for (const auto& piece : diagram.pieces) {
         py::dict one;
         one["index"] = piece.index;
+        one["ends"] = py::make_tuple(to_string(piece.ends[0]), to_string(piece.ends[1]));
         one["parameter"] = column<double>(piece.points, [](const auto& at) { return at.parameter; });
         one["q"] = rows<double>(piece.points, static_cast<std::size_t>(unknowns),
                                 [](const auto& at) -> const auto& { return at.q; });
@@ -183,6 +187,8 @@ py::dict to_python(const BifurcationDiagram<RuntimeUnknowns>& diagram, int unkno
     }
     y["pieces"] = std::move(pieces);
     y["failed_paths"] = diagram.failed_paths;
+    y["complete"] = diagram.complete();
+    y["argument"] = diagram.argument();
     return y;
 }
 

@@ -39,7 +39,8 @@ LineEvents<M> two_intervals() {
     LineEvents<M> found;
     found.range = {0, 1};
     found.events = {an_event()};
-    found.intervals = {{{0, 1.0 / 3}, 0.1, 2, {1, 1, 0}, true}, {{1.0 / 3, 1}, 0.5, 4, {2, 1, 1}, false}};
+    found.intervals = {{{0, 1.0 / 3}, 0.1, 0.3, 2, {1, 1, 0}, true, true},
+                       {{1.0 / 3, 1}, 0.5, 0.9, 4, {2, 1, 1}, false, false}};
     found.paths.total = 5, found.paths.finite = 3, found.paths.at_infinity = 2;
     found.attempts = 2, found.unclean = 1;
     return found;
@@ -62,14 +63,15 @@ TEST_CASE("line events: an event and the tables beside it") {
     CHECK(e["after"].dump() == "[2,1,1]");
     for (const char* key : {"index", "interval", "residual", "fourth_derivative", "slope"}) CHECK(e[key].is_number());
     CHECK(again["intervals"][1].dump() ==
-          R"({"low":0.3333333333333333,"high":1.0,"at":0.5,"count":4,"by_index":[2,1,1],"clean":false})");
+          R"({"low":0.3333333333333333,"high":1.0,"at":0.5,"also_at":0.9,"count":4,"by_index":[2,1,1],"clean":false,)"
+          R"("confirmed":false})");
     CHECK(again["paths"]["total"] == 5);
     CHECK(again["paths"]["attempts"] == 2);
     CHECK(again["complete"] == false);
     CHECK(again["argument"] == two_intervals().argument());
-    for (const char* key :
-         {"low", "high", "complex_solutions", "regular_solutions", "pitchfork_paths", "other_singular", "unexplained",
-          "compared", "wrong_tables", "unclean", "solve_seconds", "seconds"})
+    for (const char* key : {"low", "high", "complex_solutions", "regular_solutions", "pitchfork_paths",
+                            "other_singular", "unexplained", "compared", "wrong_tables", "unclean", "unconfirmed",
+                            "bisected", "unnamed", "infinity_values", "solve_seconds", "seconds"})
         CHECK(again[key].is_number());
 }
 

@@ -49,6 +49,19 @@ TEST_CASE("Two crossing circles make four regions, two disjoint ones three, an a
     CHECK(PlaneDecomposition({{0, 1}, {0, 1}}, {circle(0.5, 0.5, 0.1), circle(0.5, 0.5, 0.3)}).regions() == 3);
 }
 
+TEST_CASE("A vertical line parts the regions on its two sides, as far as it goes") {
+    const Curve line{{0.4, 0}, {0.4, 0.3}, {0.4 + 1e-16, 0.7}, {0.4, 1}}, half{{0.4, 0}, {0.4, 0.5}};
+    const PlaneDecomposition whole({{0, 1}, {0, 1}}, {line});
+    REQUIRE(whole.regions() == 2);
+    const int left = whole.region_of(0.2, 0.5), right = whole.region_of(0.7, 0.5);
+    CHECK(left != right);
+    REQUIRE(whole.borders().size() == 1);
+    CHECK(whole.borders()[0] == RegionBorder{left, right, 0});
+    CHECK(PlaneDecomposition({{0, 1}, {0, 1}}, {half}).regions() == 1);
+    CHECK(PlaneDecomposition({{0, 1}, {0, 1}}, {line, {{0, 0.5}, {1, 0.5}}}).regions() == 4);
+    CHECK(PlaneDecomposition({{0, 1}, {0, 1}}, {line, circle(0.4, 0.5, 0.2)}).regions() == 4);
+}
+
 TEST_CASE("The sliver of a cusp is a region, joined to nothing at its tip") {
     Curve cusp;  // y^2 = (x - 0.3)^3, tip at (0.3, 0.5)
     for (int k = -200; k <= 200; ++k) {

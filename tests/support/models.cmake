@@ -37,6 +37,84 @@ run_for_json(sweep.json sweep ${pendulum} --grid alpha=0.2:0.8:3,omega=0.5:4:4)
 expect(12 done)
 expect(0 failed)
 
+# models on which lists and curves were not what they are said to be
+set(cases ${SCRATCH}.cases)
+file(MAKE_DIRECTORY ${cases})
+function(write_case name)
+    string(JOIN "," text ${ARGN})
+    file(WRITE ${cases}/${name}.json "{${text}}")
+endfunction()
+write_case(far [=["coordinates":["x"]]=] [=["parameters":{"a":1}]=] [=["potential":"a*x^4 - x^2"]=])
+run_for_json(events.json events ${cases}/far.json --vary a=-1:3)
+expect_length(1 events)
+expect("from infinity" events 0 kind)
+expect(2 events 0 from_infinity)
+expect(2 events 0 change_by_index 0)
+expect(ON complete)
+run_for_json(diagram.json diagram ${cases}/far.json --vary a=-1:3)
+expect_length(4 branches)
+expect(ON complete)
+write_case(saddle [=["coordinates":["x","y"]]=] [=["parameters":{"a":1}]=] [=["potential":"x*y + a*x"]=])
+run_for_json(diagram.json diagram ${cases}/saddle.json --vary a=-0.9:0.7)
+expect_length(1 branches)
+expect(range branches 0 ends 0)
+expect(range branches 0 ends 1)
+write_case(turn [=["angles":["t"]]=] [=["parameters":{"a":1}]=] [=["potential":"a*cos(t) + a^2*sin(2*t)"]=])
+run_for_json(diagram.json diagram ${cases}/turn.json --vary a=-0.3:0.3)
+expect_length(4 branches)
+expect(continuum events 0 kind)
+write_case(
+    hub
+    [=["angles":["a","b"]]=]
+    [=["parameters":{"omega":4,"e":0.2}]=]
+    [=["definitions":{"r1":"e + sin(a)","r2":"r1 + 0.7*sin(b)"}]=]
+    [=["potential":"-29.43*cos(a) - 13.734*cos(b) - omega^2*(r1^2 + 2*r2^2)/2"]=]
+)
+run_for_json(locus.json locus ${cases}/hub.json --x e=0:1 --y omega=0:8 --lines 4)
+expect_length(3 curves)
+expect_length(5 regions)
+expect(ON evidence complete)
+write_case(
+    linkage
+    [=["angles":["a","b","c"]]=]
+    [=["parameters":{"P":1,"w":0.02}]=]
+    [=["potential":"3 - cos(a) - cos(a - b) - cos(b - c) + P*(cos(a) + cos(b) + cos(c)) + w*sin(c)"]=]
+)
+run_for_json(locus.json locus ${cases}/linkage.json --x w=-1:1 --y P=0:4 --lines 4)
+expect_length(12 cusps)
+expect_length(7 curves)
+expect(ON evidence complete)
+write_case(
+    crane
+    [=["angles":["a","b","c"]]=]
+    [=["parameters":{"P":0.8,"w":0.1}]=]
+    [=["potential":"3 - cos(a) - cos(a - b) - cos(b - c) + P*(cos(a) + cos(b) + cos(c)) - w*(sin(a) + sin(b) + sin(c))"]=]
+)
+run_for_json(locus.json locus ${cases}/crane.json --x w=-1:1 --y P=0.05:3 --lines 4)
+expect_length(27 cusps)
+expect(ON evidence complete)
+foreach(k RANGE 26)
+    string(JSON w GET "${json}" cusps ${k} w)
+    string(JSON residual GET "${json}" cusps ${k} residual)
+    if(w GREATER 1 OR w LESS -1 OR residual GREATER 1e-9)
+        message(SEND_ERROR "a cusp at w = ${w} with the residual ${residual}")
+    endif()
+endforeach()
+run_for_json(locus.json locus ${models}/cusp_catastrophe.json --x a=-2:3 --y b=-2.5:2)
+expect_length(1 cusps)
+expect_length(2 regions)
+expect(ON evidence complete)
+run_for_json(locus.json locus ${models}/swallowtail_catastrophe.json --set c=-0.2 --x a=-2:1 --y b=-1:1)
+expect_length(2 cusps)
+expect(ON evidence complete)
+run_for_json(locus.json locus ${models}/elliptic_umbilic.json --x b=-2:2 --y c=-3:3)
+expect_length(2 cusps)
+expect(ON evidence complete)
+run_for_json(locus.json locus ${models}/hyperbolic_umbilic.json --set c=-0.3 --x a=-2:2 --y b=-2:1)
+expect_length(2 cusps)
+expect_length(4 regions)
+expect(ON evidence complete)
+
 function(expect_refusal line)
     execute_process(COMMAND ${PROGRAM} ${ARGN} RESULT_VARIABLE status OUTPUT_VARIABLE out ERROR_VARIABLE error)
     if(NOT status EQUAL 2 OR NOT out STREQUAL "" OR NOT error STREQUAL "${line}\n")
@@ -48,6 +126,13 @@ expect_refusal(
     "equilibria solve: ${SCRATCH}/wrong.json: potential, line 3, column 26 = a: no name a: must be one of t" solve
     ${SCRATCH}/wrong.json
 )
+write_case(tilted [=["angles":["t"]]=] [=["parameters":{"tilt":0.2}]=] [=["potential":"cos(t) + sin(tilt)*sin(t)"]=])
+expect_refusal(
+    "equilibria events: parameter = tilt: must enter the model's equations as a polynomial to be varied: give what it enters, such as sin(tilt), a parameter of its own"
+    events ${cases}/tilted.json --vary tilt=0:1
+)
+write_case(idle [=["angles":["a","b"]]=] [=["potential":"cos(a)"]=])
+expect_refusal("equilibria solve: unknown = b: must enter the potential, and not by a constant slope alone" solve ${cases}/idle.json)
 expect_refusal("equilibria solve: FILE: must be given: a model as JSON" solve)
 expect_refusal("equilibria: slove: must be solve, prove, events, diagram, locus, sweep, motion or export" slove)
 expect_refusal("equilibria: SUBCOMMAND: must be solve, prove, events, diagram, locus, sweep, motion or export")

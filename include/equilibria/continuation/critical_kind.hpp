@@ -14,11 +14,15 @@ enum class CriticalKind {
     cusp,           ///< a fold whose quadratic coefficient vanishes
     multiple,       ///< more than one null vector
     kinematic,      ///< dead point: the constraints lose rank, the null vector is one of multipliers alone
+    // of lines of parameters alone (locus/line/line_events.hpp):
+    from_infinity,  ///< equilibria come from infinity, or go there
+    continuum,      ///< an equation vanishes identically: there are curves or surfaces of equilibria
+    unexplained,    ///< the equilibria change, and it is not known how
 };
 /// In words, as the names above; isola_center is "isola centre".
 constexpr const char* to_string(CriticalKind kind) {
-    constexpr const char* names[] = {"fold",    "transcritical", "pitchfork", "isola centre",
-                                     "hilltop", "cusp",          "multiple",  "kinematic"};
+    constexpr const char* names[] = {"fold",     "transcritical", "pitchfork",     "isola centre", "hilltop",    "cusp",
+                                     "multiple", "kinematic",     "from infinity", "continuum",    "unexplained"};
     return names[static_cast<int>(kind)];
 }
 /// Whether other branches may leave there: all but folds and cusps.

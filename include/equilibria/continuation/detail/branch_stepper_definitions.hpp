@@ -154,6 +154,14 @@ std::optional<BranchPoint<Erased>> AnyBranchStepper<Matrix>::onto(const AnyConfi
     constraint.kind = StepConstraint::normal_plane;
     constraint.normal = normal;
     auto next = correct_from(from, increment, constraint, length(increment));
+    if constexpr (!BorderedSolver<Matrix>::sparse)
+        if (!next && !problem_.properties().symmetric) {
+            // the row of an unsymmetric K need not be that of the largest increment
+            Matrix k = problem_.linearization(problem_.retract(q, increment.q), p + increment.p).tangent;
+            if (!factor_at_weakest(solver_, std::move(k), weights_, problem_.multipliers(), border_, {}, 0))
+                return std::nullopt;
+            next = correct_from(from, increment, constraint, length(increment));
+        }
     if (next) next->proposed_step = std::clamp(length(increment), options_.smallest_step, options_.largest_step);
     return next;
 }

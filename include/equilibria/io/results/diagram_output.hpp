@@ -14,7 +14,8 @@
 
 namespace equilibria {
 
-/// "failed_paths", "events" (as of a line), "branches": each with its "index" and its "points", [parameter, q1, ..].
+/// "failed_paths", "unfollowed", "unplaced", "unmet", "argument", "complete", "events" (as of a line), "branches": each
+/// with its "index", its "points", [parameter, q1, ..], and its "ends".
 template <class M>
 Json json_of(const BifurcationDiagram<M>& diagram, const std::string& parameter, const Sizes<M>& sizes = {}) {
     Json events = Json::array(), branches = Json::array();
@@ -25,9 +26,14 @@ Json json_of(const BifurcationDiagram<M>& diagram, const std::string& parameter,
             points.push_back(json_list(p.q));
             points.back().insert(points.back().begin(), json_of(p.parameter));
         }
-        branches.push_back({{"index", piece.index}, {"points", std::move(points)}});
+        branches.push_back({{"index", piece.index},
+                            {"points", std::move(points)},
+                            {"ends", {to_string(piece.ends[0]), to_string(piece.ends[1])}}});
     }
-    return {{"failed_paths", diagram.failed_paths}, {"events", std::move(events)}, {"branches", std::move(branches)}};
+    return {{"failed_paths", diagram.failed_paths}, {"unfollowed", diagram.unfollowed},
+            {"unplaced", diagram.unplaced},         {"unmet", diagram.unmet},
+            {"argument", diagram.argument()},       {"complete", diagram.complete()},
+            {"events", std::move(events)},          {"branches", std::move(branches)}};
 }
 
 /// A line a point: branch (from 0), index, the parameter by its name, q1, .. (angles in radians, then coordinates).

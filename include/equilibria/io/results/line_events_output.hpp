@@ -24,8 +24,11 @@ Json json_of(const LineEvent<M>& e, const std::string& parameter, const Sizes<M>
     add_keys(out, {{"null_vector", json_list(e.v)},
                    {"index", e.index},
                    {"change_by_index", e.change},
+                   {"change_in_number", e.change_in_number ? Json(*e.change_in_number) : Json()},
                    {"interval", e.interval},
-                   {"residual", e.residual},
+                   {"to_infinity", e.at_infinity[0]},
+                   {"from_infinity", e.at_infinity[1]},
+                   {"residual", json_of(e.residual)},
                    {"correction", json_of(e.correction)},
                    {"third_derivative", json_of(e.reduced.third)},
                    {"fourth_derivative", json_of(e.reduced.fourth)},
@@ -33,10 +36,10 @@ Json json_of(const LineEvent<M>& e, const std::string& parameter, const Sizes<M>
     return out;
 }
 
-/// "low", "high", "at", "count", "by_index", "clean".
+/// "low", "high", "at", "also_at", "count", "by_index", "clean", "confirmed".
 inline Json json_of(const EventGap& i) {
-    return {{"low", i.low},     {"high", i.high},         {"at", i.at},
-            {"count", i.count}, {"by_index", i.by_index}, {"clean", i.clean}};
+    return {{"low", i.low},     {"high", i.high},         {"at", i.at},       {"also_at", i.also_at},
+            {"count", i.count}, {"by_index", i.by_index}, {"clean", i.clean}, {"confirmed", i.confirmed}};
 }
 
 namespace detail {
@@ -77,6 +80,11 @@ Json json_of(const LineEvents<M>& found, const std::string& parameter) {
             {"compared", found.compared},
             {"wrong_tables", found.wrong_tables},
             {"unclean", found.unclean},
+            {"unconfirmed", found.unconfirmed},
+            {"bisected", found.bisected},
+            {"unnamed", found.unnamed},
+            {"infinity_paths", json_of(found.infinity_paths)},
+            {"infinity_values", found.infinity_values},
             {"argument", found.argument()},
             {"complete", found.complete()},
             {"solve_seconds", found.solve_seconds},

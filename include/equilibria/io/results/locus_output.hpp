@@ -52,6 +52,15 @@ inline Json json_of(const LocusRegion& r) {
             {"polygons", std::move(polygons)}};
 }
 
+/// What speaks against the locus being complete: "kind" and "point", [x, y], each.
+inline Json faults_json(const LocusEvidence& e) {
+    Json faults = Json::array();
+    for (const auto& fault : e.faults)
+        faults.push_back(
+            {{"kind", to_string(fault.kind)}, {"point", {json_of(fault.point.x), json_of(fault.point.y)}}});
+    return faults;
+}
+
 /// What speaks for the locus being complete, each by its count.
 template <class M>
 Json evidence_json(const Locus<M>& locus) {
@@ -66,6 +75,8 @@ Json evidence_json(const Locus<M>& locus) {
             {"checked_points", e.checked_points},
             {"wrong_counts", e.wrong_counts},
             {"wrong_borders", e.wrong_borders},
+            {"from_infinity", e.from_infinity},
+            {"faults", faults_json(e)},
             {"complete", e.complete()},
             {"seconds", e.seconds}};
 }

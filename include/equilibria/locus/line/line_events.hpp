@@ -4,8 +4,11 @@
 ///
 /// Folds are the solutions of the critical system (critical_system.hpp), all complex ones, real ones kept and refined.
 /// Pitchforks of symmetric branches are singular solutions of it; they are roots of one polynomial a branch
-/// (symmetric_branches.hpp), which accounts for their paths. Other singular solutions are refined and named. Between
-/// each two events the equilibria are enumerated: the tables must differ exactly by what the events say.
+/// (symmetric_branches.hpp), which accounts for their paths. Other singular solutions are refined and named. What comes
+/// from infinity is solved for by itself (infinity_search.hpp). Between each two events the equilibria are enumerated
+/// at two points: their tables must be the same, and must differ from the next ones exactly by what the events say.
+/// Where the two points of an interval disagree an event was missed: it is found by bisection, and named where that can
+/// be.
 #pragma once
 
 #include <algorithm>
@@ -27,9 +30,11 @@ namespace equilibria {
 /// Parameter values between neighbouring events.
 struct EventGap : Interval {
     double at = 0;                       ///< where the equilibria were enumerated
+    double also_at = 0;                  ///< where they were enumerated again
     std::uint64_t count = 0;             ///< real equilibria there
     std::vector<std::int64_t> by_index;  ///< those of index 0, 1, .. n
-    bool clean = false;                  ///< nothing speaks against the enumeration (RootSet::clean)
+    bool clean = false;                  ///< nothing speaks against the enumerations (RootSet::clean)
+    bool confirmed = false;              ///< both have the same table
 };
 
 /// A search for events, whatever the model: its evidence.
@@ -37,7 +42,8 @@ struct EventSearch {
     RuntimeSizes sizes;               ///< of the model's unknowns
     Interval range;                   ///< of the active parameter
     std::vector<EventGap> intervals;  ///< one more than there are different values of events
-    bool has_potential = true;        ///< the model: without one tables are not compared with the events
+    bool has_potential =
+        true;  ///< the model: without one numbers of equilibria are compared with the events, not tables
 
     PathCounts paths;                     ///< of the critical system, in the last attempt
     std::string start;                    ///< the start system of these paths
@@ -49,12 +55,19 @@ struct EventSearch {
     std::uint64_t unexplained = 0;   ///< real singular solutions in the segment that Newton's method did not confirm
     std::uint64_t compared = 0;      ///< values of events at which the tables were compared
     std::uint64_t wrong_tables = 0;  ///< values at which the tables do not differ by what the events say
-    std::uint64_t unclean = 0;       ///< intervals whose enumeration is not clean
-    double solve_seconds = 0;        ///< for the critical system
-    double seconds = 0;              ///< for everything
+    std::uint64_t unclean = 0;       ///< intervals whose enumerations are not clean
+    std::uint64_t unconfirmed = 0;   ///< intervals whose two tables differ: an event in them is missing
+    std::uint64_t bisected = 0;      ///< events that no path ended at: found since two tables of an interval differed
+    std::uint64_t unnamed = 0;       ///< of those: not explained
+    PathCounts infinity_paths;       ///< to infinity; none of a model without coordinates
+    std::uint64_t infinity_values = 0;  ///< complex values of the parameter at which solutions come from there
+    double solve_seconds = 0;           ///< for the critical system
+    double seconds = 0;                 ///< for everything
 
     /// Whether nothing speaks against the list of events being complete.
-    bool complete() const { return paths.failed == 0 && unexplained == 0 && wrong_tables == 0 && unclean == 0; }
+    bool complete() const {
+        return paths.failed + infinity_paths.failed + unexplained + wrong_tables + unclean + unconfirmed + unnamed == 0;
+    }
     /// Why nothing is missing, or what speaks against it, in words; of so many events.
     std::string argument(std::size_t events) const;
 };
@@ -82,7 +95,9 @@ LineEvent<M> typed_event(const LineEvent<RuntimeUnknowns>& e) {
             e.slope,
             e.index,
             e.change,
-            e.interval};
+            e.change_in_number,
+            e.interval,
+            e.at_infinity};
 }
 
 }  // namespace detail

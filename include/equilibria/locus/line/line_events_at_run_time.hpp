@@ -18,8 +18,7 @@ LineEvents<RuntimeUnknowns> find_events(const T& model, const RuntimeArray<doubl
     const RuntimeModelFunctions<T> functions(model);
     const RuntimeModelPolynomials<T> polynomials(model);
     const SearchedModel searched{&functions, &polynomials, [&](const RuntimeArray<double>& at, const RunOptions& how) {
-                                     const auto set = enumerate(model, at, how);
-                                     return EquilibriaCount{set.real(), set.by_index(), set.clean()};
+                                     return count_of(enumerate(model, at, how));
                                  }};
     return find_events(searched, p, active, range, run);
 }

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <type_traits>
 #include <vector>
 
 #include <equilibria/core/sized_array.hpp>
@@ -17,10 +18,23 @@ namespace equilibria {
 
 /// How many equilibria an enumeration found.
 struct EquilibriaCount {
-    std::uint64_t real = 0;              ///< equilibria
-    std::vector<std::int64_t> by_index;  ///< those of index 0, 1, .. n
-    bool clean = false;                  ///< nothing speaks against it (RootSet::clean)
+    std::uint64_t real = 0;                  ///< equilibria
+    std::vector<std::int64_t> by_index;      ///< those of index 0, 1, .. n
+    bool clean = false;                      ///< nothing speaks against it (RootSet::clean)
+    std::vector<RuntimeArray<double>> at{};  ///< each, angles (radians), then coordinates
 };
+
+/// The count of a root set.
+template <class M>
+EquilibriaCount count_of(const RootSet<M>& set) {
+    EquilibriaCount y{set.real(), set.by_index(), set.clean(), {}};
+    for (const auto& e : set.equilibria)
+        if constexpr (std::is_same_v<M, RuntimeUnknowns>)
+            y.at.push_back(e.q);
+        else
+            y.at.push_back(runtime_array(e.q));
+    return y;
+}
 
 /// A model's functions, its polynomials and its enumeration.
 struct SearchedModel {
@@ -41,8 +55,7 @@ struct SearchedModel {
 template <Model M>
 SearchedModel searched_model() {
     return {&functions_of<M>(), &polynomials_of<M>(), [](const RuntimeArray<double>& p, const RunOptions& run) {
-                const auto set = enumerate<M>(parameters_from<M>(p), run);
-                return EquilibriaCount{set.real(), set.by_index(), set.clean()};
+                return count_of(enumerate<M>(parameters_from<M>(p), run));
             }};
 }
 

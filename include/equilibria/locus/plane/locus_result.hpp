@@ -38,6 +38,33 @@ struct LocusRegion {
     std::vector<std::vector<PlanePoint>> polygons;
 };
 
+/// What speaks against a locus being complete.
+enum class LocusFaultKind {
+    untraced_seed,      ///< a point solved for that no curve passes
+    unseeded_crossing,  ///< a crossing of a curve and a line that was not solved for
+    unsolved_point,     ///< a cusp or extremal point of a curve that was not solved for
+    broken_curve,       ///< the end of a curve that the step control gave up
+    wrong_count,        ///< an enumeration that differs from its region's
+    wrong_border,       ///< a region next to another one whose table no fold or pitchfork explains
+    from_infinity       ///< equilibria come from infinity, or go there: no curve of that kind is traced
+};
+/// In words.
+constexpr const char* to_string(LocusFaultKind kind) {
+    constexpr const char* names[] = {"a point on no curve",
+                                     "a crossing that was not solved for",
+                                     "a special point that was not solved for",
+                                     "a curve that breaks off",
+                                     "an enumeration that differs from its region",
+                                     "a border that nothing explains",
+                                     "equilibria that come from infinity"};
+    return names[static_cast<int>(kind)];
+}
+/// One of these, and where.
+struct LocusFault {
+    LocusFaultKind kind;  ///< what is wrong
+    PlanePoint point;     ///< where
+};
+
 /// The evidence of completeness.
 struct LocusEvidence {
     std::uint64_t lines = 0;           ///< solved for their folds
@@ -56,7 +83,12 @@ struct LocusEvidence {
     std::uint64_t broken_curves = 0;       ///< curves that the step control gave up
     std::uint64_t wrong_counts = 0;        ///< checked points whose count is not their region's
     std::uint64_t wrong_borders = 0;       ///< borders of regions whose tables by index do not fit
+    std::uint64_t from_infinity = 0;       ///< points of lines at which equilibria come from infinity
+    std::vector<LocusFault> faults;        ///< places of what is counted above, but for failed paths
     double seconds = 0;                    ///< of the whole search
+
+    /// Counts a fault, and keeps its place.
+    void add(LocusFaultKind kind, const PlanePoint& point);
 
     /// Of the lines and of all searches.
     std::uint64_t all_failed_paths() const {
@@ -67,7 +99,7 @@ struct LocusEvidence {
     /// Whether nothing speaks against the locus being complete.
     bool complete() const {
         return all_failed_paths() + untraced_seeds + unseeded_crossings + unsolved_points + broken_curves +
-                   wrong_counts + wrong_borders ==
+                   wrong_counts + wrong_borders + from_infinity ==
                0;
     }
 

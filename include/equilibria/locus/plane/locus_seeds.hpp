@@ -18,6 +18,7 @@
 #include <equilibria/locus/plane/plane_solver.hpp>
 #include <equilibria/model/torus.hpp>
 #include <equilibria/singularity/null_vector.hpp>
+#include <equilibria/singularity/reduced_coefficients.hpp>
 #include <equilibria/singularity/singularity.hpp>
 #include <equilibria/singularity/singularity_newton.hpp>
 #include <equilibria/system/symmetric_branches.hpp>
@@ -70,6 +71,16 @@ public:
                (model_->reflection_symmetric() && same_unknowns(sizes, a.q, mirrored(sizes, b.q), 100 * tolerance));
     }
 
+    /// Where a parameter by which equations were divided is 0, one of them vanishes identically, as that of a massless
+    /// link does: all its solutions are degenerate, and none is an event.
+    bool is_family(double x, double y) const {
+        for (const auto& content : system_->entry().content)
+            for (std::size_t k = 0; k < 2; ++k)
+                if (content[k] > 0 && std::abs(k == 0 ? x : y) <= 1e-9 * (k == 0 ? window_.width() : window_.height()))
+                    return true;
+        return false;
+    }
+
     /// Every point solved for is on a curve, and every special point of a curve was solved for.
     void compare(Locus<RuntimeUnknowns>& locus) {
         if (!model_->has_potential()) return;
@@ -78,13 +89,14 @@ public:
             for (LocusSeed& seed : seeds_)
                 if (seed.at.kind == at.kind && seed.at.extremal == at.extremal && same(seed.at, at))
                     known = seed.traced = true;
-            locus.evidence.unsolved_points += !known;
+            if (!known) locus.evidence.add(LocusFaultKind::unsolved_point, {at.x(), at.y()});
         }
     }
 
 private:
     void add_seed(const LocusSeed& seed) {
-        if (!window_.contains(seed.at.x(), seed.at.y()) || is_family(seed.at)) return;
+        if (!window_.contains(seed.at.x(), seed.at.y()) || is_family(seed.at.x(), seed.at.y())) return;
+        if (seed.fixed < 0 && is_continuum(seed.at)) return;
         for (const LocusSeed& other : seeds_)  // the mirror image
             if (other.at.kind == seed.at.kind && other.at.extremal == seed.at.extremal && other.fixed == seed.fixed &&
                 other.line == seed.line && same(other.at, seed.at))
@@ -181,15 +193,18 @@ private:
         add_points(solver_.degenerate_pitchforks(solved[Kind::tricritical_pitchfork]), Kind::tricritical_pitchfork);
     }
 
-    /// Where a parameter by which equations were divided is 0, one of them vanishes identically, as that of a massless
-    /// link does: all its solutions are degenerate, and none is an event.
-    bool is_family(const RuntimeSingularity<>& at) const {
-        for (const auto& content : system_->entry().content)
-            for (std::size_t k = 0; k < 2; ++k)
-                if (content[k] > 0 &&
-                    std::abs(k == 0 ? at.x() : at.y()) <= 1e-9 * (k == 0 ? window_.width() : window_.height()))
-                    return true;
-        return false;
+    /// Whether the reduced potential vanishes to fourth order, by what it is elsewhere in the window: a curve of
+    /// equilibria at one point of the plane. No curve of the locus is traced from it.
+    bool is_continuum(const RuntimeSingularity<>& at) const {
+        double size = 0;
+        for (const double part : {0.21, 0.74}) {
+            RuntimeArray<double> p = at.p;
+            p[system_->active()[0]] = window_.x.low + part * window_.width();
+            p[system_->active()[1]] = window_.y.low + (1 - 0.6 * part) * window_.height();
+            size = std::max(size, eigen_matrix(jacobian(*model_->functions, at.q, p)).cwiseAbs().maxCoeff());
+        }
+        const auto reduced = reduced_coefficients(*model_->functions, at.q, at.v, at.p);
+        return std::abs(reduced.third) < 1e-9 * size && !(std::abs(reduced.fourth) > 1e-9 * size);
     }
 
     const SearchedModel* model_;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <numbers>
 #include <optional>
 #include <span>
 #include <vector>
@@ -13,6 +14,8 @@
 #include <equilibria/continuation/curves/critical_curve.hpp>
 #include <equilibria/continuation/event_function.hpp>
 #include <equilibria/core/eigen_copies.hpp>
+#include <equilibria/locus/line/infinity_search.hpp>
+#include <equilibria/locus/plane/curve_copies.hpp>
 #include <equilibria/locus/plane/locus_options.hpp>
 #include <equilibria/locus/plane/locus_result.hpp>
 #include <equilibria/locus/plane/locus_seeds.hpp>
@@ -45,10 +48,14 @@ public:
     Locus<RuntimeUnknowns> run() {
         const detail::Stopwatch begin;
         seeds_.solve(locus_.evidence);
+        look_for_infinity();
         for (Seed& seed : seeds_.all())
             if (!seed.traced) trace_from(seed);
+        drop_copies();
         seeds_.compare(locus_);
-        for (const Seed& seed : seeds_.all()) locus_.evidence.untraced_seeds += !seed.traced;
+        for (const Seed& seed : seeds_.all())
+            if (!seed.traced) locus_.evidence.add(LocusFaultKind::untraced_seed, {seed.at.x(), seed.at.y()});
+        for (auto& at : locus_.points) tidy(at);
         count_regions(locus_, model_, system_.active(), options_.checks, run_);
         locus_.evidence.seconds = begin.seconds();
         return std::move(locus_);
@@ -93,10 +100,10 @@ private:
         branch.parameter_weight = 1 / locus_.window.height();
         BranchStepper<Curve> stepper(system, branch);
         auto start = stepper.start(at, seed.at.y(), 1);
-        if (!start) {
+        if (!start || !is_next_to(*start, seed)) {
             // where y turns back Newton's method at a fixed y fails, and the seed is exact
             start = stepper.assess(at, seed.at.y(), std::nullopt);
-            if (!start) return;
+            if (!start || !is_next_to(*start, seed)) return;
             start->proposed_step = branch.first_step;
         }
         LocusCurve<RuntimeUnknowns> curve{seed.curve(), {}, {CurveEnd::step, CurveEnd::step}};
@@ -115,10 +122,24 @@ private:
                 whole.insert(whole.end(), half.begin() + 1, half.end());
             }
         }
-        for (const CurveEnd end : curve.ends)
-            locus_.evidence.broken_curves += end == CurveEnd::step || end == CurveEnd::length;
         for (const auto& point : whole) curve.points.push_back(point_of(point.q, point.p, curve.kind));
-        if (curve.points.size() < 2) return;
+        const double extent = extent_of(curve);
+        if (extent < 1e-9) {  // a continuum of equilibria at one point of the plane, or a point of the border
+            for (Seed& other : seeds_.all())
+                other.traced = other.traced || (std::abs(other.at.x() - seed.at.x()) < 1e-9 * locus_.window.width() &&
+                                                std::abs(other.at.y() - seed.at.y()) < 1e-9 * locus_.window.height());
+            return;
+        }
+        if (extent < 1e-4 && curve.ends[0] != CurveEnd::closed && on_border(*start)) {
+            claim_near(stepper, whole, curve.kind);  // it touches the window with a cusp
+            return;
+        }
+        if (is_copy(model_.sizes(), locus_.window, model_.reflection_symmetric(), curve, locus_.curves)) {
+            // its seed was not recognised on the curve that it is on
+            claim_seeds(stepper, whole, curve.kind);
+            claim_near(stepper, whole, curve.kind);
+            return;
+        }
         // events are sought between points: not at the first one
         if (seed.at.extremal >= 0) locus_.points.push_back(seed.at);
         if constexpr (std::is_same_v<Curve, Folds>)
@@ -139,10 +160,7 @@ private:
         while (static_cast<int>(points.size()) < options_.most_points) {
             auto next = stepper.advance(last);
             if (!next) return CurveEnd::step;
-            if (!locus_.window.contains(next->q.p, next->p)) {
-                points.push_back(at_border(stepper, last, *next));
-                return CurveEnd::border;
-            }
+            const bool leaves = !locus_.window.contains(next->q.p, next->p);
             if constexpr (folds) {
                 const RuntimeArray<double> v = point_of(last.q, last.p, SingularityKind::fold).v;
                 const EventFunction<Curve> third{"third derivative",
@@ -150,10 +168,15 @@ private:
                 std::optional<BranchPoint<Curve>> cusp;
                 if (std::signbit(third.value(last)) != std::signbit(third.value(*next)))
                     cusp = zero_between(stepper, third, last, *next);
-                if (cusp) {
+                if (cusp && put_into_window(*cusp) && !(leaves && is_family(*cusp))) {
                     points.push_back(*cusp);
                     if (note_cusp(*cusp)) return CurveEnd::symmetric;
+                    if (leaves && on_border(*cusp)) return CurveEnd::border;
                 }
+            }
+            if (leaves) {
+                points.push_back(at_border(stepper, points.back(), *next));
+                return CurveEnd::border;
             }
             if (points.size() > 2 && closes(stepper, first, last, *next)) {
                 points.push_back(first);
@@ -163,6 +186,112 @@ private:
             last = std::move(*next);
         }
         return CurveEnd::length;
+    }
+
+    /// Whether the first point of a curve is the seed, and not one that Newton's method went to from there.
+    template <class Point>
+    bool is_next_to(const Point& start, const Seed& seed) const {
+        const Window& w = locus_.window;
+        return std::abs(start.q.p - seed.at.x()) < 1e-3 * w.width() &&
+               std::abs(start.p - seed.at.y()) < 1e-3 * w.height() &&
+               same_unknowns(model_.sizes(), runtime_array(start.q.q), seed.at.q, 1e-2);
+    }
+    template <class Point>
+    bool is_family(const Point& at) const {
+        return seeds_.is_family(at.q.p, at.p);
+    }
+    /// Moves a point that is outside by rounding to the border; false where it is further outside.
+    template <class Point>
+    bool put_into_window(Point& at) const {
+        const Window& w = locus_.window;
+        const double x = std::clamp(at.q.p, w.x.low, w.x.high), y = std::clamp(at.p, w.y.low, w.y.high);
+        if (std::abs(x - at.q.p) > 1e-10 * w.width() || std::abs(y - at.p) > 1e-10 * w.height()) return false;
+        at.q.p = x;
+        at.p = y;
+        return true;
+    }
+    template <class Point>
+    bool on_border(const Point& at) const {
+        const Window& w = locus_.window;
+        const auto near = [](double value, const Interval& range) {
+            return std::min(value - range.low, range.high - value) < 1e-9 * range.width();
+        };
+        return near(at.q.p, w.x) || near(at.p, w.y);
+    }
+    /// How far a curve goes from its first point, in parts of the window.
+    double extent_of(const LocusCurve<RuntimeUnknowns>& curve) const {
+        double y = 0;
+        for (const auto& at : curve.points)
+            y = std::max({y, std::abs(at.x() - curve.points.front().x()) / locus_.window.width(),
+                          std::abs(at.y() - curve.points.front().y()) / locus_.window.height()});
+        return y;
+    }
+    /// Curves that are part of another one, as one that broke off and was traced again from elsewhere.
+    void drop_copies() {
+        auto& curves = locus_.curves;
+        for (std::size_t k = 0; k < curves.size();) {
+            const LocusCurve<RuntimeUnknowns> curve = curves[k];
+            auto others = curves;
+            others.erase(others.begin() + static_cast<std::ptrdiff_t>(k));
+            if (is_copy(model_.sizes(), locus_.window, model_.reflection_symmetric(), curve, others))
+                curves = std::move(others);
+            else
+                ++k;
+        }
+        for (const auto& curve : curves)
+            for (const int side : {0, 1}) {
+                const CurveEnd end = curve.ends[static_cast<std::size_t>(side)];
+                const auto& at = side == 0 ? curve.points.front() : curve.points.back();
+                if (end == CurveEnd::step || end == CurveEnd::length)
+                    locus_.evidence.add(LocusFaultKind::broken_curve, {at.x(), at.y()});
+            }
+    }
+    /// Angles in (-pi, pi], and 0 for what is rounding of 0.
+    void tidy(RuntimeSingularity<>& at) const {
+        const auto clear = [](double& value, double size) {
+            if (std::abs(value) < 1e-13 * size) value = 0;
+        };
+        at.q = wrapped(model_.sizes(), at.q);
+        for (int i = 0; i < at.q.size(); ++i) {
+            clear(at.q[i], 1);
+            if (i < model_.sizes().angles && at.q[i] < -std::numbers::pi + 1e-13) at.q[i] = std::numbers::pi;
+        }
+        clear(at.x(), locus_.window.width());
+        clear(at.y(), locus_.window.height());
+    }
+
+    /// Lines of both directions on which equilibria come from infinity, or go there: no curve of that kind is traced,
+    /// but that there is one is said.
+    void look_for_infinity() {
+        const int coordinates = model_.sizes().coordinates, angles = model_.sizes().angles;
+        if (coordinates == 0) return;
+        const Window& w = locus_.window;
+        std::vector<double> sizes(static_cast<std::size_t>(coordinates), 0);
+        const auto at = [&](double x, double y) {
+            RuntimeArray<double> p = locus_.parameters;
+            p[x_number()] = x;
+            p[y_number()] = y;
+            return p;
+        };
+        for (const double part : {0.21, 0.79})
+            for (const auto& q : model_.count(at(w.x.low + part * w.width(), w.y.low + part * w.height()), run_).at)
+                for (std::size_t j = 0; j < sizes.size(); ++j)
+                    sizes[j] = std::max(sizes[j], std::abs(q[angles + static_cast<int>(j)]));
+        const double largest = *std::max_element(sizes.begin(), sizes.end());
+        for (double& size : sizes) size = size > 1e-6 * largest ? size : largest > 0 ? largest : 1;
+        for (const int axis : {0, 1}) {
+            const auto& lines = seeds_.lines(axis);
+            const Interval& moving = axis == 0 ? w.y : w.x;
+            for (std::size_t k = 0; k < lines.size(); k += std::max<std::size_t>(1, lines.size() / 6)) {
+                const double line = lines[k];
+                const auto found = search_infinity(model_, axis == 0 ? at(line, moving.low) : at(moving.low, line),
+                                                   axis == 0 ? y_number() : x_number(), moving, sizes, run_);
+                locus_.evidence.failed_paths += found.paths.failed;
+                for (const auto& event : found.events)
+                    locus_.evidence.add(LocusFaultKind::from_infinity,
+                                        axis == 0 ? PlanePoint{line, event.value} : PlanePoint{event.value, line});
+            }
+        }
     }
 
     /// The reduced third derivative along the null vector on the side of `before`.
@@ -268,6 +397,9 @@ private:
             at.derivatives[0] = reduced.third;
             at.derivatives[1] = reduced.fourth;
             at.residual = std::max({cusp.residual, jv.cwiseAbs().maxCoeff(), std::abs(reduced.third)});
+            // a jump of the third derivative, on a step to another curve, is no cusp
+            const Eigen::MatrixXd j = eigen_matrix(jacobian(functions_, at.q, at.p));
+            if (!(at.residual < 1e-6 * std::max(1.0, j.cwiseAbs().maxCoeff()))) return false;
         }
         note(at);
         return symmetric;
@@ -294,7 +426,12 @@ private:
         };
         for (std::size_t i = 0; i + 1 < curve.size(); ++i) {
             const auto &a = curve[i], &b = curve[i + 1];
-            const bool turns[] = {a.tangent.q(0) * b.tangent.q(0) < 0, a.tangent.p * b.tangent.p < 0};
+            // along a line parallel to an axis the other parameter has rounding for a slope
+            const auto turn = [](double from, double to, double size) {
+                return from * to < 0 && std::max(std::abs(from), std::abs(to)) > 1e-9 * size;
+            };
+            const bool turns[] = {turn(a.tangent.q(0), b.tangent.q(0), locus_.window.width()),
+                                  turn(a.tangent.p, b.tangent.p, locus_.window.height())};
             if (turns[0] == turns[1] || is_cusp(a) || is_cusp(b)) continue;
             const auto point = zero_between(stepper, slopes[turns[0] ? 0 : 1], a, b);
             if (!point || !locus_.window.contains(point->q.p, point->p)) continue;
@@ -366,7 +503,7 @@ private:
                         if (seed.curve() == kind && seed.fixed == (axis == 0 ? x_number() : y_number()) &&
                             seed.line == line && seeds_.same(seed.at, at))
                             known = seed.traced = true;
-                    locus_.evidence.unseeded_crossings += !known;
+                    if (!known) locus_.evidence.add(LocusFaultKind::unseeded_crossing, {at.x(), at.y()});
                 }
             }
         }

@@ -47,7 +47,8 @@ public:
         const RuntimeArray<double> values = at(x);
         Vector y = divided(parameter_derivatives(*model_, array(q), values, parameter(axis)).first, x);
         const Vector g = residual(q, x);
-        for (int i = 0; i < y.size(); ++i) y(i) -= exponent(i, axis) / values[parameter(axis)] * g(i);
+        for (int i = 0; i < y.size(); ++i)
+            if (exponent(i, axis) != 0) y(i) -= exponent(i, axis) / values[parameter(axis)] * g(i);
         return y;
     }
     /// (dK/dx) v (axis 0) or (dK/dy) v (axis 1).
@@ -56,7 +57,8 @@ public:
         const Vector y = eigen_matrix(parameter_derivatives(*model_, array(q), values, parameter(axis)).second) * v;
         Vector z = y.cwiseQuotient(scales(x));
         const Vector kv = tangent(q, x) * v;
-        for (int i = 0; i < z.size(); ++i) z(i) -= exponent(i, axis) / values[parameter(axis)] * kv(i);
+        for (int i = 0; i < z.size(); ++i)
+            if (exponent(i, axis) != 0) z(i) -= exponent(i, axis) / values[parameter(axis)] * kv(i);
         return z;
     }
 

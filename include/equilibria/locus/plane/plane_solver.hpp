@@ -12,9 +12,9 @@
 #include <optional>
 #include <vector>
 
+#include <equilibria/locus/line/infinity_search.hpp>
 #include <equilibria/locus/line/searched_model.hpp>
 #include <equilibria/model/torus.hpp>
-#include <equilibria/paths/choose_start.hpp>
 #include <equilibria/paths/complex_roots.hpp>
 #include <equilibria/paths/solution_counts.hpp>
 #include <equilibria/singularity/null_vector.hpp>
@@ -60,6 +60,7 @@ public:
         /// `failed` is increased by the paths that failed. thorough: a line that leaves paths undecided is solved from
         /// its own start system.
         Points folds(double value, std::uint64_t& failed, bool thorough = true) const {
+            if (roots_.empty()) return {};
             Numbers there = numbers_;
             there.slice[2] = -solver_->unknown(fixed_, value);
             const auto from = solver_->system_->system(numbers_), to = solver_->system_->system(there);
@@ -138,8 +139,8 @@ private:
         return numbers;
     }
     Roots solve_line(const Numbers& numbers, std::uint64_t seed, std::uint64_t attempts) const {
-        return solve_least_cost(system_->system(numbers), system_->grouping(), run_.with_seed(seed), {},
-                                resort(attempts));
+        return detail::solve_equations(system_->equations(numbers), system_->sizes(), system_->grouping(),
+                                       run_.with_seed(seed), resort(attempts));
     }
     MoreDigits<> resort(std::uint64_t attempts) const {
         // another start takes seconds, and decides most paths that one leaves; hundreds of paths with more digits,
@@ -213,8 +214,8 @@ private:
         attempt(counts, [&](std::uint64_t seed, Generator& generator, std::uint64_t attempts) {
             Numbers numbers = system_->numbers(p_, scales(), generator);
             weigh(numbers);
-            auto set = solve_least_cost(system_->system(numbers), system_->grouping(), run_.with_seed(seed), {},
-                                        resort(attempts));
+            auto set = detail::solve_equations(system_->equations(numbers), system_->sizes(), system_->grouping(),
+                                               run_.with_seed(seed), resort(attempts));
             for (const auto& root : set.roots)
                 if (const auto near = real_point(root))
                     keep(points, *near, refine_singularity(*model_->functions, kind, active, near->q, near->p));
@@ -230,7 +231,8 @@ private:
             attempt(counts, [&](std::uint64_t seed, Generator& generator, std::uint64_t) {
                 auto numbers = system.numbers(p_, scales(), branch, generator);
                 weigh(numbers);
-                auto set = solve_least_cost(system.system(numbers), system.grouping(), run_.with_seed(seed));
+                auto set = detail::solve_equations(system.equations(numbers), system.sizes(), system.grouping(),
+                                                   run_.with_seed(seed));
                 for (const auto& root : set.roots) {
                     auto found = singularity_at<double>(SingularityKind::pitchfork, system_->active(), branch, p_);
                     if (!real_parameters(&root.q[system.first_active()], 1e-6, found)) continue;

@@ -102,7 +102,7 @@ inline void count_regions(Locus<RuntimeUnknowns>& locus, const SearchedModel& mo
         ++locus.evidence.checked_points;
         if (found.real != region.count || found.by_index != region.by_index) {
             region.confirmed = false;
-            ++locus.evidence.wrong_counts;
+            locus.evidence.add(LocusFaultKind::wrong_count, {x, y});
         }
     };
     for (const auto& cell : plane.cells())
@@ -123,7 +123,9 @@ inline void count_regions(Locus<RuntimeUnknowns>& locus, const SearchedModel& mo
         locus.borders.push_back({below, above, border.curve});
         const auto &a = locus.regions[static_cast<std::size_t>(border.below)].by_index,
                    &b = locus.regions[static_cast<std::size_t>(border.above)].by_index;
-        locus.evidence.wrong_borders += !differ_by_pairs(a, b);
+        if (!differ_by_pairs(a, b))
+            locus.evidence.add(LocusFaultKind::wrong_border,
+                               locus.regions[static_cast<std::size_t>(border.below)].point);
     }
     std::erase_if(locus.regions, [&](const LocusRegion& region) { return !is_region(region); });
 }

@@ -2,7 +2,8 @@
 /// The regions into which curves cut a window of the plane: a vertical decomposition. Curves are split into pieces that
 /// are monotone in x; between neighbouring critical abscissae (ends and vertical tangents of pieces, crossings) the
 /// pieces are ordered and bound cells; cells that share a vertical segment belong to one region. No raster: a sliver
-/// beside a cusp is found however thin it is, down to the resolution of the curves' points.
+/// beside a cusp is found however thin it is, down to the resolution of the curves' points. A vertical line bounds no
+/// cell from below or above; it parts the cells on its two sides.
 #pragma once
 
 #include <algorithm>
@@ -35,7 +36,7 @@ public:
     /// curves: polygonal lines, each by its points in order.
     PlaneDecomposition(const Window& window, const std::vector<std::vector<PlanePoint>>& curves) : window_(window) {
         for (std::size_t k = 0; k < curves.size(); ++k) {
-            split(curves[k]);
+            split(curves[k], k);
             curve_of_.resize(pieces_.size(), k);
         }
         find_abscissae();
@@ -86,12 +87,18 @@ private:
         int lower, upper;  // pieces; -1 the window's bottom, -2 its top
         int cell;
     };
+    struct Wall {  // a vertical step of a curve
+        double x, low, high;
+        std::size_t curve;
+    };
     struct Slab {
         double low, high;
         std::vector<Bounds> cells;
     };
 
-    void split(const std::vector<PlanePoint>& curve) {
+    double same_x() const { return 1e-9 * window_.width(); }
+
+    void split(const std::vector<PlanePoint>& curve, std::size_t number) {
         Piece piece;
         int direction = 0;
         const auto flush = [&] {
@@ -102,8 +109,16 @@ private:
         };
         for (const PlanePoint& p : curve) {
             if (!piece.empty()) {
-                const int now = p.x > piece.back().x ? 1 : p.x < piece.back().x ? -1 : 0;
-                if (now == 0) continue;  // a vertical step bounds no cell
+                const PlanePoint from = piece.back();
+                if (std::abs(p.x - from.x) <= same_x() && std::abs(p.y - from.y) > 1e-6 * window_.height()) {
+                    flush();
+                    walls_.push_back({from.x, std::min(p.y, from.y), std::max(p.y, from.y), number});
+                    piece = {p};
+                    direction = 0;
+                    continue;
+                }
+                const int now = p.x > from.x ? 1 : p.x < from.x ? -1 : 0;
+                if (now == 0) continue;  // no step to speak of
                 if (direction != 0 && now != direction) {
                     const PlanePoint last = piece.back();
                     flush();
@@ -131,13 +146,13 @@ private:
     void find_abscissae() {
         abscissae_ = {window_.x.low, window_.x.high};
         for (const Piece& p : pieces_) abscissae_.insert(abscissae_.end(), {p.front().x, p.back().x});
+        for (const Wall& wall : walls_) abscissae_.push_back(wall.x);
         for (std::size_t a = 0; a < pieces_.size(); ++a)
             for (std::size_t b = a + 1; b < pieces_.size(); ++b) crossings(static_cast<int>(a), static_cast<int>(b));
         std::sort(abscissae_.begin(), abscissae_.end());
-        const double same = 1e-9 * window_.width();
         std::vector<double> kept;
         for (const double x : abscissae_)
-            if (x >= window_.x.low && x <= window_.x.high && (kept.empty() || x - kept.back() > same))
+            if (x >= window_.x.low && x <= window_.x.high && (kept.empty() || x - kept.back() > same_x()))
                 kept.push_back(x);
         abscissae_ = kept;
     }
@@ -159,6 +174,41 @@ private:
                 abscissae_.push_back(xs[k - 1] + (xs[k] - xs[k - 1]) * before / (before - now));
             if (now != 0) before = now;
         }
+    }
+
+    /// The longest part of a vertical segment without a wall.
+    double opening(double x, double low, double high) const {
+        std::vector<std::pair<double, double>> closed;
+        for (const Wall& wall : walls_)
+            if (std::abs(wall.x - x) <= 2 * same_x() && wall.high > low && wall.low < high)
+                closed.emplace_back(wall.low, wall.high);
+        std::sort(closed.begin(), closed.end());
+        double longest = 0;
+        for (const auto& [from, to] : closed) {
+            longest = std::max(longest, from - low);
+            low = std::max(low, to);
+        }
+        return std::max(longest, high - low);
+    }
+    void add_border(int below, int above, std::size_t curve) {
+        const RegionBorder border{cells_[static_cast<std::size_t>(below)].region,
+                                  cells_[static_cast<std::size_t>(above)].region, curve};
+        if (border.below != border.above && std::find(borders_.begin(), borders_.end(), border) == borders_.end())
+            borders_.push_back(border);
+    }
+    /// Borders along walls: the region on the left is named first.
+    void add_wall_borders() {
+        for (const Wall& wall : walls_)
+            for (std::size_t k = 1; k < slabs_.size(); ++k) {
+                if (std::abs(slabs_[k].low - wall.x) > 2 * same_x()) continue;
+                for (const Bounds& a : slabs_[k - 1].cells)
+                    for (const Bounds& b : slabs_[k].cells) {
+                        const double x = slabs_[k].low;
+                        const double low = std::max({height_at(a.lower, x), height_at(b.lower, x), wall.low});
+                        const double high = std::min({height_at(a.upper, x), height_at(b.upper, x), wall.high});
+                        if (high - low > 1e-6 * window_.height()) add_border(a.cell, b.cell, wall.curve);
+                    }
+            }
     }
 
     void build_cells() {
@@ -189,7 +239,7 @@ private:
                         const double x = slab.low;
                         const double low = std::max(height_at(a.lower, x), height_at(b.lower, x));
                         const double high = std::min(height_at(a.upper, x), height_at(b.upper, x));
-                        if (high - low > 1e-6 * window_.height()) neighbours.push_back({a.cell, b.cell});
+                        if (opening(x, low, high) > 1e-6 * window_.height()) neighbours.push_back({a.cell, b.cell});
                     }
             slabs_.push_back(slab);
         }
@@ -205,17 +255,14 @@ private:
             for (std::size_t i = 1; i < slab.cells.size(); ++i) {
                 const Bounds &below = slab.cells[i - 1], &above = slab.cells[i];
                 if (below.upper != above.lower || below.upper < 0) continue;
-                const RegionBorder border{cells_[static_cast<std::size_t>(below.cell)].region,
-                                          cells_[static_cast<std::size_t>(above.cell)].region,
-                                          curve_of_[static_cast<std::size_t>(below.upper)]};
-                if (border.below != border.above &&
-                    std::find(borders_.begin(), borders_.end(), border) == borders_.end())
-                    borders_.push_back(border);
+                add_border(below.cell, above.cell, curve_of_[static_cast<std::size_t>(below.upper)]);
             }
+        add_wall_borders();
     }
 
     Window window_;
     std::vector<Piece> pieces_;
+    std::vector<Wall> walls_;
     std::vector<std::size_t> curve_of_;  ///< of each piece
     std::vector<RegionBorder> borders_;
     std::vector<double> abscissae_;

@@ -87,12 +87,21 @@ inline void describe(LineEvent<RuntimeUnknowns>& event, const ModelFunctions<>& 
     event.residual = (at.j * at.v).cwiseAbs().maxCoeff();
     for (const double f : equations(model, event.q, at.p)) event.residual = std::max(event.residual, std::abs(f));
     event.reduced = reduced_coefficients(model, event.q, event.v, at.p);
+    // without a fourth derivative the pair of branches is not decided
+    if (event.kind == CriticalKind::pitchfork && std::abs(event.reduced.fourth) < 1e-9 * at.j.cwiseAbs().maxCoeff())
+        event.kind = CriticalKind::hilltop;
     if (event.kind == CriticalKind::fold) {
         event.slope = at.left.dot(at.f_p);
     } else {
         const Eigen::MatrixXd change = at.j_p + at.j_along(model, event, at.moving);
         event.slope = at.left.dot(change * at.v) / at.left.dot(at.v);
     }
+    if (event.kind == CriticalKind::fold)
+        event.change_in_number = event.slope * event.reduced.third < 0 ? 2 : -2;
+    else if (event.kind == CriticalKind::pitchfork)
+        event.change_in_number = event.slope * at.left.dot(at.v) * event.reduced.fourth < 0 ? 2 : -2;
+    else if (event.kind == CriticalKind::transcritical)
+        event.change_in_number = 0;
     if (model.has_potential()) count_change(event, at.j);
 }
 

@@ -18,10 +18,10 @@
 #include <equilibria/core/dense_solvers.hpp>
 #include <equilibria/core/eigen_copies.hpp>
 #include <equilibria/locus/line/detail/describe_event.hpp>
+#include <equilibria/locus/line/infinity_search.hpp>
 #include <equilibria/locus/line/line_events.hpp>
 #include <equilibria/locus/line/model_problem.hpp>
 #include <equilibria/model/torus.hpp>
-#include <equilibria/paths/choose_start.hpp>
 #include <equilibria/paths/complex_roots.hpp>
 #include <equilibria/run/elapsed.hpp>
 #include <equilibria/singularity/null_vector.hpp>
@@ -37,16 +37,25 @@ EQUILIBRIA_INLINE std::string EventSearch::argument(std::size_t events) const {
         << " start reach every isolated complex solution of F = 0, J v = 0: " << regular_solutions << " regular, "
         << paths.singular << " singular (" << pitchfork_paths
         << " at pitchforks of symmetric branches, found there by themselves), " << paths.at_infinity << " at infinity, "
-        << paths.failed << " failed; the tables of the " << intervals.size() << " intervals, each enumerated, ";
-    if (!has_potential && events > 0)
-        out << "are not compared with the events, since the model has no potential";
-    else if (wrong_tables == 0)
+        << paths.failed << " failed; ";
+    if (infinity_paths.total > 0)
+        out << infinity_paths.total << " paths, " << infinity_paths.failed << " of them failed, find "
+            << infinity_values << " complex values at which solutions come from infinity; ";
+    out << "the tables of the " << intervals.size() << " intervals, each enumerated at two points, ";
+    if (unconfirmed > 0) out << "DIFFER WITHIN " << unconfirmed << " OF THEM, and ";
+    if (wrong_tables > 0)
+        out << "DO NOT DIFFER by the events at " << wrong_tables << " values";
+    else if (has_potential)
         out << "differ exactly by the events between them";
     else
-        out << "DO NOT DIFFER by the events at " << wrong_tables << " values";
-    if (unclean > 0) out << "; " << unclean << " ENUMERATIONS ARE NOT CLEAN";
+        out << "differ in their numbers exactly by the events between them";
+    const std::uint64_t values = intervals.empty() ? 0 : intervals.size() - 1;
+    if (events > 0 && compared < values) out << ", which say how at " << compared << " of " << values << " values";
+    if (bisected > 0)
+        out << "; " << bisected << " events were found by bisection alone, " << unnamed << " of them NOT EXPLAINED";
+    if (unclean > 0) out << "; THE ENUMERATIONS OF " << unclean << " INTERVALS ARE NOT CLEAN";
     if (unexplained > 0) out << "; " << unexplained << " SINGULAR SOLUTIONS ARE NOT EXPLAINED";
-    if (paths.failed > 0) out << "; NOT COMPLETE: events may be missing";
+    if (!complete()) out << "; NOT COMPLETE: events may be missing";
     return out.str();
 }
 
@@ -75,6 +84,8 @@ public:
     LineEvents<RuntimeUnknowns> run() {
         const detail::Stopwatch begin;
         add_pitchforks();
+        add_from_infinity();
+        add_continua();
         // the events' size is that of the segment, or, of a wide one, its root or 1
         const double wide = std::max(std::abs(found_.range.low), std::abs(found_.range.high));
         std::vector<double> scales{wide};
@@ -84,16 +95,17 @@ public:
             const detail::Stopwatch solving;
             add_solutions(k + 1 < scales.size() ? 2 : 8);
             found_.solve_seconds += solving.seconds();
-            std::sort(found_.events.begin(), found_.events.end(),
-                      [](const auto& a, const auto& b) { return a.value < b.value; });
             count();
         }
+        name_missed();
         found_.seconds = begin.seconds();
         return std::move(found_);
     }
 
 private:
     static constexpr double same_value = 1e-9;
+    /// Points of an interval at which equilibria are enumerated: Gauss's two, off its middle, where special values sit.
+    static constexpr double first_part = 0.21132486540518713, second_part = 0.7886751345948129;
     using Unknowns = RuntimeArray<double>;
     using Event = LineEvent<RuntimeUnknowns>;
 
@@ -156,8 +168,8 @@ private:
         for (int attempt = 0; attempt < most_attempts && (attempt == 0 || found_.paths.failed > 0); ++attempt) {
             const RunOptions run = run_.with_seed(seed_of_attempt(run_.seed, found_.attempts++));
             Generator generator(run.seed);
-            const auto set =
-                solve_least_cost(system_.system(system_.numbers(p_, scale_, generator)), system_.grouping(), run);
+            const auto set = solve_equations(system_.equations(system_.numbers(p_, scale_, generator)), system_.sizes(),
+                                             system_.grouping(), run);
             found_.paths = set.paths;
             found_.start = set.start;
             found_.complex_solutions = set.roots.size();
@@ -267,28 +279,82 @@ private:
         return true;
     }
 
+    /// What comes from infinity, and goes there.
+    void add_from_infinity() {
+        const int angles = model_.sizes().angles;
+        if (model_.sizes().coordinates == 0) return;
+        std::vector<double> sizes(static_cast<std::size_t>(model_.sizes().coordinates), 0);
+        for (const double part : {first_part, second_part})
+            for (const auto& q : model_.count(at(found_.range.low + part * found_.range.width()), run_).at)
+                for (std::size_t j = 0; j < sizes.size(); ++j)
+                    sizes[j] = std::max(sizes[j], std::abs(q[angles + static_cast<int>(j)]));
+        const double largest = *std::max_element(sizes.begin(), sizes.end());
+        for (double& size : sizes) size = size > 1e-6 * largest ? size : largest > 0 ? largest : 1;
+        const auto search = search_infinity(model_, p_, active_, found_.range, sizes, run_);
+        found_.infinity_paths = search.paths;
+        found_.infinity_values = search.solutions;
+        for (const auto& from : search.events) {
+            Event event = bare_event(CriticalKind::from_infinity, from.value);
+            event.correction = from.error;
+            event.change = from.change;
+            event.at_infinity = from.equilibria;
+            if (from.decided)
+                event.change_in_number =
+                    static_cast<std::int64_t>(from.equilibria[1]) - static_cast<std::int64_t>(from.equilibria[0]);
+            found_.events.push_back(event);
+        }
+    }
+    /// Where an equation vanishes identically, within the segment.
+    void add_continua() {
+        bool vanishes = false;
+        for (const auto& content : system_.entry().content) vanishes = vanishes || content[0] > 0;
+        if (vanishes && found_.range.low < 0 && found_.range.high > 0)
+            found_.events.push_back(bare_event(CriticalKind::continuum, 0));
+    }
+    /// An event without an equilibrium.
+    Event bare_event(CriticalKind kind, double value) const {
+        constexpr double none = std::numeric_limits<double>::quiet_NaN();
+        Event event;
+        event.kind = kind;
+        event.value = value;
+        event.q = event.v = Unknowns(n_);
+        for (int i = 0; i < n_; ++i) event.q[i] = event.v[i] = none;
+        event.residual = event.correction = event.slope = event.reduced.third = event.reduced.fourth = none;
+        return event;
+    }
+
     /// Unless it is out of the segment or known.
     void add(Event event) {
         if (!in_segment(event.value)) return;
         for (const auto& other : found_.events)
-            if (std::abs(other.value - event.value) <= 1e-8 * (1 + std::abs(event.value)) &&
+            if (other.has_equilibrium() && std::abs(other.value - event.value) <= 1e-8 * (1 + std::abs(event.value)) &&
                 same_unknowns(model_.sizes(), other.q, event.q, 1e-5))
                 return;
         describe(event, functions_, p_, active_);
         found_.events.push_back(event);
     }
 
-    /// Enumerates between the events and compares.
+    /// Whether two enumerations have the same table, or, without a potential, the same number.
+    bool same_table(const EquilibriaCount& a, const EquilibriaCount& b) const {
+        return a.real == b.real && (!functions_.has_potential() || a.by_index == b.by_index);
+    }
+    /// Enumerates between the events, at two points, and compares.
     void count() {
+        std::sort(found_.events.begin(), found_.events.end(),
+                  [](const auto& a, const auto& b) { return a.value < b.value; });
         found_.intervals.clear();
-        found_.unclean = found_.compared = found_.wrong_tables = 0;
+        found_.unclean = found_.compared = found_.wrong_tables = found_.unconfirmed = 0;
         const auto add_interval = [&](double low, double high) {
-            EventGap interval{{low, high}, 0.5 * (low + high), 0, {}, false};
-            const auto found = model_.count(at(interval.at), run_);
+            EventGap interval{{low, high}, 0, 0, 0, {}, false, false};
+            interval.at = low + first_part * (high - low);
+            interval.also_at = low + second_part * (high - low);
+            const auto found = model_.count(at(interval.at), run_), again = model_.count(at(interval.also_at), run_);
             interval.count = found.real;
             interval.by_index = found.by_index;
-            interval.clean = found.clean;
+            interval.clean = found.clean && again.clean;
+            interval.confirmed = same_table(found, again);
             found_.unclean += !interval.clean;
+            found_.unconfirmed += !interval.confirmed;
             found_.intervals.push_back(std::move(interval));
         };
         double from = found_.range.low;
@@ -309,17 +375,61 @@ private:
             add_interval(from, found_.range.high);
         compare();
     }
+    /// Where two tables of an interval differ an event was missed: between them, by bisection.
+    void name_missed() {
+        for (int round = 0; round < 4 && found_.unconfirmed > 0; ++round) {
+            const std::size_t known = found_.events.size();
+            for (const EventGap& interval : std::vector<EventGap>(found_.intervals))
+                if (!interval.confirmed && interval.clean) name_missed(interval);
+            if (found_.events.size() == known) break;
+            found_.bisected += found_.events.size() - known;
+            count();
+        }
+        for (const Event& event : found_.events) found_.unnamed += event.kind == CriticalKind::unexplained;
+    }
+    void name_missed(const EventGap& interval) {
+        double low = interval.at, high = interval.also_at;
+        const double smallest = 1e-11 * std::max({std::abs(low), std::abs(high), 1e-3 * found_.range.width()});
+        auto below = model_.count(at(low), run_), above = model_.count(at(high), run_);
+        for (int k = 0; k < 60 && high - low > smallest; ++k) {
+            const double middle = low + 0.4713 * (high - low);
+            auto there = model_.count(at(middle), run_);
+            const bool left = same_table(there, below);
+            (left ? low : high) = middle;
+            (left ? below : above) = std::move(there);
+        }
+        const double value = 0.5 * (low + high), near = 1e-6 * interval.width();
+        const std::size_t known = found_.events.size();
+        for (const auto* side : {&below, &above})
+            for (const auto& q : side->at) {
+                const auto refined = located(SingularityKind::fold, q, value);
+                if (!refined.converged || !(std::abs(refined.p[active_] - value) < near)) continue;
+                Event event;
+                event.value = refined.p[active_];
+                event.q = wrapped(model_.sizes(), refined.q);
+                event.v = refined.v;
+                event.correction = refined.correction;
+                event.kind = bifurcation_kind(event, functions_, p_, active_);
+                add(event);
+            }
+        if (found_.events.size() == known)
+            found_.events.push_back(bare_event(CriticalKind::unexplained, std::abs(value) < smallest ? 0 : value));
+    }
     void compare() {
         for (std::size_t k = 1; k < found_.intervals.size(); ++k) {
+            const bool tables = functions_.has_potential();
             std::vector<std::int64_t> expected = found_.intervals[k - 1].by_index;
+            auto number = static_cast<std::int64_t>(found_.intervals[k - 1].count);
             bool known = true;
             for (const auto& event : found_.events) {
                 if (event.interval != k) continue;
-                known = known && !event.change.empty();
+                known = known && (tables ? !event.change.empty() : event.change_in_number.has_value());
+                number += event.change_in_number.value_or(0);
                 for (std::size_t i = 0; i < event.change.size(); ++i) expected[i] += event.change[i];
             }
             found_.compared += known;
-            found_.wrong_tables += known && expected != found_.intervals[k].by_index;
+            found_.wrong_tables += known && (tables ? expected != found_.intervals[k].by_index
+                                                    : number != static_cast<std::int64_t>(found_.intervals[k].count));
         }
     }
 

@@ -2,8 +2,11 @@
 /// See locus/plane/locus_result.hpp.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <sstream>
 #include <string>
+#include <utility>
 
 #include <equilibria/locus/plane/locus_result.hpp>
 
@@ -33,11 +36,30 @@ EQUILIBRIA_INLINE std::string LocusEvidence::argument() const {
     add("degenerate pitchforks", SingularityKind::tricritical_pitchfork);
     out << "; " << e.seeds << " points in the window, " << e.untraced_seeds << " of them on no curve; "
         << e.unseeded_crossings << " crossings of " << e.lines << " lines and " << e.unsolved_points
-        << " special points of curves were not solved for; " << e.wrong_counts << " of " << e.checked_points
-        << " enumerations differ from their region, and " << e.wrong_borders
-        << " borders of regions have tables that no fold or pitchfork explains";
-    if (!e.complete()) out << "; NOT COMPLETE";
+        << " special points of curves were not solved for, and " << e.broken_curves << " ends of curves break off; "
+        << e.wrong_counts << " of " << e.checked_points << " enumerations differ from their region, and "
+        << e.wrong_borders << " borders of regions have tables that no fold or pitchfork explains";
+    if (e.from_infinity > 0)
+        out << "; at " << e.from_infinity << " points of lines equilibria come from infinity, where no curve is traced";
+    if (e.complete()) return out.str();
+    out << "; NOT COMPLETE: ";
+    if (e.all_failed_paths() > 0) out << e.all_failed_paths() << " paths failed";
+    // one place of each kind
+    std::array<bool, 7> said{};
+    const char* before = e.all_failed_paths() > 0 ? ", " : "";
+    for (const LocusFault& fault : e.faults) {
+        if (std::exchange(said[static_cast<std::size_t>(fault.kind)], true)) continue;
+        out << before << to_string(fault.kind) << " at (" << fault.point.x << ", " << fault.point.y << ")";
+        before = ", ";
+    }
     return out.str();
+}
+
+EQUILIBRIA_INLINE void LocusEvidence::add(LocusFaultKind kind, const PlanePoint& point) {
+    std::uint64_t* const counts[] = {&untraced_seeds, &unseeded_crossings, &unsolved_points, &broken_curves,
+                                     &wrong_counts,   &wrong_borders,      &from_infinity};
+    ++*counts[static_cast<std::size_t>(kind)];
+    faults.push_back({kind, point});
 }
 
 }  // namespace equilibria

@@ -2,8 +2,10 @@
 /// See studies/formula_model/formula_searches.hpp.
 #pragma once
 
+#include <cstddef>
 #include <limits>
 #include <span>
+#include <string>
 #include <type_traits>
 #include <vector>
 
@@ -18,17 +20,64 @@ namespace equilibria {
 
 namespace detail {
 
+/// Throws InvalidArgument, by the names of the file, where an unknown does not enter the model, or a parameter that is
+/// to change does not enter it as a polynomial.
+template <class T>
+void explain_refusal(const FormulaModel& formulas, const T& model, std::span<const int> active) {
+    const RuntimeArray<double> generic = RuntimeFormulation::generic_parameters(model.parameters());
+    const auto equations = symbolic_equations<double>(model, generic);
+    for (std::size_t i = 0; i < equations.size(); ++i) {
+        if (!equations[i].pruned().is_constant()) continue;
+        if (!formulas.has_potential)
+            throw InvalidArgument("equation", std::to_string(i + 1), "must depend on the unknowns");
+        const std::string& name =
+            i < formulas.angles.size() ? formulas.angles[i] : formulas.coordinates[i - formulas.angles.size()];
+        throw InvalidArgument("unknown", name, "must enter the potential, and not by a constant slope alone");
+    }
+    const int first = static_cast<int>(formulas.coordinates.size());
+    constexpr double one[] = {1.0};
+    for (const int k : active) {
+        const int alone[] = {k};
+        const auto f = symbolic_equations_of<double>(model, [&](const RuntimePool<double>& pool) {
+            RuntimeArray<RuntimeScalar<>> y(generic.size());
+            for (int i = 0; i < y.size(); ++i) y[i] = generic[i];
+            set_active<double>(y, pool, alone, one, first);
+            return y;
+        });
+        for (const auto& equation : f) {
+            if (equation.fault() == NotPolynomial::no) continue;
+            const std::string& name = formulas.parameters[static_cast<std::size_t>(k)];
+            throw InvalidArgument("parameter", name,
+                                  "must enter the model's equations as a polynomial to be varied: give what it enters, "
+                                  "such as sin(" +
+                                      name + "), a parameter of its own");
+        }
+    }
+}
+
+/// what() of the model; what is wrong with the model is said by the names of the file.
+template <class What>
+auto said_by_names(const FormulaModel& formulas, std::span<const int> active, const What& what) {
+    return visit(formulas, [&](const auto& model) {
+        try {
+            return what(model);
+        } catch (const InvalidArgument&) {
+            explain_refusal(formulas, model, active);
+            throw;
+        }
+    });
+}
+
 /// search(searched, model, functions) of the model as loci and events search it.
 template <class Search>
-auto search_formula_model(const FormulaModel& formulas, const Search& search) {
-    return visit(formulas, [&](const auto& model) {
+auto search_formula_model(const FormulaModel& formulas, std::span<const int> active, const Search& search) {
+    return said_by_names(formulas, active, [&](const auto& model) {
         using T = std::remove_cvref_t<decltype(model)>;
         const RuntimeModelFunctions<T> functions(model);
         const RuntimeModelPolynomials<T> polynomials(model);
         const SearchedModel searched{&functions, &polynomials,
                                      [&](const RuntimeArray<double>& at, const RunOptions& how) {
-                                         const auto set = equilibria::enumerate(model, at, how);
-                                         return EquilibriaCount{set.real(), set.by_index(), set.clean()};
+                                         return count_of(equilibria::enumerate(model, at, how));
                                      }};
         return search(searched, model);
     });
@@ -49,7 +98,7 @@ inline void require_parameters(const FormulaModel& model, const RuntimeArray<dou
 EQUILIBRIA_INLINE RootSet<RuntimeUnknowns> enumerate(const FormulaModel& formulas, const RuntimeArray<double>& p,
                                                      const RunOptions& run, FormulaStart start, bool with_more_digits) {
     const MoreDigits<> resort = with_more_digits ? more_digits : nullptr;
-    return visit(formulas, [&](const auto& model) {
+    return detail::said_by_names(formulas, {}, [&](const auto& model) {
         switch (start) {
             case FormulaStart::total_degree: return enumerate_from<TotalDegreeStart>(model, p, run, {}, resort);
             case FormulaStart::polyhedral: return enumerate_from<Polyhedral>(model, p, run, {}, resort);
@@ -82,7 +131,8 @@ EQUILIBRIA_INLINE LineEvents<RuntimeUnknowns> find_events(const FormulaModel& fo
                                                           int active, const Interval& range, const RunOptions& run) {
     detail::require_parameters(formulas, p);
     detail::require_parameter(formulas, active);
-    return detail::search_formula_model(formulas, [&](const SearchedModel& searched, const auto&) {
+    const int active_numbers[] = {active};
+    return detail::search_formula_model(formulas, active_numbers, [&](const SearchedModel& searched, const auto&) {
         return find_events(searched, p, active, range, run);
     });
 }
@@ -92,12 +142,14 @@ EQUILIBRIA_INLINE BifurcationDiagram<RuntimeUnknowns> trace_diagram(const Formul
                                                                     const BranchOptions& branch) {
     detail::require_parameters(formulas, p);
     detail::require_parameter(formulas, active);
-    return detail::search_formula_model(formulas, [&](const SearchedModel& searched, const auto& model) {
-        const EquilibriaAt equilibria = [&](const RuntimeArray<double>& at, const RunOptions& how) {
-            return equilibria::enumerate(model, at, how).equilibria;
-        };
-        return trace_diagram(searched, equilibria, p, active, range, run, branch);
-    });
+    const int active_numbers[] = {active};
+    return detail::search_formula_model(
+        formulas, active_numbers, [&](const SearchedModel& searched, const auto& model) {
+            const EquilibriaAt equilibria = [&](const RuntimeArray<double>& at, const RunOptions& how) {
+                return equilibria::enumerate(model, at, how).equilibria;
+            };
+            return trace_diagram(searched, equilibria, p, active, range, run, branch);
+        });
 }
 EQUILIBRIA_INLINE Locus<RuntimeUnknowns> trace_locus(const FormulaModel& formulas, const RuntimeArray<double>& p,
                                                      const std::array<int, 2>& active, const Window& window,
@@ -105,14 +157,16 @@ EQUILIBRIA_INLINE Locus<RuntimeUnknowns> trace_locus(const FormulaModel& formula
     detail::require_parameters(formulas, p);
     for (const int k : active) detail::require_parameter(formulas, k);
     require(active[0] != active[1], "active", active[1], "must be two different parameters");
-    return detail::search_formula_model(formulas, [&](const SearchedModel& searched, const auto&) {
+    const std::span<const int> active_numbers(active);
+    return detail::search_formula_model(formulas, active_numbers, [&](const SearchedModel& searched, const auto&) {
         return trace_locus(searched, p, std::span<const int>(active), window, run, options);
     });
 }
 EQUILIBRIA_INLINE SweepCounts sweep(const FormulaModel& formulas, const ParameterPoints& points,
                                     const std::function<void(const SweptPoint&)>& take, const RunOptions& run,
                                     const SweepOptions& options) {
-    return visit(formulas, [&](const auto& model) { return equilibria::sweep(model, points, take, run, options); });
+    return detail::said_by_names(
+        formulas, {}, [&](const auto& model) { return equilibria::sweep(model, points, take, run, options); });
 }
 
 namespace detail {

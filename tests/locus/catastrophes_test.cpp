@@ -1,0 +1,196 @@
+// Loci whose curves are known: sections of the elementary catastrophes, lines parallel to an axis, symmetric windows.
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <set>
+#include <string>
+
+#include <equilibria/enumerate/enumerate_at_run_time.hpp>
+#include <equilibria/locus/plane/trace_locus.hpp>
+#include <equilibria/model/runtime_model_functions.hpp>
+#include <equilibria/system/runtime_model_polynomials.hpp>
+
+#include "support/catch.hpp"
+
+using namespace equilibria;
+
+namespace {
+
+/// A potential with two parameters, of so many angles and coordinates.
+template <class Function>
+struct InPlane {
+    int n_angles, n_coordinates;
+    Function function;
+    int angles() const { return n_angles; }
+    int coordinates() const { return n_coordinates; }
+    int parameters() const { return 2; }
+    auto potential(const auto& theta, const auto& x, const auto& p) const { return function(theta, x, p[0], p[1]); }
+};
+
+template <class T>
+Locus<RuntimeUnknowns> locus_of(const T& model, const Window& window) {
+    const RuntimeModelFunctions<T> functions(model);
+    const RuntimeModelPolynomials<T> polynomials(model);
+    const SearchedModel searched{&functions, &polynomials, [&](const RuntimeArray<double>& at, const RunOptions& how) {
+                                     return count_of(enumerate(model, at, how));
+                                 }};
+    constexpr int active[] = {0, 1};
+    LocusOptions options;
+    options.lines = 4;
+    options.checks = 8;
+    return trace_locus(searched, {1.0, 1.0}, active, window, {}, options);
+}
+template <class Function>
+Locus<RuntimeUnknowns> in_plane(int angles, int coordinates, const Window& window, Function f) {
+    return locus_of(InPlane<Function>{angles, coordinates, f}, window);
+}
+
+using Counts = std::multiset<std::uint64_t>;
+Counts counts(const Locus<RuntimeUnknowns>& locus) {
+    Counts y;
+    for (const auto& region : locus.regions) y.insert(region.count);
+    return y;
+}
+
+/// (x^2 - a) (x^2 - a - 1) = 0, whatever b.
+struct TwoParabolas {
+    int angles() const { return 0; }
+    int coordinates() const { return 1; }
+    int parameters() const { return 2; }
+    auto equations(const auto&, const auto& x, const auto& p) const {
+        return std::array{(x[0] * x[0] - p[0]) * (x[0] * x[0] - p[0] - 1.0)};
+    }
+};
+
+/// The locus of x^5 + a x^3 + b x^2 + c x in the plane of b and c.
+Locus<RuntimeUnknowns> swallowtail(double a) {
+    return in_plane(0, 1, {{-1, 1}, {-1, 1}}, [a](const auto&, const auto& x, const auto& b, const auto& c) {
+        const auto square = x[0] * x[0];
+        return square * square * x[0] + a * square * x[0] + b * square + c * x[0];
+    });
+}
+
+}  // namespace
+
+TEST_CASE("the cusp catastrophe: 8 a^3 + 27 b^2 = 0") {
+    const auto locus =
+        in_plane(0, 1, {{-2, 3}, {-2.5, 2}}, [](const auto&, const auto& x, const auto& a, const auto& b) {
+            return x[0] * x[0] * x[0] * x[0] + a * x[0] * x[0] + b * x[0];
+        });
+    INFO(locus.argument());
+    CHECK(locus.evidence.complete());
+    REQUIRE(locus.curves.size() == 1);
+    for (const auto& at : locus.curves[0].points)
+        CHECK(std::abs(8 * std::pow(at.x(), 3) + 27 * at.y() * at.y()) < 1e-9);
+    const auto cusps = locus.of(SingularityKind::cusp);
+    REQUIRE(cusps.size() == 1);
+    CHECK(cusps[0].x() == 0);
+    CHECK(cusps[0].y() == 0);
+    CHECK(counts(locus) == Counts{1, 3});
+}
+
+// The first three derivatives vanish at a = -10 x^2, b = 20 x^3, c = -15 x^4.
+TEST_CASE("sections of the swallowtail") {
+    const auto tail = swallowtail(-1);
+    INFO(tail.argument());
+    CHECK(tail.evidence.complete());
+    CHECK(counts(tail) == Counts{0, 2, 4});
+    const auto cusps = tail.of(SingularityKind::cusp);
+    REQUIRE(cusps.size() == 2);
+    for (const auto& at : cusps) {
+        CHECK(std::abs(at.x()) == Approx(20 * std::pow(0.1, 1.5)));
+        CHECK(at.y() == Approx(-0.15));
+    }
+    const auto plain = swallowtail(1);
+    CHECK(plain.evidence.complete());
+    CHECK(plain.of(SingularityKind::cusp).empty());
+    CHECK(counts(plain) == Counts{0, 2});
+}
+
+TEST_CASE("sections of the umbilics") {
+    // cusps at x = 0, y = -a and a: b = a^2, c = 2 a^2 and -2 a^2
+    const auto elliptic =
+        in_plane(0, 2, {{-2, 2}, {-3, 3}}, [](const auto&, const auto& x, const auto& b, const auto& c) {
+            const auto &u = x[0], &v = x[1];
+            return u * u * u - u * v * v + u * u + v * v + b * u + c * v;
+        });
+    INFO(elliptic.argument());
+    CHECK(elliptic.evidence.complete());
+    CHECK(counts(elliptic) == Counts{2, 4});
+    REQUIRE(elliptic.of(SingularityKind::cusp).size() == 2);
+    for (const auto& at : elliptic.of(SingularityKind::cusp)) {
+        CHECK(at.x() == Approx(1));
+        CHECK(std::abs(at.y()) == Approx(2));
+    }
+    // a cusp at x = y = a / 6: b = c = -a^2 / 4
+    const auto hyperbolic =
+        in_plane(0, 2, {{-2, 1}, {-2, 1}}, [](const auto&, const auto& x, const auto& b, const auto& c) {
+            const auto &u = x[0], &v = x[1];
+            return u * u * u + v * v * v + u * v + b * u + c * v;
+        });
+    INFO(hyperbolic.argument());
+    CHECK(hyperbolic.evidence.complete());
+    CHECK(counts(hyperbolic) == Counts{0, 2, 4});
+    REQUIRE(hyperbolic.of(SingularityKind::cusp).size() == 1);
+    CHECK(hyperbolic.of(SingularityKind::cusp)[0].x() == Approx(-0.25));
+    CHECK(hyperbolic.of(SingularityKind::cusp)[0].y() == Approx(-0.25));
+}
+
+TEST_CASE("two pitchfork lines through a point where every angle is an equilibrium") {
+    const auto locus =
+        in_plane(1, 0, {{-2, 3}, {-2.5, 2}}, [](const auto& theta, const auto&, const auto& a, const auto& b) {
+            return a * cos(theta[0]) + b * cos(2 * theta[0]);
+        });
+    INFO(locus.argument());
+    CHECK(locus.evidence.complete());
+    REQUIRE(locus.curves.size() == 2);
+    for (const auto& curve : locus.curves) {
+        CHECK(curve.kind == SingularityKind::pitchfork);
+        for (const auto& at : curve.points) CHECK(std::abs(std::abs(at.x()) - 4 * std::abs(at.y())) < 1e-9);
+    }
+    CHECK(counts(locus) == Counts{2, 2, 4, 4});
+}
+
+TEST_CASE("fold lines parallel to an axis part the window, on the value 0 too") {
+    const auto locus = locus_of(TwoParabolas{}, {{-2, 3}, {-2.5, 2}});
+    INFO(locus.argument());
+    CHECK(locus.evidence.complete());
+    REQUIRE(locus.curves.size() == 2);
+    CHECK(counts(locus) == Counts{0, 2, 4});
+    for (const auto& region : locus.regions)
+        CHECK(region.area == Approx(region.count == 4 ? 4.5 * 3 : 4.5).epsilon(1e-6));
+}
+
+TEST_CASE("no curve is traced twice: past an extremal point, and from a cusp on the border") {
+    const auto wave =
+        in_plane(1, 0, {{-2, 3}, {-2.5, 2}}, [](const auto& theta, const auto&, const auto& a, const auto& b) {
+            return 3 * cos(theta[0]) + a * sin(theta[0]) + b * cos(2 * theta[0]) + 0.5 * sin(2 * theta[0]);
+        });
+    INFO(wave.argument());
+    CHECK(wave.evidence.complete());
+    CHECK(wave.curves.size() == 2);
+    CHECK(wave.regions.size() == 3);
+
+    const auto hub = in_plane(1, 0, {{0, 1}, {0, 3}}, [](const auto& theta, const auto&, const auto& e, const auto& w) {
+        const auto r = e + sin(theta[0]);
+        return -cos(theta[0]) - 0.5 * w * w * r * r;
+    });
+    INFO(hub.argument());
+    CHECK(hub.evidence.complete());
+    CHECK(hub.curves.size() == 1);
+    CHECK(hub.regions.size() == 2);
+    REQUIRE(hub.of(SingularityKind::cusp).size() == 1);
+    CHECK(hub.of(SingularityKind::cusp)[0].x() == 0);
+    CHECK(hub.of(SingularityKind::cusp)[0].y() == Approx(1));
+}
+
+TEST_CASE("a locus with a line on which equilibria come from infinity is not complete, and says where") {
+    const auto locus = in_plane(0, 1, {{-1, 2}, {-1, 1}}, [](const auto&, const auto& x, const auto& a, const auto& b) {
+        return a * x[0] * x[0] * x[0] * x[0] - x[0] * x[0] + b * x[0];
+    });
+    CHECK_FALSE(locus.evidence.complete());
+    CHECK(locus.evidence.from_infinity > 0);
+    for (const auto& fault : locus.evidence.faults)
+        if (fault.kind == LocusFaultKind::from_infinity) CHECK(std::abs(fault.point.x) < 1e-12);
+    CHECK(locus.argument().find("equilibria that come from infinity at (") != std::string::npos);
+}

@@ -146,7 +146,7 @@ TEST_CASE("parameters enter by any function") {
 TEST_CASE("a term that only some parameters have is refused") {
     CHECK_NOTHROW(coefficients<Branches>({{0.9}}));
     CHECK_THROWS_WITH(coefficients<Branches>({{1.1}}),
-                      "model = equation 0: must have the same terms for all parameters: do not branch on their values");
+                      "model = equation 1: must have the same terms for all parameters: do not branch on their values");
 }
 
 TEST_CASE("a coefficient that is not finite is refused") {

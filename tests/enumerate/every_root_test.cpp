@@ -49,12 +49,12 @@ TEST_CASE("every root of systems far from size 1, near to multiple roots, beside
          {},
          Completeness::explained},
         {"2\nx*y^8+1;\nx^6+x^3*y^6;\n", 30, 2, {}, Completeness::complete},
-        // two roots 5e-8 i beside the real points, two at infinity, at a double root of a face system
+        // two roots 5e-8 i beside the real points; two paths to a double root of a face system, which is no evidence
         {"2\nx^2+4*x*y-2*x+4*y^2-4*y+1.0000000000000024;\n-2*x^2-8*x*y+3*x-8*y^2+7*y+2;\n",
          2,
          0,
          {},
-         Completeness::explained},
+         Completeness::open},
         // a triple root 2e-10 beside a simple one
         {"2\nx^4+7.9999999998*x^3+23.9999999988*x^2+31.9999999976*x+15.9999999984;\n3*x^2-2*x+y+3;\n",
          1,
@@ -78,7 +78,7 @@ TEST_CASE("every root of systems far from size 1, near to multiple roots, beside
             std::ranges::sort(multiplicities);
             CHECK(multiplicities == truth.multiplicities);
             CHECK(y.verdict.completeness == truth.completeness);
-            CHECK(y.verdict.missing_at_most == 0);
+            CHECK(y.verdict.missing_at_most == (truth.completeness == Completeness::open ? 2U : 0U));
             CHECK(y.found.paths.accounted_for());
             CHECK_FALSE(y.verdict.sentence.empty());
         }
@@ -166,7 +166,7 @@ TEST_CASE("units of unknowns and equations change neither counts nor claims", "[
         }
 }
 
-TEST_CASE("the result does not depend on the number of threads", "[every_root]") {
+TEST_CASE("every root and the verdict are the same for any number of threads", "[every_root]") {
     const auto system = sparse_system(parse_phcpack("1\n(x-1)^3*(200*x-201);\n"));
     const auto choice = fewest_paths(start_bounds(system, {}, true));
     const EveryRoot one = every_root(system, choice), two = every_root(system, choice, {.executor = threads(2)});

@@ -129,6 +129,7 @@ EQUILIBRIA_INLINE EveryEquilibrium equilibria_of(const SparseSystem& system, con
     }
     for (Certificate& c : y.proof.certificates) c.radius *= largest;
 
+    y.proof.contradictions = 0;  // nothing was classified before
     const EquationsInUnits equations(*problem.equations, units.unknown);
     RootClassifier classifier(equations);
     std::vector<std::array<std::int64_t, 3>> keys;
@@ -150,6 +151,7 @@ EQUILIBRIA_INLINE EveryEquilibrium equilibria_of(const SparseSystem& system, con
             if (q[u] <= -std::numbers::pi) q[u] = std::numbers::pi;
         }
         auto e = equilibrium_of(root, q, RootClassifier(equations).classify({q.begin(), q.end()}));
+        y.proof.contradictions += c.index_proved && !e.degenerate() && e.index != c.index;
         if (c.index_proved) e.index = c.index, e.nullity = 0;
         keys.push_back({e.index, e.nullity, static_cast<std::int64_t>(e.path)});
         set.equilibria.push_back(std::move(e));

@@ -300,7 +300,8 @@ private:
         double before = 0;
         const auto r = static_cast<double>(r_exact);
         // paths to one place at infinity are as near to each other as r; on a curve rounding moves along it
-        const double settled = std::max(rounding / r, std::min(double_double ? 1e-13 : 1e-24, 1e-4 * r));
+        const double most_settled = double_double ? 1e-13 : 1e-24;
+        const double settled = std::min(most_settled, std::max(rounding / r, 1e-4 * r));
         contraction_ = 0;
         for (int round = 0; round < 8; ++round) {
             if (!linearize(z, r_exact)) return false;
@@ -453,13 +454,13 @@ private:
         }
         return false;
     }
-    /// Whether the inverse of the last factors magnifies by more than half of the digits: on a curve of solutions
+    /// Whether the inverse of the last factors magnifies by what the digits can tell: on a curve of solutions
     /// Newton's method converges, too.
     bool is_singular() {
         for (int i = 0; i < n_; ++i) f_[i] = Z(R(i % 2 == 0 ? 1.0 : -0.7), R(0.6 + 0.1 * i));
         lu_.solve(f_);
         for (int u = 0; u < n_; ++u)
-            if (!(std::abs(rounded(f_[u])) < (double_double ? 1e14 : 1e30))) return true;
+            if (!(std::abs(rounded(f_[u])) < (double_double ? 1e16 : 1e46))) return true;
         return false;
     }
     double relative_residual() const {

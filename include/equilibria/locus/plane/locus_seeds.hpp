@@ -94,8 +94,16 @@ public:
     }
 
 private:
+    /// True of a point of the window, or one that only rounding puts beyond its border.
+    bool is_inside(double x, double y) const {
+        const auto inside = [](const Interval& range, double value) {
+            const double rounding = 1e-14 * range.width();
+            return value >= range.low - rounding && value <= range.high + rounding;
+        };
+        return inside(window_.x, x) && inside(window_.y, y);
+    }
     void add_seed(const LocusSeed& seed) {
-        if (!window_.contains(seed.at.x(), seed.at.y()) || is_family(seed.at.x(), seed.at.y())) return;
+        if (!is_inside(seed.at.x(), seed.at.y()) || is_family(seed.at.x(), seed.at.y())) return;
         if (seed.fixed < 0 && is_continuum(seed.at)) return;
         for (const LocusSeed& other : seeds_)  // the mirror image
             if (other.at.kind == seed.at.kind && other.at.extremal == seed.at.extremal && other.fixed == seed.fixed &&

@@ -109,7 +109,7 @@ EQUILIBRIA_INLINE RootSet<RuntimeUnknowns> enumerate(const FormulaModel& formula
 }
 EQUILIBRIA_INLINE EveryEquilibrium every_equilibrium(const FormulaModel& formulas, const RuntimeArray<double>& p,
                                                      const RunOptions& run, FormulaStart start) {
-    return visit(formulas, [&](const auto& model) {
+    return detail::said_by_names(formulas, {}, [&](const auto& model) {
         switch (start) {
             case FormulaStart::total_degree: return every_equilibrium<TotalDegreeStart>(model, p, run);
             case FormulaStart::polyhedral: return every_equilibrium<Polyhedral>(model, p, run);

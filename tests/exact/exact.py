@@ -5,7 +5,7 @@
 
 N systems (default 400), as many of each class as of any other, each solved with K seeds of the programs (default 1). What they say
 is compared with what Singular and PARI/gp compute. A system of which something false is said, with the truth, what was said and a
-line of cause, is kept in build/exact/failures. The first seed chooses the systems: the same seed, the same systems.
+line of cause, is kept in build/exact/failures. The number given by --first-seed chooses the systems: the same number, the same systems.
 """
 
 import argparse

@@ -33,7 +33,7 @@ struct EveryEquilibrium {
 namespace detail {
 
 /// What every_equilibrium needs of a model, its numbers of unknowns known at run time.
-struct EquilibriumProblem {
+struct ModelToSolve {
     RuntimeArray<double> p;
     ModelProperties<RuntimeUnknowns> model;
     ExactTerms exact;
@@ -45,7 +45,7 @@ RootsVerdict verdict_of(const ProofOfRoots& proof);
 /// What is proved replaces what was measured: indices, and that an equilibrium is not degenerate.
 void take_proved_indices(RootSet<RuntimeUnknowns>& set, const ProofOfRoots& proof);
 /// The equilibria among the roots of a system, classified in its units.
-EveryEquilibrium equilibria_of(const SparseSystem& system, const EquilibriumProblem& problem, const RunOptions& run,
+EveryEquilibrium equilibria_of(const SparseSystem& system, const ModelToSolve& problem, const RunOptions& run,
                                std::optional<StartKind> asked);
 
 }  // namespace detail
@@ -60,7 +60,7 @@ EveryEquilibrium every_equilibrium(const T& model, const RuntimeArray<double>& p
     whole.cancel = nullptr;
     const RuntimeSizes sizes = sizes_of(model);
     constexpr bool asked = !std::is_same_v<StartSystem, LeastCost>;
-    const detail::EquilibriumProblem problem{p, {}, exact_terms(model, p), nullptr};
+    const detail::ModelToSolve problem{p, {}, exact_terms(model, p), nullptr};
     const RuntimeFormulation formulation(model);
     const auto system = detail::system_of_terms(sizes, RuntimeModelSystem(formulation, model, p).terms);
     if (sizes.coordinates == 0 || !system || asked) {
@@ -76,7 +76,7 @@ EveryEquilibrium every_equilibrium(const T& model, const RuntimeArray<double>& p
         }
     }
     const detail::RealRuntimeEquations<T> equations(model, p);
-    detail::EquilibriumProblem whole_problem = problem;
+    detail::ModelToSolve whole_problem = problem;
     whole_problem.model = {sizes, RuntimePotentialModel<T>, formulation.reflection_symmetric()};
     whole_problem.equations = &equations;
     constexpr auto kind = std::is_same_v<StartSystem, Polyhedral> ? std::optional(StartKind::polyhedral) : std::nullopt;

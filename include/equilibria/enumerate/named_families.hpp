@@ -7,6 +7,8 @@
 /// Arising in Engineering and Science, World Scientific (2005), chapters 13 and 15.
 #pragma once
 
+#include <complex>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -18,6 +20,16 @@
 #include <equilibria/system/sparse_system.hpp>
 
 namespace equilibria::detail {
+
+/// Exponentials of the angles, which are complex and in radians, and the coordinates.
+[[nodiscard]] std::vector<std::complex<double>> laurent_point(const auto& q, const RuntimeSizes& sizes) {
+    std::vector<std::complex<double>> z(q.begin(), q.end());
+    for (int i = 0; i < sizes.angles; ++i) {
+        auto& at = z[static_cast<std::size_t>(i)];
+        at = std::exp(std::complex<double>(0, 1) * at);
+    }
+    return z;
+}
 
 /// Families of which a second point is a solution to 31 digits, as a near miss is not; the others are dropped, and
 /// on_one says so. roots: those that `found` is of.

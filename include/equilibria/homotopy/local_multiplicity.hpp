@@ -1,8 +1,8 @@
 /// \file
 /// The multiplicity of an isolated root, by the dimension of its local dual space.
 ///
-/// Of Taylor series to the order d, and their products with monomials, the nullity of the coefficient matrix
-/// (Macaulay's) is the number of differential conditions of order d at most that the ideal fulfils. It grows with d up
+/// Macaulay's matrix holds the coefficients of the Taylor series to the order d and of their products with monomials.
+/// Its nullity is the number of differential conditions of order d at most that the ideal fulfils. It grows with d up
 /// to the multiplicity of an isolated root, and for ever at a root that is not isolated. Source: B. H. Dayton, Z. Zeng,
 /// Computing the multiplicity structure in solving polynomial systems, Proceedings of ISSAC 2005, 116-123.
 ///

@@ -82,7 +82,7 @@ EQUILIBRIA_INLINE void take_proved_indices(RootSet<RuntimeUnknowns>& set, const 
     set.equilibria = in_order(sorted_order(keys), std::move(set.equilibria));
 }
 
-EQUILIBRIA_INLINE EveryEquilibrium equilibria_of(const SparseSystem& system, const EquilibriumProblem& problem,
+EQUILIBRIA_INLINE EveryEquilibrium equilibria_of(const SparseSystem& system, const ModelToSolve& problem,
                                                  const RunOptions& run, std::optional<StartKind> asked) {
     EveryRootOptions options;
     for (const auto& bound : {total_degree_bound(problem.exact), mixed_volume_bound(problem.exact)})

@@ -32,16 +32,6 @@ EQUILIBRIA_INLINE std::vector<LaurentColumn> columns_at_rest(const SparseSystem&
             y.push_back({static_cast<int>(i), t.exponents, t.coefficient, t.coefficient});
     return y;
 }
-/// Exponentials of the angles, and the coordinates.
-EQUILIBRIA_INLINE std::vector<std::complex<double>> laurent_point(const auto& q, const RuntimeSizes& sizes) {
-    std::vector<std::complex<double>> z(q.begin(), q.end());
-    for (int i = 0; i < sizes.angles; ++i) {
-        auto& at = z[static_cast<std::size_t>(i)];
-        at = std::exp(std::complex<double>(0, 1) * at);
-    }
-    return z;
-}
-
 EQUILIBRIA_INLINE void keep_families(const SparseSystem& system, const std::vector<Root<RuntimeUnknowns>>& roots,
                                      FoundFamilies& found) {
     if (found.families.empty()) return;

@@ -59,7 +59,7 @@ public:
     using Vector = std::vector<std::complex<double>>;
 
     static constexpr bool double_double = std::is_same_v<R, DoubleDouble>;
-    /// Where points of a path are kept; one that does not move any more at the last is singular.
+    /// Values of 1 - t at which points of a path are kept; one that does not move any more at the last is singular.
     static constexpr std::array<double, double_double ? 1 : 3> levels = [] {
         if constexpr (double_double)
             return std::array{1e-16};
@@ -70,7 +70,7 @@ public:
     static constexpr double converged = double_double ? 1e-24 : 1e-44;
     /// The logarithm of the size from which on it is believed to go to a multiple root at infinity.
     static constexpr double multiple_size = 100;
-    /// Where a path may be believed to go to infinity.
+    /// Largest 1 - t at which a path may be believed to go to infinity.
     static constexpr double far_r = double_double ? 1e-10 : 1e-25;
     /// A residual that is rounding, against the size of the terms.
     static constexpr double vanishing = double_double ? 1e-24 : 1e-45;

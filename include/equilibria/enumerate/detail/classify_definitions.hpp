@@ -27,7 +27,7 @@ inline constexpr double nearly_real = 1e-5;
 
 /// D H D with powers of two for D, so that the largest entry of each row is about 1: a congruence, which keeps the
 /// inertia and makes it independent of the unknowns' units.
-EQUILIBRIA_INLINE void equilibrate(auto& hessian) {
+void equilibrate(auto& hessian) {
     const auto n = hessian.rows();
     for (int round = 0; round < 3; ++round) {
         std::array<int, 64> power{};

@@ -30,7 +30,7 @@ EQUILIBRIA_INLINE const char* sentence(NotPolynomial fault) {
     }
 }
 /// True if the polynomial has no such term, or one whose coefficient is 0.
-EQUILIBRIA_INLINE bool vanishes(const RuntimePolynomial<ExactBall>& f, const auto& monomial) {
+bool vanishes(const RuntimePolynomial<ExactBall>& f, const auto& monomial) {
     const auto& terms = f.terms();
     const auto at = std::ranges::find_if(terms, [&](const auto& t) { return t.monomial == monomial; });
     return at == terms.end() || !may_differ_from_zero(at->coefficient);

@@ -10,6 +10,7 @@
 #include <string_view>
 
 #include "equilibria_command/command.hpp"
+#include "support/interrupt.hpp"
 
 namespace {
 
@@ -51,6 +52,8 @@ int main(int argc, char** argv) {
         if (s.name == name) {
             try {
                 return s.run(argc - 1, argv + 1);
+            } catch (const support::Stopped&) {
+                return support::say_stopped("equilibria " + std::string(name), "nothing was written");
             } catch (const std::exception& error) {
                 support::refuse(error.what());
             }

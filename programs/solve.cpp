@@ -4,6 +4,8 @@
 //   solve katsura5.txt
 //   solve cyclic6.txt --prove --threads 2 --json roots.json
 //   solve eigenproblem.bertini --start multihomogeneous --real
+#include <unistd.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -11,14 +13,17 @@
 #include <cstdio>
 #include <exception>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include <equilibria/io/results/every_root_output.hpp>
 #include <equilibria/io/results/json.hpp>
+#include <equilibria/paths/predicted_work.hpp>
 #include <equilibria/run/threads.hpp>
 
 #include "solve/solution.hpp"
+#include "support/interrupt.hpp"
 #include "support/joined.hpp"
 #include "support/options.hpp"
 #include "support/output_file.hpp"
@@ -37,6 +42,7 @@ struct Command {
     bool prove = true, real = false;
     std::uint64_t seed = 1;
     unsigned threads = 1;
+    double limit = 0;
     std::optional<support::OutputFile> json;
 };
 
@@ -77,6 +83,7 @@ Command read(int argc, char** argv) {
     app.add_flag("--real", c.real, "give the real roots alone; what is counted stays the same");
     app.add_seed(c.seed, "of the random start system, an integer (default 1); the same seed, the same result");
     app.add_threads(c.threads, "1 to 1024, 0 for one each core (default 1); does not change the result");
+    app.add_limit(c.limit, "seconds after which the run ends with what is found, with status 124 (default: none)");
     support::add_output(app, "--json", c.json, "write JSON to this file, or to stdout for -, instead of a table");
     app.parse("solve", argc, argv);
     c.prove = !no_proof;
@@ -198,6 +205,43 @@ void print(const Json& r) {
     print_verdicts(r);
 }
 
+std::string in_seconds(double seconds) {
+    char text[64];
+    if (seconds < 120)
+        std::snprintf(text, sizeof text, "%.2g s", seconds);
+    else if (seconds < 7200)
+        std::snprintf(text, sizeof text, "%.2g minutes", seconds / 60);
+    else
+        std::snprintf(text, sizeof text, "%.2g hours", seconds / 3600);
+    return text;
+}
+std::string in_bytes(double bytes) {
+    char text[64];
+    std::snprintf(text, sizeof text, bytes < 1e9 ? "%.2g MB" : "%.3g GB", bytes / (bytes < 1e9 ? 1e6 : 1e9));
+    return text;
+}
+std::string number(const equilibria::PathCount& paths) {
+    return paths.saturated ? "more than 2^62" : std::to_string(paths.value);
+}
+
+/// What a long run will take, on stderr.
+void foretell(const Command& c, const equilibria::PredictedWork& work) {
+    constexpr double from = 10;  // seconds
+    if (!work.seconds || *work.seconds < from) return;
+    std::fprintf(stderr, "solve: %s paths: about %s and %s are predicted%s\n", number(work.paths).c_str(),
+                 in_seconds(*work.seconds).c_str(), in_bytes(work.bytes).c_str(),
+                 c.limit > 0 ? "" : "; --limit SECONDS ends a run with what is found until then");
+}
+
+/// Throws where the endpoints of all paths do not fit into the memory of the machine.
+void check_memory(const equilibria::PredictedWork& work) {
+    const double memory = static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
+    if (work.bytes <= memory) return;
+    throw std::length_error(number(work.paths) + " paths would take " +
+                            (work.paths.saturated ? "too much memory" : in_bytes(work.bytes)) + ", and there are " +
+                            in_bytes(memory) + ": the system must have fewer paths, or another --start");
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -205,18 +249,26 @@ int main(int argc, char** argv) {
     const Command c = read(argc, argv);
     const solve::Input input = read_input(c);
     std::optional<support::ProgressBar> bar("tracking");
+    const support::TimeLimit limit(c.limit);
     try {
         const auto solution =
             solve::solve(input, c.start, c.prove,
                          {.seed = c.seed,
                           .executor = equilibria::threads(c.threads),
                           .ranks = ranks,
-                          .progress = [&](std::uint64_t done, std::uint64_t all) { bar->update(done, all); }});
+                          .progress = [&](std::uint64_t done, std::uint64_t all) { bar->update(done, all); },
+                          .cancel = &support::cancelled_by_signal()},
+                         [&](const equilibria::PredictedWork& work) {
+                             check_memory(work);
+                             if (ranks.first()) foretell(c, work);
+                         });
         bar.reset();
         if (!ranks.first()) return 0;
         const Json result = document(c, input, solution);
         if (c.json) c.json->write(equilibria::json_text(result));
         if (!to_stdout(c.json)) print(result);
+        if (solution.found.paths.cancelled > 0)
+            return support::say_stopped("solve", "the result is what was found until then");
     } catch (const std::exception& error) {
         bar.reset();
         if (ranks.first()) std::fprintf(stderr, "solve: %s\n", error.what());

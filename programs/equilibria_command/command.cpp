@@ -21,10 +21,21 @@ void Command::add_to(support::CommandLine& app) {
     add_model_to(app);
     app.add_seed(seed, "of the random start systems, an integer (default 1); the same seed, the same result");
     app.add_threads(threads, "1 to 1024, 0 for one each core (default 1); does not change the result");
+    app.add_limit(limit, "seconds after which the run is stopped, with status 124 (default: none)");
     add_json_to(app);
 }
 
 equilibria::RunOptions Command::run() const { return {.seed = seed, .executor = equilibria::threads(threads)}; }
+
+StoppableRun::StoppableRun(const Command& c, const std::string& label, By by)
+    : bar_(label), limit_(c.limit), options_(c.run()) {
+    const std::atomic<bool>& stopped = support::cancelled_by_signal();
+    if (by == By::flag) options_.cancel = &stopped;
+    options_.progress = [this, by, &stopped](std::uint64_t done, std::uint64_t all) {
+        if (by == By::progress && stopped) throw support::Stopped{};
+        if (bar_) bar_->update(done, all);
+    };
+}
 
 std::vector<std::string> split(const std::string& text, char separator) {
     std::vector<std::string> y;

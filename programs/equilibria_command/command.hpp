@@ -9,8 +9,10 @@
 #include <equilibria/run/run_options.hpp>
 
 #include "documents.hpp"
+#include "support/interrupt.hpp"
 #include "support/options.hpp"
 #include "support/output_file.hpp"
+#include "support/progress_bar.hpp"
 
 namespace commands {
 
@@ -19,6 +21,7 @@ struct Command {
     std::string file, fixed;
     std::uint64_t seed = 1;
     unsigned threads = 1;
+    double limit = 0;
     std::optional<support::OutputFile> json;
 
     void add_to(support::CommandLine& app);
@@ -26,6 +29,23 @@ struct Command {
     void add_model_to(support::CommandLine& app);
     void add_json_to(support::CommandLine& app);
     equilibria::RunOptions run() const;
+};
+
+/// A run that --limit, Ctrl-C and SIGTERM stop, with a bar on terminals.
+class StoppableRun {
+public:
+    /// How it is stopped: by the options' flag, or where it reports progress, by support::Stopped.
+    enum class By { flag, progress };
+
+    StoppableRun(const Command& c, const std::string& label, By by);
+    const equilibria::RunOptions& options() const { return options_; }
+    /// Takes the bar away.
+    void end() { bar_.reset(); }
+
+private:
+    std::optional<support::ProgressBar> bar_;
+    support::TimeLimit limit_;
+    equilibria::RunOptions options_;
 };
 
 /// The model in the file with the parameters as --set has them; ends the program where something is wrong.

@@ -42,12 +42,10 @@ Solved solved(const Input& input, const equilibria::RunOptions& run, const Solve
     if (options.prove) {
         auto found = equilibria::every_equilibrium(input.model, input.p, run, options.start);
         y.set = std::move(found.set);
-        if (y.set.cancelled()) return y;
         y.proof = std::move(found.proof);
         y.at_infinity = std::move(found.at_infinity);
     } else {
         y.set = equilibria::enumerate(input.model, input.p, run, options.start, options.more_digits);
-        if (y.set.cancelled()) return y;
     }
     if (input.model.kinetics)
         for (const auto& e : y.set.equilibria)

@@ -54,7 +54,6 @@ struct Solved {
     std::vector<equilibria::DivergingPaths> at_infinity;
     std::vector<std::optional<equilibria::PoleCount<Eigen::MatrixXd>>> poles;
 };
-/// A run that was cancelled has neither proof nor poles.
 Solved solved(const Input& input, const equilibria::RunOptions& run, const SolveOptions& options);
 
 /// Lines in each direction that a locus is seeded from.

@@ -113,7 +113,9 @@ int events(int argc, char** argv) {
     const Input input = read(c);
     const Varied by = varied(input, "--vary", vary);
 
-    const auto found = equilibria::find_events(input.model, input.p, by.parameter, {by.low, by.high}, c.run());
+    StoppableRun run(c, "searching", StoppableRun::By::progress);
+    const auto found = equilibria::find_events(input.model, input.p, by.parameter, {by.low, by.high}, run.options());
+    run.end();
     if (c.json) c.json->write(document(input, by, found));
     if (!to_stdout(c.json)) {
         std::printf("%s; %s from %g to %g\n\n%-18s  %-24s", in_words(input).c_str(), by.name.c_str(), by.low, by.high,
@@ -151,7 +153,10 @@ int diagram(int argc, char** argv) {
     const Input input = read(c);
     const Varied by = varied(input, "--vary", vary);
 
-    const Diagram found = equilibria::trace_diagram(input.model, input.p, by.parameter, {by.low, by.high}, c.run());
+    StoppableRun run(c, "tracing", StoppableRun::By::progress);
+    const Diagram found =
+        equilibria::trace_diagram(input.model, input.p, by.parameter, {by.low, by.high}, run.options());
+    run.end();
     if (pictures.asked()) {
         const int across = static_cast<int>(std::min<std::size_t>(3, unknowns(input.model).size())),
                   down = (static_cast<int>(unknowns(input.model).size()) + across - 1) / across;

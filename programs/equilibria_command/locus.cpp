@@ -35,8 +35,10 @@ int locus(int argc, char** argv) {
     const Varied across = varied(input, "--x", x), up = varied(input, "--y", y);
     if (across.parameter == up.parameter) support::fail("--y", y, "must be another parameter than that of --x");
 
+    StoppableRun run(c, "tracing", StoppableRun::By::progress);
     const auto found = equilibria::trace_locus(input.model, input.p, {across.parameter, up.parameter},
-                                               {{across.low, across.high}, {up.low, up.high}}, c.run(), options);
+                                               {{across.low, across.high}, {up.low, up.high}}, run.options(), options);
+    run.end();
     if (pictures.asked())
         pictures.draw({1000, 760},
                       support::locus_figure(

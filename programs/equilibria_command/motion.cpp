@@ -102,6 +102,7 @@ int motion(int argc, char** argv) {
     app.add_option("--tolerance", tolerance, "of a step, relative and absolute (default 1e-12)")
         .transform(support::number("must be a number from 1e-15 to 1, 1 excluded",
                                    [](double x) { return x >= 1e-15 && x < 1; }));
+    app.add_limit(c.limit, "seconds after which the run is stopped, with status 124 (default: none)");
     c.add_json_to(app);
     support::add_output(app, "--csv", csv, "write a line for each time to this file, or to stdout for -");
     pictures.add_to(app, "unknowns and energies over time");
@@ -116,12 +117,14 @@ int motion(int argc, char** argv) {
         points,
         formulation == "hamilton"};
 
+    const support::TimeLimit limit(c.limit);
     equilibria::RunOptions run;
     run.cancel = &support::cancelled_by_signal();
     const Motion found = moved(input, asked, run);
     if (found.status == equilibria::MotionStatus::cancelled) {
-        std::fprintf(stderr, "equilibria motion: interrupted at t = %g\n", found.time);
-        return 130;
+        char at[64];
+        std::snprintf(at, sizeof at, "at t = %g, nothing was written", found.time);
+        return support::say_stopped("equilibria motion", at);
     }
     if (pictures.asked()) {
         const int panels = input.model.unknowns() + 1, across = std::min(3, panels),

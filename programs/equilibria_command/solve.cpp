@@ -8,7 +8,6 @@
 #include <equilibria/homotopy/path_limit.hpp>
 
 #include "command.hpp"
-#include "support/interrupt.hpp"
 
 namespace commands {
 
@@ -36,19 +35,15 @@ int enumerated(const char* name, bool proving, int argc, char** argv) {
     app.parse(name, argc, argv);
     const Input input = read(c);
 
-    equilibria::RunOptions run = c.run();
-    run.cancel = &support::cancelled_by_signal();
-    const Solved found = solved(input, run,
+    StoppableRun run(c, "tracking", StoppableRun::By::flag);
+    const Solved found = solved(input, run.options(),
                                 {.start = start == "total-degree" ? equilibria::FormulaStart::total_degree
                                           : start == "polyhedral" ? equilibria::FormulaStart::polyhedral
                                                                   : equilibria::FormulaStart::least_cost,
                                  .more_digits = more_digits,
                                  .prove = !no_proof});
     const auto& [set, proof, at_infinity, poles] = found;
-    if (set.cancelled()) {
-        std::fprintf(stderr, "%s: interrupted\n", name);
-        return 130;
-    }
+    run.end();
     if (c.json) c.json->write(document(input, found));
     if (!to_stdout(c.json)) {
         std::printf("%s\n\n", in_words(input).c_str());
@@ -76,7 +71,7 @@ int enumerated(const char* name, bool proving, int argc, char** argv) {
                         count(away.paths), equilibria::direction_in_words(away.direction).c_str(), away.residual);
         std::printf("%.3g s\n%s\n", set.seconds, in_words(set.completeness).c_str());
     }
-    return 0;
+    return set.cancelled() ? support::say_stopped(name, "the result is what was found until then") : 0;
 }
 
 }  // namespace

@@ -15,8 +15,6 @@
 #include <equilibria/studies/formula_model/formula_searches.hpp>
 
 #include "command.hpp"
-#include "support/interrupt.hpp"
-#include "support/progress_bar.hpp"
 #include "support/sweep_rows.hpp"
 
 namespace commands {
@@ -73,19 +71,16 @@ int sweep(int argc, char** argv) {
                                    : equilibria::parameter_grid(input.p, axes);
 
     support::SweepRows rows(csv, input.model.parameters, input.model.unknowns());
-    support::ProgressBar bar("sweeping");
-    equilibria::RunOptions run = c.run();
-    run.progress = [&](std::uint64_t done, std::uint64_t all) { bar.update(done, all); };
+    StoppableRun stoppable(c, "sweeping", StoppableRun::By::flag);
+    equilibria::RunOptions run = stoppable.options();
     run.checkpoint = checkpoint;
-    run.cancel = &support::cancelled_by_signal();
     const auto counts = equilibria::sweep(input.model, at, [&](const equilibria::SweptPoint& p) { rows.add(p); }, run,
                                           {.prove = proved, .resort = equilibria::more_digits});
     rows.close();
-    if (counts.cancelled()) {
-        std::fprintf(stderr, "equilibria sweep: interrupted, %llu of %llu points are finished\n",
-                     static_cast<unsigned long long>(counts.done), static_cast<unsigned long long>(counts.points));
-        return 130;
-    }
+    stoppable.end();
+    if (counts.cancelled())
+        return support::say_stopped("equilibria sweep", std::to_string(counts.done) + " of " +
+                                                            std::to_string(counts.points) + " points are finished");
     if (c.json) {
         Json out = heading(input);
         equilibria::add_keys(out, support::sweep_json(counts));

@@ -19,7 +19,8 @@ double seconds_since(Clock::time_point begin) { return std::chrono::duration<dou
 }  // namespace
 
 equilibria::EveryRoot solve(const Input& input, std::optional<equilibria::StartKind> asked, bool prove,
-                            const equilibria::RunOptions& run) {
+                            const equilibria::RunOptions& run,
+                            const std::function<void(const equilibria::PredictedWork&)>& foretell) {
     const auto begin = Clock::now();
     auto bounds = equilibria::start_bounds(input.system, {}, true, run);
     if (!input.grouping.empty()) {
@@ -27,10 +28,13 @@ equilibria::EveryRoot solve(const Input& input, std::optional<equilibria::StartK
         if (of_file < bounds.multihomogeneous) bounds.multihomogeneous = of_file, bounds.grouping = input.grouping;
     }
     equilibria::EveryRoot y;
-    if (prove) {
-        y = equilibria::every_root(input.system, equilibria::fewest_paths(std::move(bounds), asked), run);
+    y.start =
+        prove ? equilibria::fewest_paths(std::move(bounds), asked) : equilibria::choose_start(std::move(bounds), asked);
+    if (!run.cancelled_anywhere()) foretell(equilibria::predicted_work(input.system, y.start, run));
+    if (prove || run.cancelled_anywhere()) {
+        const auto start = std::move(y.start);
+        y = equilibria::every_root(input.system, start, run);
     } else {
-        y.start = equilibria::choose_start(std::move(bounds), asked);
         const auto tracking = Clock::now();
         const auto units = equilibria::unit_scaling(input.system);
         y.found = equilibria::solve_from_start(scaled(input.system, units), y.start, run, {}, equilibria::more_digits);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -10,6 +11,7 @@
 #include <equilibria/enumerate/every_root.hpp>
 #include <equilibria/paths/choose_start.hpp>
 #include <equilibria/paths/complex_roots.hpp>
+#include <equilibria/paths/predicted_work.hpp>
 #include <equilibria/run/run_options.hpp>
 #include <equilibria/system/sparse_system.hpp>
 
@@ -38,8 +40,10 @@ inline constexpr std::array starts{NamedStart{equilibria::StartKind::total_degre
                                    NamedStart{equilibria::StartKind::monodromy, "monodromy"}};
 
 /// asked: none for the start of the fewest paths. prove: the roots, by Krawczyk's test, with a verdict on their
-/// completeness. Without, the verdict is open, and paths that fail in double are tracked with more digits.
+/// completeness. Without, the verdict is open, and paths that fail in double are tracked with more digits. foretell: is
+/// told what the run will take before it begins.
 equilibria::EveryRoot solve(const Input& input, std::optional<equilibria::StartKind> asked, bool prove,
-                            const equilibria::RunOptions& run);
+                            const equilibria::RunOptions& run,
+                            const std::function<void(const equilibria::PredictedWork&)>& foretell);
 
 }  // namespace solve

@@ -198,6 +198,11 @@ void CommandLine::add_seed(std::uint64_t& seed, const std::string& text) {
 void CommandLine::add_threads(unsigned& threads, const std::string& text) {
     add_option("--threads", threads, text).transform(integer(0, 1024));
 }
+void CommandLine::add_limit(double& seconds, const std::string& text) {
+    add_option("--limit", seconds, text).transform(number("must be a number of seconds above 0", [](double x) {
+        return x > 0;
+    }));
+}
 
 void CommandLine::parse(const std::string& name, int argc, const char* const* argv) {
     CLI::App& app = *app_;

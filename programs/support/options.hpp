@@ -118,6 +118,8 @@ public:
     /// What many programs have.
     void add_seed(std::uint64_t& seed, const std::string& text);
     void add_threads(unsigned& threads, const std::string& text);
+    /// In seconds; 0: none was given.
+    void add_limit(double& seconds, const std::string& text);
 
     /// Ends the program where it was asked for help, or where something is wrong.
     void parse(const std::string& program, int argc, const char* const* argv);

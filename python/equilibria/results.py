@@ -83,11 +83,28 @@ class RootSet(Printed):
     start: str  #: the start system
     why_start: str
     summary: str  #: in words
+    #: what is known of other roots: "complete", a theorem; "explained", each path is accounted for; "open"
+    completeness: str
+    missing_at_most: Optional[int]  #: isolated roots, each counted with its multiplicity; None: not known
+    verdict: str  #: completeness and its evidence, in words
+    confirmed: Flags  #: of each singular root, whether its multiplicity was confirmed
+    directions_at_infinity: List[Dict[str, Any]]  #: explained paths, by their direction
     _data: RootSetData = field(repr=False)
+    proof: Optional["Proof"] = field(repr=False, default=None)  #: of the roots; None where none was asked for
 
     @staticmethod
-    def _of(model: "Model", p: Reals, data: RootSetData, found: Mapping[str, Any]) -> "RootSet":
-        return RootSet(model=model, parameters=dict(zip(model.parameters, p.tolist())), _data=data, **found)
+    def _of(
+        model: "Model", p: Reals, data: RootSetData, found: Mapping[str, Any], proof: Optional[Mapping[str, Any]]
+    ) -> "RootSet":
+        y = RootSet(model=model, parameters=dict(zip(model.parameters, p.tolist())), _data=data, **found)
+        if proof is not None:
+            y.proof = Proof._of(y, proof)
+        return y
+
+    @property
+    def complete(self) -> bool:
+        """Whether no root is missing, by a theorem or since every path is explained."""
+        return self.completeness != "open"
 
     def __len__(self) -> int:
         """The number of equilibria."""
@@ -136,7 +153,7 @@ class RootSet(Printed):
         return (
             f"{len(self)} equilibria ({int(self.stable.sum())} stable) among {len(self.roots)} complex roots at "
             f"{', '.join(f'{k}={number(v, 6)}' for k, v in self.parameters.items()) or 'no parameters'}, "
-            f"{'clean' if self.clean else 'not clean'}"
+            f"{'clean' if self.clean else 'not clean'}, {'nothing proved' if self.proof is None else self.completeness}"
         )
 
     def _columns(self) -> List[str]:
@@ -153,7 +170,7 @@ class RootSet(Printed):
         ]
 
     def _foot(self) -> str:
-        return self.summary.rstrip()
+        return self.summary.rstrip() + ("" if self.proof is None else "\n" + self.verdict)
 
 
 @dataclass(repr=False, eq=False)

@@ -123,6 +123,34 @@ py::dict sweep_rows(const FormulaModel& model, const Numbers& points, const RunO
     return y;
 }
 
+/// A set with its proof, where one is asked for, and the verdict that it gives.
+EveryEquilibrium with_proof(const FormulaModel& model, Set set, const RunOptions& run, bool proved) {
+    EveryEquilibrium y;
+    y.set = std::move(set);
+    y.confirmed.assign(y.set.roots.size(), 0);
+    if (!proved) return y;
+    y.proof = prove(model, y.set, {.seed = run.seed, .executor = run.executor});
+    y.set.completeness = detail::verdict_of(y.proof);
+    return y;
+}
+
+/// The set as the library has it, and as Python shows it; and its proof, or None.
+py::tuple to_python(EveryEquilibrium found, bool proved) {
+    const auto set = std::make_shared<Set>(std::move(found.set));
+    py::dict shown = to_python(*set);
+    py::list directions;
+    for (const DivergingPaths& away : found.at_infinity) {
+        py::dict one;
+        one["direction"] = column<double>(away.direction, [](double x) { return x; });
+        one["paths"] = away.paths;
+        one["residual"] = away.residual;
+        directions.append(std::move(one));
+    }
+    shown["directions_at_infinity"] = std::move(directions);
+    shown["confirmed"] = column<bool>(found.confirmed, [](char c) { return c != 0; });
+    return py::make_tuple(set, shown, proved ? py::object(to_python(found.proof)) : py::none());
+}
+
 }  // namespace
 
 void add_models(py::module_& m) {
@@ -171,27 +199,34 @@ void add_models(py::module_& m) {
         .def(
             "enumerate",
             [](const FormulaModel& model, const Numbers& p, std::uint64_t seed, unsigned thread_count,
-               const std::string& start, bool more_digits, const py::object& progress) {
+               const std::string& start, bool more_digits, bool proved, const py::object& progress) {
                 const auto at = runtime_array(p, "parameters");
                 const FormulaStart how_to_start = start_of(start);
-                auto set = std::make_shared<Set>(in_background(
-                    run_options(seed, thread_count), progress, Cancel::by_flag,
-                    [&](const RunOptions& run) { return enumerate(model, at, run, how_to_start, more_digits); }));
-                return py::make_tuple(set, to_python(*set));
+                return to_python(in_background(run_options(seed, thread_count), progress, Cancel::by_flag,
+                                               [&](const RunOptions& run) {
+                                                   if (proved && !more_digits)
+                                                       return every_equilibrium(model, at, run, how_to_start);
+                                                   return with_proof(
+                                                       model, enumerate(model, at, run, how_to_start, more_digits), run,
+                                                       proved);
+                                               }),
+                                 proved);
             },
             py::arg("p"), py::arg("seed"), py::arg("threads"), py::arg("start"), py::arg("more_digits"),
-            py::arg("progress"))
+            py::arg("prove"), py::arg("progress"))
         .def(
             "enumerate_from",
             [](const FormulaModel& model, const std::shared_ptr<Set>& solved, const Numbers& p, std::uint64_t seed,
-               unsigned thread_count, const py::object& progress) {
+               unsigned thread_count, bool proved, const py::object& progress) {
                 const auto at = runtime_array(p, "parameters");
-                auto set = std::make_shared<Set>(
-                    in_background(run_options(seed, thread_count), progress, Cancel::by_flag,
-                                  [&](const RunOptions& run) { return enumerate(model, *solved, at, run); }));
-                return py::make_tuple(set, to_python(*set));
+                return to_python(in_background(run_options(seed, thread_count), progress, Cancel::by_flag,
+                                               [&](const RunOptions& run) {
+                                                   return with_proof(model, enumerate(model, *solved, at, run), run,
+                                                                     proved);
+                                               }),
+                                 proved);
             },
-            py::arg("solved"), py::arg("p"), py::arg("seed"), py::arg("threads"), py::arg("progress"))
+            py::arg("solved"), py::arg("p"), py::arg("seed"), py::arg("threads"), py::arg("prove"), py::arg("progress"))
         .def(
             "prove",
             [](const FormulaModel& model, const std::shared_ptr<Set>& set, unsigned thread_count, int most_digits,

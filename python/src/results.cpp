@@ -111,6 +111,10 @@ py::dict to_python(const RootSet<RuntimeUnknowns>& set) {
     y["morse"] = set.morse();
     y["seed"] = set.seed;
     y["seconds"] = set.seconds;
+    y["completeness"] = std::string(to_string(set.completeness.completeness));
+    y["missing_at_most"] =
+        set.completeness.missing_at_most ? py::object(py::int_(*set.completeness.missing_at_most)) : py::none();
+    y["verdict"] = in_words(set.completeness);
     y["start"] = set.start.name;
     y["why_start"] = set.start.why;
     y["summary"] = text_of(set);

@@ -1,6 +1,7 @@
 // Models with coordinates in units of their own, small terms, families: what is proved by default.
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <cstdint>
 
@@ -80,4 +81,58 @@ TEST_CASE("a model whose equilibria are curves has none that is isolated, by Ber
     std::size_t real = 0;
     for (const auto& family : y.set.families) real += family.real();
     CHECK(real == 2);
+}
+
+namespace {
+
+/// The quartic as a type; p[0] - p[1] multiplies x^4.
+struct QuarticType {
+    static constexpr int n_angles = 0, n_coordinates = 1, n_parameters = 2;
+    constexpr auto potential(const auto&, const auto& x, const auto& p) const {
+        return x[0] * x[0] * 0.5 - x[0] * x[0] * x[0] * x[0] * (p[0] - p[1]);
+    }
+};
+/// Two pendulums that turn together.
+struct PairType {
+    static constexpr int n_angles = 2, n_parameters = 1;
+    constexpr auto potential(const auto& theta, const auto& p) const {
+        return -cos(theta[0]) - cos(theta[1]) - p[0] * cos(theta[0] - theta[1]);
+    }
+};
+
+}  // namespace
+
+TEST_CASE("models that are types are proved as those at run time are", "[every_equilibrium]") {
+    const auto small = every_equilibrium<QuarticType>({{1 + 1e-15, 1.0}});
+    CHECK(small.set.completeness.completeness == Completeness::complete);
+    REQUIRE(small.set.real() == 3);
+    CHECK(small.set.by_index() == std::vector<std::int64_t>{1, 2});
+    CHECK(small.proof.index == 3);
+    // what cancels exactly is no term: the degree is 1
+    const auto none = every_equilibrium<QuarticType>({{0.1 + 0.2, 0.30000000000000004}});
+    CHECK(none.set.completeness.completeness == Completeness::complete);
+    CHECK(none.set.real() == 1);
+    CHECK(none.set.paths.total == 1);
+
+    const auto pair = every_equilibrium<PairType>({{0.7}});
+    CHECK(pair.proof.complete);
+    CHECK(pair.set.completeness.completeness == Completeness::complete);
+    // angles 0 or pi, and opposite ones with cos = -1 / 1.4
+    CHECK(pair.set.by_index() == std::vector<std::int64_t>{1, 3, 2});
+    CHECK(pair.confirmed.size() == pair.set.roots.size());
+    CHECK(pair.proof.index == static_cast<std::uint64_t>(pair.set.real()));
+}
+
+TEST_CASE("what a stopped search for equilibria found is proved, and its verdict is open", "[every_equilibrium]") {
+    const std::atomic<bool> stopped = true;
+    const auto check = [](const auto& y) {
+        CHECK(y.set.cancelled());
+        CHECK(y.set.paths.accounted_for());
+        CHECK(y.set.completeness.completeness == Completeness::open);
+        CHECK(y.set.completeness.sentence.find("stopped") != std::string::npos);
+    };
+    check(every_equilibrium(PendulumOnSlider(), RuntimeArray<double>{1.0}, {.cancel = &stopped}));
+    check(every_equilibrium<PairType>({{0.7}}, {.cancel = &stopped}));
+    // without an isolated solution there is nothing to be stopped: the mixed volume of the exact terms is 0
+    CHECK(every_equilibrium(Difference(), RuntimeArray<double>(0), {.cancel = &stopped}).proof.complete);
 }

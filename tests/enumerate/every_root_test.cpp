@@ -1,6 +1,7 @@
 // Systems that a floating threshold misjudges, with what exact algebra says of them: numbers of roots, of real ones,
 // multiplicities, curves; and what is claimed of completeness.
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <complex>
 #include <cstdint>
@@ -9,6 +10,7 @@
 
 #include <equilibria/enumerate/every_root.hpp>
 #include <equilibria/io/read_phcpack.hpp>
+#include <equilibria/paths/predicted_work.hpp>
 #include <equilibria/system/sparse_system.hpp>
 
 #include "support/catch.hpp"
@@ -173,4 +175,53 @@ TEST_CASE("every root and the verdict are the same for any number of threads", "
     REQUIRE(one.found.roots.size() == two.found.roots.size());
     for (std::size_t k = 0; k < one.found.roots.size(); ++k) CHECK(one.found.roots[k].q[0] == two.found.roots[k].q[0]);
     CHECK(one.verdict.sentence == two.verdict.sentence);
+}
+
+TEST_CASE("a run that is stopped counts what it left, and claims nothing", "[every_root]") {
+    // cyclic 6: 156 paths of a polyhedral start, which are tracked in several blocks
+    const auto system =
+        sparse_system(parse_phcpack("6\na+b+c+d+e+f;\na*b+b*c+c*d+d*e+e*f+f*a;\na*b*c+b*c*d+c*d*e+d*e*f+e*f*a+f*a*b;\n"
+                                    "a*b*c*d+b*c*d*e+c*d*e*f+d*e*f*a+e*f*a*b+f*a*b*c;\n"
+                                    "a*b*c*d*e+b*c*d*e*f+c*d*e*f*a+d*e*f*a*b+e*f*a*b*c+f*a*b*c*d;\na*b*c*d*e*f-1;\n"));
+    const auto bounds = start_bounds(system, {}, true);
+    for (const auto kind : {StartKind::polyhedral, StartKind::total_degree}) {
+        const StartChoice choice = fewest_paths(bounds, kind);
+        std::atomic<bool> stopped = true;
+        const auto none = every_root(system, choice, {.cancel = &stopped});
+        CHECK(none.found.paths.accounted_for());
+        CHECK(none.found.paths.cancelled == none.found.paths.total);
+        CHECK(none.verdict.completeness == Completeness::open);
+        CHECK(none.verdict.missing_at_most == bounds.mixed_volume);
+
+        stopped = false;
+        const auto some =
+            every_root(system, choice,
+                       {.progress = [&](std::uint64_t done, std::uint64_t) { stopped = stopped || done > 0; },
+                        .cancel = &stopped});
+        CHECK(some.found.paths.accounted_for());
+        CHECK(some.found.paths.total == (kind == StartKind::polyhedral ? 156U : 720U));
+        CHECK(some.found.paths.cancelled > 0);
+        CHECK(some.verdict.completeness == Completeness::open);
+        CHECK(some.verdict.sentence.find("the run was stopped") != std::string::npos);
+
+        stopped = false;
+        const auto all = every_root(system, choice, {.cancel = &stopped}), same = every_root(system, choice);
+        CHECK(all.found.paths.cancelled == 0);
+        CHECK(all.verdict.sentence == same.verdict.sentence);
+        CHECK(all.found.roots.size() == same.found.roots.size());
+    }
+    const std::atomic<bool> stopped = true;
+    CHECK_FALSE(start_bounds(system, {}, true, {.cancel = &stopped}).mixed_volume);
+}
+
+TEST_CASE("the work that is predicted counts the paths of the start", "[every_root]") {
+    const auto system = sparse_system(parse_phcpack("3\nx^2+y^2+z^2-3;\nx*y+z-2;\nx^3-y*z;\n"));
+    const auto bounds = start_bounds(system, {}, true);
+    const auto degrees = predicted_work(system, fewest_paths(bounds, StartKind::total_degree), {}, 1);
+    CHECK(degrees.paths.value == 12);
+    CHECK(degrees.seconds.value() > 0);
+    CHECK(degrees.bytes > 0);
+    const auto cells = predicted_work(system, fewest_paths(bounds, StartKind::polyhedral), {}, 1);
+    CHECK(static_cast<std::uint64_t>(cells.paths.value) == bounds.mixed_volume);
+    CHECK_FALSE(predicted_work(system, fewest_paths(bounds, StartKind::total_degree)).seconds);
 }

@@ -2,19 +2,24 @@
 /// Every isolated equilibrium of a model, proved, with a verdict on completeness: what `enumerate`, `prove` and
 /// every_root say together.
 ///
-/// A model of angles alone is enumerated and proved as it is. Where that leaves something open, and where there are
+/// A model of angles alone is enumerated and proved as it stands. Where that leaves something open, and where there are
 /// coordinates, whose units matter, its equations are solved as a system by every_root; the equilibria are classified
 /// in the units of that search. Real, not real, and the index are what is proved, where it is.
 #pragma once
 
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <optional>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
 #include <equilibria/certify/exact_system.hpp>
 #include <equilibria/certify/proved_bound.hpp>
 #include <equilibria/core/compiled.hpp>
+#include <equilibria/core/sorted_order.hpp>
+#include <equilibria/enumerate/enumerate.hpp>
 #include <equilibria/enumerate/enumerate_at_run_time.hpp>
 #include <equilibria/enumerate/every_root.hpp>
 #include <equilibria/enumerate/prove.hpp>
@@ -22,13 +27,16 @@
 
 namespace equilibria {
 
-/// Equilibria, their proof, and what explains the paths that lead to none.
-struct EveryEquilibrium {
-    RootSet<RuntimeUnknowns> set;             ///< with its verdict, set.completeness
+/// Equilibria, their proof, and what explains the paths that lead to none. M: the unknowns.
+template <class M>
+struct EveryEquilibriumOf {
+    RootSet<M> set;                           ///< with its verdict, set.completeness
     ProofOfRoots proof;                       ///< of set.roots
     std::vector<char> confirmed;              ///< of each root that is singular: its multiplicity was confirmed
     std::vector<DivergingPaths> at_infinity;  ///< explained paths, by their direction
 };
+/// Those of a model at run time.
+using EveryEquilibrium = EveryEquilibriumOf<RuntimeUnknowns>;
 
 namespace detail {
 
@@ -42,8 +50,33 @@ struct ModelToSolve {
 
 /// The verdict that a proof alone gives.
 RootsVerdict verdict_of(const ProofOfRoots& proof);
+/// The verdict on a cancelled run.
+void say_stopped(RootsVerdict& verdict, const PathCounts& paths);
 /// What is proved replaces what was measured: indices, and that an equilibrium is not degenerate.
-void take_proved_indices(RootSet<RuntimeUnknowns>& set, const ProofOfRoots& proof);
+template <class M>
+void take_proved_indices(RootSet<M>& set, const ProofOfRoots& proof) {
+    std::unordered_map<std::uint64_t, const Certificate*> of_path;
+    for (const Certificate& c : proof.certificates) of_path.emplace(c.path, &c);
+    std::vector<std::array<std::int64_t, 3>> keys;
+    for (auto& e : set.equilibria) {
+        if (const auto at = of_path.find(e.path); at != of_path.end() && at->second->index_proved)
+            e.index = at->second->index, e.nullity = 0;
+        keys.push_back({e.index, e.nullity, static_cast<std::int64_t>(e.path)});
+    }
+    set.equilibria = in_order(sorted_order(keys), std::move(set.equilibria));
+}
+/// What a set and its proof say.
+template <class M>
+EveryEquilibriumOf<M> with_verdict(RootSet<M> set, ProofOfRoots proof) {
+    EveryEquilibriumOf<M> y{std::move(set), std::move(proof), {}, {}};
+    y.confirmed.assign(y.set.roots.size(), 0);
+    y.set.completeness = verdict_of(y.proof);
+    take_proved_indices(y.set, y.proof);
+    if (y.set.cancelled()) say_stopped(y.set.completeness, y.set.paths);
+    return y;
+}
+/// Exact equations in double: what is exactly 0 is no term; nothing where an equation vanishes.
+std::optional<SparseSystem> system_of_exact(const ExactTerms& exact);
 /// The equilibria among the roots of a system, classified in its units.
 EveryEquilibrium equilibria_of(const SparseSystem& system, const ModelToSolve& problem, const RunOptions& run,
                                std::optional<StartKind> asked);
@@ -51,7 +84,7 @@ EveryEquilibrium equilibria_of(const SparseSystem& system, const ModelToSolve& p
 }  // namespace detail
 
 /// Every isolated equilibrium of a model at run time at the parameters p. StartSystem: as of enumerate_from. Throws as
-/// enumerate_from, and where the run names a checkpoint.
+/// enumerate_from, and where the run names a checkpoint. What a cancelled run found is proved; its verdict is open.
 template <class StartSystem = LeastCost, RuntimeModel T>
 EveryEquilibrium every_equilibrium(const T& model, const RuntimeArray<double>& p, const RunOptions& run = {}) {
     const detail::Stopwatch clock;
@@ -64,13 +97,10 @@ EveryEquilibrium every_equilibrium(const T& model, const RuntimeArray<double>& p
     const RuntimeFormulation formulation(model);
     const auto system = detail::system_of_terms(sizes, RuntimeModelSystem(formulation, model, p).terms);
     if (sizes.coordinates == 0 || !system || asked) {
-        y.set = enumerate_from<StartSystem>(model, p, run);
-        if (y.set.cancelled()) return y;
-        y.proof = prove(model, y.set, whole);
-        y.confirmed.assign(y.set.roots.size(), 0);
-        y.set.completeness = detail::verdict_of(y.proof);
-        detail::take_proved_indices(y.set, y.proof);
-        if (y.proof.complete || !system) {
+        auto set = enumerate_from<StartSystem>(model, p, run);
+        auto proof = prove(model, set, whole);
+        y = detail::with_verdict(std::move(set), std::move(proof));
+        if (y.proof.complete || !system || y.set.cancelled()) {
             y.set.seconds = clock.seconds();
             return y;
         }
@@ -80,9 +110,41 @@ EveryEquilibrium every_equilibrium(const T& model, const RuntimeArray<double>& p
     whole_problem.model = {sizes, RuntimePotentialModel<T>, formulation.reflection_symmetric()};
     whole_problem.equations = &equations;
     constexpr auto kind = std::is_same_v<StartSystem, Polyhedral> ? std::optional(StartKind::polyhedral) : std::nullopt;
-    auto found = detail::equilibria_of(*system, whole_problem, whole, kind);
+    auto found = detail::equilibria_of(*system, whole_problem, run, kind);
     found.set.seconds = clock.seconds();
     return found;
+}
+
+/// Every isolated equilibrium of a model that is a type, at the parameters p. StartSystem: as of `enumerate`. Throws as
+/// that, and where the run names a checkpoint. What a cancelled run found is proved; its verdict is open.
+template <Model M, class StartSystem = LeastCost>
+[[gnu::cold]] EveryEquilibriumOf<M> every_equilibrium(const Parameters<M>& p, const RunOptions& run = {}) {
+    const detail::Stopwatch clock;
+    run.require_no_checkpoint();
+    RunOptions whole = run;
+    whole.cancel = nullptr;
+    constexpr bool asked = !std::is_same_v<StartSystem, LeastCost>;
+    const ExactTerms exact = ExactSystem<M>::at(p);
+    const auto system = detail::system_of_exact(exact);
+    EveryEquilibriumOf<M> y;
+    if (n_coordinates<M> == 0 || !system || asked) {
+        auto set = enumerate<M, StartSystem>(p, run);
+        auto proof = prove(set, whole);
+        y = detail::with_verdict(std::move(set), std::move(proof));
+        if (y.proof.complete || !system || y.set.cancelled()) {
+            y.set.seconds = clock.seconds();
+            return y;
+        }
+    }
+    const detail::RealModelEquations<M> equations(p);
+    constexpr auto kind = std::is_same_v<StartSystem, Polyhedral> ? std::optional(StartKind::polyhedral) : std::nullopt;
+    auto found = detail::equilibria_of(
+        *system,
+        {runtime_array(p), {Sizes<M>(), PotentialModel<M>, Formulation<M>::reflection_symmetric}, exact, &equations},
+        run, kind);
+    found.set.seconds = clock.seconds();
+    return {typed<M>(std::move(found.set)), std::move(found.proof), std::move(found.confirmed),
+            std::move(found.at_infinity)};
 }
 
 }  // namespace equilibria

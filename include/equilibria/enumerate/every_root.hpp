@@ -61,8 +61,8 @@ struct EveryRoot {
 };
 
 /// Every isolated root of the system. choice: the start to begin with; a polyhedral one follows where it leaves
-/// something open. Throws InvalidArgument where the run names a checkpoint or a cancel, and where options are out of
-/// range.
+/// something open. Of a cancelled run the verdict is open, and what was not followed is counted. Throws InvalidArgument
+/// where the run names a checkpoint, and where options are out of range.
 EveryRoot every_root(const SparseSystem& system, const StartChoice& choice, const RunOptions& run = {},
                      const EveryRootOptions& options = {});
 

@@ -56,8 +56,8 @@ struct StartChoice {
 };
 
 /// groupings: to be compared; none: the smallest number of those that smallest_multihomogeneous_number compares. Unless
-/// all bounds are asked for, the mixed volume is counted as far as it may pay. Throws InvalidArgument for a grouping
-/// without a group for each unknown.
+/// all bounds are asked for, the mixed volume is counted as far as it may pay; a cancelled run counts none. Throws
+/// InvalidArgument for a grouping without a group for each unknown.
 StartBounds start_bounds(const SparseSystem& system, const std::vector<std::vector<int>>& groupings = {},
                          bool all_bounds = false, const RunOptions& run = {});
 

@@ -7,6 +7,7 @@
 /// (1989) (from a generic member of a family to all others).
 #pragma once
 
+#include <algorithm>
 #include <complex>
 #include <cstdint>
 #include <memory>
@@ -32,17 +33,26 @@ public:
 
     /// Solves a system with the exponents of `typical` (affine_supports) and coefficients of about its size, whose
     /// phases are turned at random, by less than a right angle and a half: on the way to systems like it no coefficient
-    /// comes near 0. Throws InvalidArgument where the run names a checkpoint or options are out of range.
+    /// comes near 0. A cancelled run leaves paths out. Throws InvalidArgument where the run names a checkpoint or
+    /// options are out of range.
     explicit GenericInstance(const SparseSystem& typical, const RunOptions& run = {},
                              const TrackerOptions& options = {});
 
-    /// Number of paths that were tracked to the generic system.
+    bool cancelled() const { return cancelled_; }  ///< the run was, before all its paths were tracked
+    /// Number of paths that were tracked to the generic system; 0 where the run was cancelled among its cells.
     std::uint64_t mixed_volume() const { return mixed_volume_; }
     const RuntimeSizes& sizes() const { return sizes_; }  ///< numbers of angles and coordinates
     /// Angles in complex radians, then coordinates, none of which is 0. Less than the mixed volume only where paths
     /// failed, which every result then counts.
     const std::vector<Unknowns>& roots() const { return roots_; }
     std::uint64_t failed() const { return mixed_volume_ - roots_.size(); }  ///< paths that reached no regular root
+    /// Counts the paths that reached no regular root: as failed, or as cancelled where the run was. A run that was
+    /// cancelled before its paths were numbered counts as one such path.
+    void add_unsolved_to(PathCounts& counts) const {
+        const std::uint64_t unsolved = cancelled_ ? std::max<std::uint64_t>(failed(), 1) : failed();
+        counts.total += unsolved;
+        (cancelled_ ? counts.cancelled : counts.failed) += unsolved;
+    }
     /// Its paths: how many cells they began in, what was tracked again, and the effort.
     struct Effort {
         std::uint64_t cells = 0;      ///< mixed cells
@@ -84,6 +94,7 @@ public:
 private:
     RuntimeSizes sizes_;
     std::uint64_t mixed_volume_ = 0;
+    bool cancelled_ = false;
     Supports supports_;
     std::vector<std::complex<double>> coefficients_;  // a column of the supports each
     std::vector<Unknowns> roots_;

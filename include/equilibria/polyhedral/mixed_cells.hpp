@@ -21,6 +21,7 @@
 #pragma once
 
 #include <array>
+#include <atomic>
 #include <concepts>
 #include <cstdint>
 #include <functional>
@@ -66,6 +67,8 @@ struct MixedCellOptions {
     Executor executor = {};
     /// mixed_volume() stops as soon as it knows that the mixed volume is larger.
     std::uint64_t most_volume = std::numeric_limits<std::uint64_t>::max();
+    /// The walk ends soon after this has become true; the result is not complete then. It outlives the walk.
+    const std::atomic<bool>* cancel = nullptr;
     /// The largest entries of tables of 32 and of 64 bits (1 or more); less than the types hold: tests of what is
     /// wider.
     /// \{
@@ -86,8 +89,8 @@ struct MixedVolume {
     std::array<std::uint64_t, 3> exchanges_by_width = {};
     /// The order in which the equations were taken.
     std::vector<int> order;
-    /// The walk was not ended by the sink, before all cells were found, nor at the most volume: that is `value` then,
-    /// and the mixed volume is larger.
+    /// The walk was not ended by the sink or by a cancel, before all cells were found, nor at the most volume: that is
+    /// `value` then, and the mixed volume is larger.
     bool complete = true;
 };
 

@@ -48,9 +48,13 @@ struct RunOptions {
         run.seed = other;
         return run;
     }
-    /// For what solves many systems, and keeps no file. Throws InvalidArgument where one is named, or a cancel given.
-    [[gnu::cold]] void require_whole(const char* what) const {
+    /// For what solves many systems, and keeps no file. Throws InvalidArgument where one is named.
+    [[gnu::cold]] void require_no_checkpoint() const {
         require(checkpoint.empty(), "checkpoint", checkpoint, "must be empty: it keeps a single enumeration");
+    }
+    /// For what moreover ends only when it is done. Throws InvalidArgument where a cancel is given.
+    [[gnu::cold]] void require_whole(const char* what) const {
+        require_no_checkpoint();
         require(cancel == nullptr, "cancel", "given", std::string("must be empty: ") + what + " cannot be cancelled");
     }
     /// For what moreover does not share its work with other ranks. Throws InvalidArgument where there are some.

@@ -43,6 +43,7 @@ public:
                     const MixedCellOptions& options = {});
 
     static constexpr std::string_view name() { return "polyhedral"; }       ///< what results call it
+    bool cancelled() const { return cancelled_; }                           ///< there are no cells, by options.cancel
     PathNumbering numbering() const { return PathNumbering::all(paths_); }  ///< all are tracked
     /// Where the path begins: a root of its cell's binomial system.
     RuntimePoint<double> point(std::uint64_t path) const;
@@ -78,6 +79,7 @@ private:
     std::vector<Cell> cells_;
     std::vector<float> weights_;  // of the columns, cell by cell
     std::uint64_t paths_ = 0;
+    bool cancelled_ = false;
     double weight_ratio_ = 0;
 };
 

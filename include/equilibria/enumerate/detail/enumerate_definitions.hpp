@@ -86,13 +86,13 @@ EQUILIBRIA_INLINE RootSet<RuntimeUnknowns> enumerate_polyhedral(
     const SparseSystem& system, const RuntimeArray<double>& p, const ModelProperties<RuntimeUnknowns>& model,
     std::shared_ptr<const OwnEquations> own, const RealEquations& equations, CheckpointFields fields,
     const RunOptions& run, const TrackerOptions& options, MoreDigits<> resort) {
-    const GenericInstance instance(system, {.seed = run.seed, .executor = run.executor, .ranks = run.ranks}, options);
+    const GenericInstance instance(
+        system, {.seed = run.seed, .executor = run.executor, .ranks = run.ranks, .cancel = run.cancel}, options);
     const GenericInstance::Start start(instance);
     const PolynomialHomotopy homotopy = instance.homotopy(system, std::move(own));
     auto paths = track_paths(homotopy, {.start = StartPoints(start), .model = std::move(fields)}, run, options, resort);
     auto set = root_set_of(std::move(paths), p, model, homotopy, equations, run);
-    set.paths.total += instance.failed();
-    set.paths.failed += instance.failed();
+    instance.add_unsolved_to(set.paths);
     set.tracking_seconds += instance.effort().tracking_seconds;
     set.start = {std::string(GenericInstance::Start::name()), "asked for", instance.mixed_volume()};
     return set;

@@ -7,9 +7,9 @@
 #include <cmath>
 #include <numbers>
 #include <string>
-#include <unordered_map>
 #include <utility>
 
+#include <equilibria/algebra/exact_scalars.hpp>
 #include <equilibria/core/sorted_order.hpp>
 #include <equilibria/enumerate/alarms.hpp>
 #include <equilibria/enumerate/classify.hpp>
@@ -70,16 +70,24 @@ EQUILIBRIA_INLINE RootsVerdict verdict_of(const ProofOfRoots& proof) {
     return v;
 }
 
-EQUILIBRIA_INLINE void take_proved_indices(RootSet<RuntimeUnknowns>& set, const ProofOfRoots& proof) {
-    std::unordered_map<std::uint64_t, const Certificate*> of_path;
-    for (const Certificate& c : proof.certificates) of_path.emplace(c.path, &c);
-    std::vector<std::array<std::int64_t, 3>> keys;
-    for (auto& e : set.equilibria) {
-        if (const auto at = of_path.find(e.path); at != of_path.end() && at->second->index_proved)
-            e.index = at->second->index, e.nullity = 0;
-        keys.push_back({e.index, e.nullity, static_cast<std::int64_t>(e.path)});
+EQUILIBRIA_INLINE void say_stopped(RootsVerdict& verdict, const PathCounts& paths) {
+    if (verdict.completeness == Completeness::complete) return;
+    verdict.sentence +=
+        "; " + std::to_string(paths.cancelled) + " paths were not followed to their ends, since the run was stopped";
+}
+
+EQUILIBRIA_INLINE std::optional<SparseSystem> system_of_exact(const ExactTerms& exact) {
+    std::vector<SparseTerm> terms;
+    for (const auto& t : exact.terms) {
+        if (!may_differ_from_zero(t.coefficient)) continue;
+        std::vector<int> codes(static_cast<std::size_t>(exact.sizes.unknowns));
+        for (int k = t.first; k < t.last; ++k) {
+            const auto& factor = exact.factors[static_cast<std::size_t>(k)];
+            codes[static_cast<std::size_t>(factor.unknown)] = factor.code;
+        }
+        terms.push_back({t.equation, SparseMonomial(std::move(codes)), t.coefficient.mid().to<double>()});
     }
-    set.equilibria = in_order(sorted_order(keys), std::move(set.equilibria));
+    return system_of_terms(exact.sizes, terms);
 }
 
 EQUILIBRIA_INLINE EveryEquilibrium equilibria_of(const SparseSystem& system, const ModelToSolve& problem,

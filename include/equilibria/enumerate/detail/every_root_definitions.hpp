@@ -61,8 +61,13 @@ EQUILIBRIA_INLINE RootAttempt plain_attempt(const SparseSystem& system, const St
     y.confirmed.assign(y.found.roots.size(), 0);
     const PathCounts& c = y.found.paths;
     y.unexplained = c.total - std::min(c.total, y.proof.distinct);
-    y.left = std::to_string(c.at_infinity) + " paths diverge, " + std::to_string(c.singular) +
-             " end at singular points, " + std::to_string(c.failed) + " failed";
+    const auto leave = [&y](std::uint64_t number, const char* how) {
+        if (number > 0) y.left += (y.left.empty() ? "" : ", ") + std::to_string(number) + " paths " + how;
+    };
+    leave(c.at_infinity, "diverge");
+    leave(c.singular, "end at singular points");
+    leave(c.failed, "failed");
+    leave(c.cancelled, "were not followed to their ends, since the run was stopped");
     return y;
 }
 
@@ -184,7 +189,7 @@ EQUILIBRIA_INLINE std::uint64_t EveryRoot::distinct() const {
 EQUILIBRIA_INLINE EveryRoot every_root(const SparseSystem& system, const StartChoice& choice, const RunOptions& run,
                                        const EveryRootOptions& options) {
     options.tracker.validate();
-    run.require_whole("a search for every root");
+    run.require_no_checkpoint();
     const detail::Stopwatch clock;
     const UnitScaling units = unit_scaling(system);
     const SparseSystem in_units = scaled(system, units);
@@ -192,6 +197,14 @@ EQUILIBRIA_INLINE EveryRoot every_root(const SparseSystem& system, const StartCh
     const bool may_explain = choice.kind != StartKind::monodromy && choice.bounds.mixed_volume.has_value() &&
                              *choice.bounds.mixed_volume <= 4 * options.most_explained;
     EveryRoot y;
+    if (run.cancelled_anywhere()) {
+        y.start = choice;
+        const auto bound = detail::smallest(bounds);
+        y.found.paths.total = y.found.paths.cancelled = bound ? bound->value : 1;
+        y.verdict.missing_at_most = bound ? std::optional(bound->value) : std::nullopt;
+        y.proof.reason = y.verdict.sentence = "the run was stopped before a path was followed";
+        return y;
+    }
     std::optional<detail::RootAttempt> best;
     RootsVerdict verdict;
     double tracking = 0;
@@ -208,16 +221,23 @@ EQUILIBRIA_INLINE EveryRoot every_root(const SparseSystem& system, const StartCh
         take(detail::plain_attempt(in_units, choice, bounds, run, options), false);
         best->start = choice;
     }
-    for (int k = 0; k < options.seeds && may_explain && verdict.completeness == Completeness::open; ++k) {
+    std::string left_before;
+    const bool stopped_first = best && run.cancelled_anywhere();
+    for (int k = 0; k < options.seeds && may_explain && !stopped_first && verdict.completeness == Completeness::open;
+         ++k) {
         if (*choice.bounds.mixed_volume == 0 || (best && best->hidden > 0 && best->hidden == best->unexplained)) break;
         const RunOptions again = run.with_seed(run.seed + 0x9e3779b97f4a7c15 * static_cast<std::uint64_t>(k));
         auto attempt = detail::ExplainedPaths(in_units, bounds, again, options).run();
+        // what another seed leaves open for the same reasons, the next one does as well
+        const bool as_before = k > 0 && attempt.unexplained > 0 && attempt.left == left_before;
+        left_before = attempt.left;
         attempt.start = {
             StartKind::polyhedral,
             choice.kind == StartKind::polyhedral && k == 0 ? choice.why : "other starts left something open",
             choice.bounds};
         take(std::move(attempt), true);
         y.starts += best && (k > 0 || choice.kind != StartKind::polyhedral);
+        if (as_before || run.cancelled_anywhere()) break;
     }
     if (verdict.completeness == Completeness::complete) {
         // what did not end at a root goes to infinity, since all roots are proved
@@ -230,7 +250,10 @@ EQUILIBRIA_INLINE EveryRoot every_root(const SparseSystem& system, const StartCh
     }
     if (verdict.completeness != Completeness::complete ||
         (choice.bounds.mixed_volume && *choice.bounds.mixed_volume == 0))
-        if (choice.kind != StartKind::monodromy) detail::find_all_families(in_units, run, options, *best);
+        if (choice.kind != StartKind::monodromy && !run.cancelled_anywhere())
+            detail::find_all_families(in_units, run, options, *best);
+    if (run.cancelled_anywhere())
+        for (auto& family : best->families) family.degree = 0;  // not all slices were followed
     y.start = std::move(best->start);
     y.found = std::move(best->found);
     y.confirmed = std::move(best->confirmed);

@@ -71,7 +71,8 @@ public:
     ExplainedPaths(const SparseSystem& system, const std::vector<ProvedBound>& bounds, const RunOptions& run,
                    const EveryRootOptions& options)
         : system_(system), bounds_(bounds), run_(run), options_(options), sizes_(system.sizes()),
-          instance_(system, {.seed = run.seed, .executor = run.executor, .ranks = run.ranks}, options.tracker),
+          instance_(system, {.seed = run.seed, .executor = run.executor, .ranks = run.ranks, .cancel = run.cancel},
+                    options.tracker),
           homotopy_(instance_.homotopy(system)), columns_(instance_.columns(system)) {}
 
     RootAttempt run() {
@@ -85,7 +86,9 @@ public:
         const std::size_t size = paths.size();
         std::vector<std::size_t> of_candidate;
         for (std::size_t k = 0; k < size; ++k)
-            if (paths.status(k) == PathStatus::finite) {
+            if (!paths.finished(k)) {
+                ++stopped_;
+            } else if (paths.status(k) == PathStatus::finite) {
                 y_.found.roots.push_back(root_of(paths.point(k), paths.record(k), k));
                 of_candidate.push_back(k);
             }
@@ -96,7 +99,7 @@ public:
         if (y_.proof.duplicates > 0) unsettle_duplicates(of_candidate, settled);
         std::vector<std::size_t> open;
         for (std::size_t k = 0; k < size; ++k)
-            if (!settled[k]) open.push_back(k);
+            if (!settled[k] && paths.finished(k)) open.push_back(k);
         if (!open.empty()) {
             std::vector<Root<RuntimeUnknowns>> kept;
             for (std::size_t m = 0; m < of_candidate.size(); ++m)
@@ -138,6 +141,8 @@ private:
         return q;
     }
 
+    /// Whether what one process does alone is to end.
+    bool stopped() const { return !run_.ranks.several() && run_.cancelled(); }
     static bool is_decided(const PathLimit& y) {
         return y.kind == LimitKind::finite || y.kind == LimitKind::at_infinity;
     }
@@ -156,7 +161,8 @@ private:
         if (first.to_multiple_root) return first;
         if (first.r < 1e-3) {
             auto y = follow_to_limit(sizes_, columns_, last_point(first), first.r, 64, most_steps);
-            if (y.kind != LimitKind::open) return y;
+            // a path that was lost so near to its end is lost there from its start as well
+            if (y.kind != LimitKind::open || y.r < 1e-30) return y;
         }
         return follow_to_limit(sizes_, columns_, exponentials(instance_.roots()[k]), 1, 64, most_steps);
     }
@@ -179,7 +185,7 @@ private:
         std::vector<PathLimit> limits(open.size());
         // what the store hands out is valid until the next call: points are read by one thread
         run_.executor.for_blocks(open.size(), open.size(), [&](std::size_t first, std::size_t last) {
-            for (std::size_t m = first; m < last; ++m) limits[m] = first_limit(open[m], paths);
+            for (std::size_t m = first; m < last && !stopped(); ++m) limits[m] = first_limit(open[m], paths);
         });
         const auto on_curves = find_curves(open, limits);
         Members doubtful;
@@ -189,7 +195,7 @@ private:
         const std::size_t work = columns_.size() * static_cast<std::size_t>(sizes_.unknowns) * (doubtful.size() + 1);
         const auto most_steps = static_cast<int>(std::clamp<std::size_t>(300'000 / work, 30, 300));
         run_.executor.for_blocks(doubtful.size(), 1, [&](std::size_t first, std::size_t last) {
-            for (std::size_t k = first; k < last; ++k) {
+            for (std::size_t k = first; k < last && !stopped(); ++k) {
                 const std::size_t m = doubtful[k];
                 limits[m] = exact_limit(open[m], limits[m], most_steps);
             }
@@ -204,6 +210,10 @@ private:
                 case LimitKind::singular: singular.push_back(m); break;
                 case LimitKind::at_infinity: add_infinite(limit); break;
                 case LimitKind::open:
+                    if (limit.z.empty()) {
+                        ++stopped_;
+                        break;
+                    }
                     y_.hidden += limit.to_multiple_root;
                     ++reasons[limit.reason];
                     y_.found.failures.push_back({open[m], FailureReason::endgame_undecided, unknowns(limit.z)});
@@ -361,20 +371,21 @@ private:
 
     void count(std::size_t size) {
         PathCounts& c = y_.found.paths;
-        c.total = size + instance_.failed();
-        c.finite = y_.proof.distinct;
-        c.singular = c.at_infinity = 0;
+        c.total = size, c.finite = y_.proof.distinct, c.cancelled = stopped_;
+        c.singular = c.at_infinity = c.failed = 0;
+        instance_.add_unsolved_to(c);
         y_.confirmed.resize(y_.found.roots.size());
         for (std::size_t k = 0; k < y_.found.roots.size(); ++k)
             if (y_.confirmed[k]) c.singular += static_cast<std::uint64_t>(y_.found.roots[k].paths);
         for (const auto& family : y_.families) c.singular += family.paths();
         for (const auto& away : y_.at_infinity) c.at_infinity += away.paths;
-        c.failed = c.total - c.finite - c.singular - c.at_infinity;
-        if (instance_.failed() > 0) {
-            y_.unexplained += instance_.failed();
-            y_.left += (y_.left.empty() ? "" : "; ") + std::to_string(instance_.failed()) +
-                       " paths of the start itself failed";
-        }
+        const auto leave = [this](std::uint64_t number, const std::string& why) {
+            y_.unexplained += number;
+            if (number > 0) y_.left += (y_.left.empty() ? "" : "; ") + std::to_string(number) + why;
+        };
+        leave(c.failed, " paths of the start itself failed");
+        leave(c.cancelled, " paths were not followed to their ends, since the run was stopped");
+        c.failed = c.total - c.finite - c.singular - c.at_infinity - c.cancelled;
         std::sort(y_.found.failures.begin(), y_.found.failures.end(),
                   [](const auto& a, const auto& b) { return a.path < b.path; });
     }
@@ -388,6 +399,7 @@ private:
     PolynomialHomotopy homotopy_;
     std::vector<LaurentColumn> columns_;
     RootAttempt y_;
+    std::uint64_t stopped_ = 0;  ///< paths that a cancelled run left
 };
 
 }  // namespace equilibria::detail

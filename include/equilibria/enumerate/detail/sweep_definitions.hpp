@@ -204,8 +204,7 @@ private:
         auto set =
             root_set_of(track_paths(homotopy, {.start = StartPoints(start)}, run, options_.tracker, options_.resort), p,
                         model_.properties, homotopy, *member.equations, run);
-        set.paths.total += from.failed();
-        set.paths.failed += from.failed();
+        from.add_unsolved_to(set.paths);
         return set;
     }
     static void describe(const RootSet<RuntimeUnknowns>& set, SweptPoint& y) {

@@ -43,7 +43,9 @@ EQUILIBRIA_INLINE std::optional<std::uint64_t> mixed_volume_up_to(std::uint64_t 
                                                                   const RunOptions& run) {
     if (most == 0) return {};
     try {
-        const auto volume = mixed_volume(supports, {.executor = run.executor, .most_volume = most});
+        const auto volume = mixed_volume(
+            supports,
+            {.executor = run.executor, .most_volume = most, .cancel = run.ranks.several() ? nullptr : run.cancel});
         return volume.complete ? std::optional(volume.value) : std::nullopt;
     } catch (const InvalidArgument&) {
         return {};  // 2^64 or more

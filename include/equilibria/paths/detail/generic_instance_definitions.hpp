@@ -34,17 +34,20 @@ public:
         : start_(start), homotopy_(start), polisher_(homotopy_), run_(run), options_(options),
           ends_(start.numbering().total()) {}
 
-    void track() {
+    /// Whether it came to an end: a cancelled run does not.
+    bool track() {
         std::vector<std::uint64_t> open(ends_.size());
         std::iota(open.begin(), open.end(), std::uint64_t{0});
         TrackerOptions options = options_;
         for (int round = 0; round < 5 && !open.empty(); ++round) {
             track(open, options);
+            if (run_.cancelled_anywhere()) return false;
             options = round == 0 ? options : options.tightened();
             options.single_precision = false;
             open = unfinished();
             retracked += open.size();
         }
+        return true;
     }
 
     std::vector<Endpoint>& ends() { return ends_; }
@@ -61,6 +64,7 @@ private:
                 : std::clamp<std::size_t>(paths.size() / (8 * workers), 8 * native_lanes, workers == 1 ? 4096 : 512);
         std::vector<Endpoint> tracked(paths.size());
         compute_endpoints(run_, homotopy_.sizes(), tracked, block, [&](std::size_t first, std::size_t last) {
+            if (!run_.ranks.several() && run_.cancelled()) return;
             const std::span numbers(paths.data() + first, last - first);
             const auto ends = std::span(tracked).subspan(first, last - first);
             const auto from = [this](std::uint64_t path) { return start_.point(path); };
@@ -147,11 +151,12 @@ EQUILIBRIA_INLINE GenericInstance::GenericInstance(const SparseSystem& typical, 
                                                    const TrackerOptions& options)
     : sizes_(typical.sizes()), supports_(affine_supports(typical)) {
     options.validate();
-    run.require_whole("a generic instance");
+    run.require_no_checkpoint();
     const detail::Stopwatch clock;
     Generator generator(run.seed);
     coefficients_ = detail::generic_coefficients(typical, supports_, generator);
-    const PolyhedralStart start(supports_, coefficients_, generator, 4, {.executor = run.executor});
+    const PolyhedralStart start(supports_, coefficients_, generator, 4,
+                                {.executor = run.executor, .cancel = run.ranks.several() ? nullptr : run.cancel});
     mixed_volume_ = start.numbering().total();
     for (int i = 0; i < sizes_.unknowns; ++i)
         for (int k = supports_.first_column(i); k < supports_.first_column(i + 1); ++k)
@@ -160,7 +165,7 @@ EQUILIBRIA_INLINE GenericInstance::GenericInstance(const SparseSystem& typical, 
     effort_.weight_ratio = start.weight_ratio();
     effort_.cells_seconds = clock.seconds();
     detail::PolyhedralPaths paths(start, run, options);
-    paths.track();
+    cancelled_ = start.cancelled() || !paths.track();
     for (const Endpoint& end : paths.ends()) {
         effort_.steps += static_cast<std::uint64_t>(end.steps);
         effort_.in_double += end.precision == Precision::in_double;
@@ -222,8 +227,7 @@ EQUILIBRIA_INLINE ComplexRoots<> GenericInstance::solve(const SparseSystem& targ
                                                         const TrackerOptions& options, MoreDigits<> resort) const {
     options.validate();
     ComplexRoots<> y = complex_roots(homotopy(target), Start(*this), run, options, resort);
-    y.paths.total += failed();
-    y.paths.failed += failed();
+    add_unsolved_to(y.paths);
     return y;
 }
 

@@ -71,6 +71,7 @@ inline RegenerationPlan plan_of(const Supports& supports, const MixedCellOptions
     RegenerationPlan y(supports, options.order.empty() ? chosen_order(supports) : options.order);
     y.largest_narrow = options.largest_narrow;
     y.largest_wide = options.largest_wide;
+    y.cancel = options.cancel;
     return y;
 }
 

@@ -8,6 +8,7 @@
 #pragma once
 
 #include <algorithm>
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -37,6 +38,9 @@ struct RegenerationPlan {
     std::int64_t largest_target = 0;
     std::int32_t largest_narrow = std::numeric_limits<std::int32_t>::max();
     std::int64_t largest_wide = std::numeric_limits<std::int64_t>::max();
+    const std::atomic<bool>* cancel = nullptr;  ///< ends the walk where it is true
+
+    bool cancelled() const { return cancel && cancel->load(std::memory_order_relaxed); }
 
     RegenerationPlan(const Supports& supports, std::vector<int> equation_order)
         : unknowns(supports.unknowns()), order(std::move(equation_order)) {

@@ -65,6 +65,7 @@ public:
     std::uint64_t counted = 0;
     UnlimitedInteger counted_volume() const { return large_volume_ + sum_; }
     /// Nothing is more than the largest number.
+    bool cancelled() const { return plan_.cancelled(); }
     bool counted_more_than(std::uint64_t most) const {
         return most != std::numeric_limits<std::uint64_t>::max() && (sum_ > most || large_volume_ > most);
     }

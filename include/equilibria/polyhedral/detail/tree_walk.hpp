@@ -33,7 +33,7 @@ struct StoredCell {
 };
 
 /// Follows a node and all below it, the first child first; tell(node, walk) of each cell says whether to go on. Goes on
-/// as long as the walk has not counted more than the most volume.
+/// as long as the walk has not counted more than the most volume, and is not cancelled.
 template <class Tell>
 bool follow_branch(RegenerationWalk& walk, std::vector<std::unique_ptr<RegenerationNode>>& stack, RegenerationNode& top,
                    std::uint64_t most, Tell&& tell) {
@@ -50,6 +50,7 @@ bool follow_branch(RegenerationWalk& walk, std::vector<std::unique_ptr<Regenerat
             if (walk.counted_more_than(most)) return false;
             --depth;
         }
+        if (walk.cancelled()) return false;
     }
     return true;
 }
@@ -144,6 +145,7 @@ inline WalkCounts walk_tree(const Supports& supports, const RegenerationPlan& pl
                 else
                     left -= counts.volume.convert_to<std::uint64_t>();
             }
+            if (plan.cancelled()) stopped = true;
             if (!stopped)
                 follow_branch(walk, stack, *branches[b], left, [&](RegenerationNode& node, RegenerationWalk& its) {
                     const auto cell = report.cell(node, its);
@@ -177,7 +179,7 @@ inline WalkCounts walk_tree(const Supports& supports, const RegenerationPlan& pl
             telling = false;
         }
     });
-    complete = !stopped;
+    complete = !stopped && !plan.cancelled();
     counts.add(told);
     return counts;
 }

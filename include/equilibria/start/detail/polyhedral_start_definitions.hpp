@@ -121,6 +121,10 @@ EQUILIBRIA_INLINE PolyhedralStart::PolyhedralStart(const Supports& supports, std
     bool found = false;
     for (int k = 0, bits = 20; k < liftings || !found; ++k) {
         Draw drawn = draw(generator, k % 2 == 1, bits, options);
+        if (options.cancel && options.cancel->load(std::memory_order_relaxed)) {
+            cancelled_ = true;
+            return;
+        }
         if (!drawn.fine) {
             bits = std::min(bits + 2, 40);
             continue;

@@ -90,8 +90,12 @@ Varied varied(const Input& input, const std::string& option, const std::string& 
 void print_names(const FormulaModel& model) {
     for (const std::string& name : unknowns(model)) std::printf("%13s", name.c_str());
 }
-void print_unknowns(const RuntimeArray<double>& q) {
-    for (const double x : q) std::printf("%13.8f", x + 0.0);
+void print_unknowns(const FormulaModel& model, const RuntimeArray<double>& q) {
+    for (int u = 0; u < q.size(); ++u) {
+        const double x = q[u] + 0.0, size = std::abs(x);
+        const bool fixed = static_cast<std::size_t>(u) < model.angles.size() || x == 0 || (size >= 1e-6 && size < 1e3);
+        std::printf(fixed ? "%13.8f" : "%13.5e", x);
+    }
 }
 std::string in_words(const Input& input) {
     std::ostringstream out;

@@ -62,7 +62,8 @@ std::vector<std::string> split(const std::string& text, char separator);
 
 /// A table's column names: those of the unknowns; each number under its name.
 void print_names(const FormulaModel& model);
-void print_unknowns(const RuntimeArray<double>& q);
+/// Coordinates that are very small or large with an exponent.
+void print_unknowns(const FormulaModel& model, const RuntimeArray<double>& q);
 /// "alpha = 0.33, omega = 2".
 std::string in_words(const Input& input);
 

@@ -40,7 +40,7 @@ std::string comings(const Event& e) {
     return out.str();
 }
 
-void print(const Event& e) {
+void print(const FormulaModel& model, const Event& e) {
     std::printf("%-18.14g  %-24s", e.value + 0.0, std::string(equilibria::kind_name(e.kind)).c_str());
     if (e.kind == equilibria::CriticalKind::continuum)
         std::printf("  an equation vanishes identically");
@@ -49,7 +49,7 @@ void print(const Event& e) {
     else if (!e.has_equilibrium())
         std::printf("  %s", comings(e).c_str());
     else
-        print_unknowns(e.q);
+        print_unknowns(model, e.q);
     std::printf("\n");
 }
 
@@ -124,7 +124,8 @@ int events(int argc, char** argv) {
         std::printf("\n");
         std::size_t next = 0;
         for (std::size_t k = 0; k <= found.intervals.size(); ++k) {
-            for (; next < found.events.size() && found.events[next].interval == k; ++next) print(found.events[next]);
+            for (; next < found.events.size() && found.events[next].interval == k; ++next)
+                print(input.model, found.events[next]);
             if (k == found.intervals.size()) break;
             const auto& gap = found.intervals[k];
             std::printf("    %llu equilibria, by index %s%s%s\n", static_cast<unsigned long long>(gap.count),
@@ -169,13 +170,13 @@ int diagram(int argc, char** argv) {
                     by.name.c_str(), "event");
         print_names(input.model);
         std::printf("\n");
-        for (const Event& e : found.events) print(e);
+        for (const Event& e : found.events) print(input.model, e);
         for (const auto& piece : found.pieces)
             for (const int end : {0, 1})
                 if (piece.ends[static_cast<std::size_t>(end)] == equilibria::PieceEnd::stopped) {
                     const auto& last = end == 0 ? piece.points.front() : piece.points.back();
                     std::printf("%-18.14g  %-24s", last.parameter, "NOT FOLLOWED FURTHER");
-                    print_unknowns(last.q);
+                    print_unknowns(input.model, last.q);
                     std::printf("\n");
                 }
         std::printf("\n%s: %s.\n", found.complete() ? "All branches" : "NOT COMPLETE", found.argument().c_str());

@@ -52,7 +52,7 @@ int locus(int argc, char** argv) {
     std::printf("%s\n\n", in_words(input).c_str());
     const auto point = [&](const char* kind, const auto& at) {
         std::printf("%-20s  %s %.14g  %s %.14g ", kind, across.name.c_str(), at.x(), up.name.c_str(), at.y());
-        print_unknowns(at.q);
+        print_unknowns(input.model, at.q);
         std::printf("\n");
     };
     for (const auto& at : found.of(equilibria::SingularityKind::cusp)) point("cusp", at);

@@ -68,8 +68,8 @@ void print(const Input& input, const Motion& motion, const std::string& formulat
     for (std::size_t k = 0; k < all; k += step) {
         const auto& x = motion.points[k];
         std::printf("%10.6g", x.time);
-        print_unknowns(x.q);
-        print_unknowns(x.velocity);
+        print_unknowns(input.model, x.q);
+        print_unknowns(input.model, x.velocity);
         std::printf("%13.6g%13.6g  %9.1e\n", x.kinetic, x.potential, x.balance);
     }
     if (step > 1) std::printf("every %zuth of %zu points; --csv has all\n", step, all);

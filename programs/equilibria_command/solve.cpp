@@ -51,7 +51,7 @@ int enumerated(const char* name, bool proving, int argc, char** argv) {
         std::printf("  index        energy  residual  condition%s\n", poles.empty() ? "" : "  motion");
         for (std::size_t k = 0; k < set.equilibria.size(); ++k) {
             const auto& e = set.equilibria[k];
-            print_unknowns(e.q);
+            print_unknowns(input.model, e.q);
             std::printf("  %4d%s  %13.8g  %.1e  %.1e", e.index, e.degenerate() ? "*" : " ", e.energy, e.residual,
                         e.condition);
             if (!poles.empty()) std::printf("     %s", poles[k] ? to_string(poles[k]->verdict()) : "-");

@@ -135,7 +135,7 @@ EveryEquilibrium with_proof(const FormulaModel& model, Set set, const RunOptions
 }
 
 /// The set as the library has it, and as Python shows it; and its proof, or None.
-py::tuple to_python(EveryEquilibrium found, bool proved) {
+py::tuple set_and_proof(EveryEquilibrium found, bool proved) {
     const auto set = std::make_shared<Set>(std::move(found.set));
     py::dict shown = to_python(*set);
     py::list directions;
@@ -202,15 +202,15 @@ void add_models(py::module_& m) {
                const std::string& start, bool more_digits, bool proved, const py::object& progress) {
                 const auto at = runtime_array(p, "parameters");
                 const FormulaStart how_to_start = start_of(start);
-                return to_python(in_background(run_options(seed, thread_count), progress, Cancel::by_flag,
-                                               [&](const RunOptions& run) {
-                                                   if (proved && !more_digits)
-                                                       return every_equilibrium(model, at, run, how_to_start);
-                                                   return with_proof(
-                                                       model, enumerate(model, at, run, how_to_start, more_digits), run,
-                                                       proved);
-                                               }),
-                                 proved);
+                return set_and_proof(in_background(run_options(seed, thread_count), progress, Cancel::by_flag,
+                                                   [&](const RunOptions& run) {
+                                                       if (proved && !more_digits)
+                                                           return every_equilibrium(model, at, run, how_to_start);
+                                                       return with_proof(
+                                                           model, enumerate(model, at, run, how_to_start, more_digits),
+                                                           run, proved);
+                                                   }),
+                                     proved);
             },
             py::arg("p"), py::arg("seed"), py::arg("threads"), py::arg("start"), py::arg("more_digits"),
             py::arg("prove"), py::arg("progress"))
@@ -219,12 +219,12 @@ void add_models(py::module_& m) {
             [](const FormulaModel& model, const std::shared_ptr<Set>& solved, const Numbers& p, std::uint64_t seed,
                unsigned thread_count, bool proved, const py::object& progress) {
                 const auto at = runtime_array(p, "parameters");
-                return to_python(in_background(run_options(seed, thread_count), progress, Cancel::by_flag,
-                                               [&](const RunOptions& run) {
-                                                   return with_proof(model, enumerate(model, *solved, at, run), run,
-                                                                     proved);
-                                               }),
-                                 proved);
+                return set_and_proof(in_background(run_options(seed, thread_count), progress, Cancel::by_flag,
+                                                   [&](const RunOptions& run) {
+                                                       return with_proof(model, enumerate(model, *solved, at, run), run,
+                                                                         proved);
+                                                   }),
+                                     proved);
             },
             py::arg("solved"), py::arg("p"), py::arg("seed"), py::arg("threads"), py::arg("prove"), py::arg("progress"))
         .def(

@@ -100,6 +100,16 @@ struct PairType {
     }
 };
 
+/// A potential with a product of two parameters.
+struct Product {
+    int angles() const { return 0; }
+    int coordinates() const { return 1; }
+    int parameters() const { return 2; }
+    auto potential(const auto&, const auto& x, const auto& p) const {
+        return p[0] * p[1] * x[0] * x[0] * x[0] * x[0] - x[0] * x[0];
+    }
+};
+
 }  // namespace
 
 TEST_CASE("models that are types are proved as those at run time are", "[every_equilibrium]") {
@@ -135,4 +145,23 @@ TEST_CASE("what a stopped search for equilibria found is proved, and its verdict
     check(every_equilibrium<PairType>({{0.7}}, {.cancel = &stopped}));
     // without an isolated solution there is nothing to be stopped: the mixed volume of the exact terms is 0
     CHECK(every_equilibrium(Difference(), RuntimeArray<double>(0), {.cancel = &stopped}).proof.complete);
+}
+
+TEST_CASE("coordinates of 1e100 and of 1e-100 are found, and what no double can hold is refused",
+          "[every_equilibrium]") {
+    for (const double size : {1e100, 1e-100, 1e150, 1e-150}) {
+        INFO("size = " << size);
+        // x^2 = size^2
+        const auto y = every_equilibrium(Quartic(), RuntimeArray<double>{0, -0.5, 0, 0.25 / size / size});
+        CHECK(y.proof.complete);
+        REQUIRE(y.set.real() == 3);
+        CHECK(y.set.by_index() == std::vector<std::int64_t>{2, 1});
+        CHECK(y.proof.index == 3);
+        for (int k = 0; k < 2; ++k)
+            CHECK(std::abs(std::abs(y.set.equilibria[static_cast<std::size_t>(k)].q[0]) / size - 1) < 1e-14);
+        CHECK(y.set.equilibria[2].q[0] == 0);
+    }
+    // a coefficient of 1e-400, which is no 0
+    CHECK_THROWS_WITH(every_equilibrium(Product(), RuntimeArray<double>{1e-200, 1e-200}),
+                      Catch::Contains("coefficient of equation 1") && Catch::Contains("choose other units"));
 }

@@ -21,7 +21,8 @@ inline constexpr bool exact_cancellation<Dual<ExactBall, N>> = true;
 
 /// True unless every number of the ball is 0, or the ball is the rounding of one that is 0.
 inline bool may_differ_from_zero(const ExactBall& a) {
-    return !a.mid().is_zero() && !(std::abs(a.mid().to<double>()) <= a.rad());
+    // an exact number may be smaller than any double
+    return !a.mid().is_zero() && (a.rad() == 0 || std::abs(a.mid().to<double>()) > a.rad());
 }
 
 }  // namespace equilibria

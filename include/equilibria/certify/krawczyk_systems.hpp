@@ -31,13 +31,19 @@ struct BallSystems {
     /// The same systems with coefficients over S, enclosed.
     explicit BallSystems(const ExactTermFamily& exact) : center(exact.center), all(exact.all) {
         // one table of factors serves them all
-        auto highest = all.highest;
-        for (int u = 0; u < all.sizes.unknowns; ++u) highest[u] = std::max(highest[u], center.highest[u]);
-        center.use_table(highest);
-        all.use_table(highest);
+        auto multiples = all.multiples();
+        const auto add = [&multiples](const typename BallSystem<S>::Multiples& others) {
+            for (std::size_t u = 0; u < others.size(); ++u) {
+                multiples[u].resize(std::max(multiples[u].size(), others[u].size()));
+                for (std::size_t k = 0; k < others[u].size(); ++k) multiples[u][k] |= others[u][k];
+            }
+        };
+        add(center.multiples());
+        for (const auto& by : exact.derivative) add(derivative.emplace_back(by).multiples());
+        center.use_table(multiples);
+        all.use_table(multiples);
         for (std::size_t k = 0; k < exact.derivative.size(); ++k) {
-            derivative.emplace_back(exact.derivative[k]);
-            derivative.back().use_table(highest);
+            derivative[k].use_table(multiples);
             half_width.push_back(static_cast<S>(exact.half_width[k]));
         }
     }

@@ -95,7 +95,7 @@ EveryEquilibrium every_equilibrium(const T& model, const RuntimeArray<double>& p
     constexpr bool asked = !std::is_same_v<StartSystem, LeastCost>;
     const detail::ModelToSolve problem{p, {}, exact_terms(model, p), nullptr};
     const RuntimeFormulation formulation(model);
-    const auto system = detail::system_of_terms(sizes, RuntimeModelSystem(formulation, model, p).terms);
+    const auto system = detail::system_of_exact(problem.exact);
     if (sizes.coordinates == 0 || !system || asked) {
         auto set = enumerate_from<StartSystem>(model, p, run);
         auto proof = prove(model, set, whole);

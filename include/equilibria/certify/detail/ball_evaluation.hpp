@@ -27,35 +27,61 @@ struct BallSystem {
         int equation, first, last;  ///< its factors
         Ball<S> coefficient;
     };
-    using Highest = SizedArray<int, at_run_time>;
+    /// Of each unknown the multiples or powers that the table of factors has, from 0 on.
+    using Multiples = std::vector<std::vector<char>>;
+    /// A multiple or power in the table, from those of half of it: none is far from 1, so that radii stay small.
+    struct Step {
+        int unknown, multiple;     ///< at least 2
+        int place, first, second;  ///< in the table: of it, and of those whose multiples add up to it
+    };
 
     RuntimeSizes sizes;
     bool symmetric;  ///< the equations are the gradient of a potential: the Jacobian is a Hessian
     std::vector<Term> terms;
     std::vector<Factor> factors;
-    Highest highest;  ///< multiple or power of each unknown in the table of factors, at least 1
+    std::vector<Step> steps;  ///< all of the table but multiple 1 of each unknown, by unknown, then by multiple
 
     explicit BallSystem(const ExactTerms& exact) : sizes(exact.sizes), symmetric(exact.symmetric) {
-        Highest most(sizes.unknowns);
-        for (int& h : most) h = 1;
-        for (const auto& f : exact.factors) {
-            factors.push_back({f.unknown, f.code, 0});
-            most[f.unknown] = std::max(most[f.unknown], std::abs(f.code));
-        }
+        for (const auto& f : exact.factors) factors.push_back({f.unknown, f.code, 0});
         for (const auto& t : exact.terms)
             terms.push_back({t.equation, t.first, t.last, t.coefficient.template enclosure<S>()});
-        use_table(most);
+        use_table(multiples());
     }
 
-    /// Makes the factors refer to a table with these highest multiples and powers, not less than its own: systems with
-    /// the same ones share a table.
-    void use_table(const Highest& most) {
-        highest = most;
+    /// The highest multiple or power of an unknown, at least 1.
+    int highest(int u) const {
+        int y = 1;
+        for (const auto& f : factors)
+            if (f.unknown == u) y = std::max(y, std::abs(f.code));
+        return y;
+    }
+    /// What the terms and their first and second derivatives need.
+    Multiples multiples() const {
+        Multiples y(static_cast<std::size_t>(sizes.unknowns));
+        for (const auto& f : factors) {
+            auto& of = y[static_cast<std::size_t>(f.unknown)];
+            const auto k = static_cast<std::size_t>(std::abs(f.code));
+            if (of.size() <= k) of.resize(k + 1);
+            for (std::size_t lower = 0; lower < (f.unknown < sizes.angles ? 1U : 3U) && lower < k; ++lower)
+                of[k - lower] = 1;
+        }
+        return y;
+    }
+    /// Makes the factors refer to a table with these multiples and powers, its own among them: systems with the same
+    /// ones share a table.
+    void use_table(Multiples with) {
         first_.resize(sizes.unknowns);
+        steps.clear();
         size_ = 0;
         for (int u = 0; u < sizes.unknowns; ++u) {
+            auto& has = with[static_cast<std::size_t>(u)];
+            for (std::size_t k = has.size(); k-- > 2;)
+                if (has[k]) has[k / 2] = has[k - k / 2] = 1;
             first_[u] = size_;
-            size_ += (u < sizes.angles ? 2 : 1) * highest[u];
+            size_ += (u < sizes.angles ? 2 : 1) * std::max(1, static_cast<int>(has.size()) - 1);
+            for (int k = 2; k < static_cast<int>(has.size()); ++k)
+                if (has[static_cast<std::size_t>(k)])
+                    steps.push_back({u, k, place(u, k), place(u, k / 2), place(u, k - k / 2)});
         }
         for (auto& f : factors) f.ball = place(f.unknown, f.code);
     }
@@ -67,7 +93,7 @@ struct BallSystem {
     int table_size() const { return size_; }
 
 private:
-    Highest first_;
+    SizedArray<int, at_run_time> first_;
     int size_ = 0;
 };
 
@@ -92,21 +118,27 @@ public:
     template <class M>
     void enclose(const Point<M, R>& q, bool real) {
         const int angles = system_->sizes.angles, n = system_->sizes.unknowns;
-        Ball<R>* b = balls_.data();
-        for (int i = 0; i < angles; ++i, b += 2) {
-            const Ball<R>&c = b[0], &s = b[1];
-            real ? real_angle(q.c[i], q.s[i], b[0], b[1]) : complex_angle(q.c[i], q.s[i], b[0], b[1]);
-            for (int k = 2; k <= system_->highest[i]; ++k, b += 2) {
-                b[2] = b[0] * c - b[1] * s;
-                b[3] = b[1] * c + b[0] * s;
+        Ball<R>* const b = balls_.data();
+        for (int i = 0; i < angles; ++i) {
+            Ball<R>* const of = b + system_->place(i, 1);
+            real ? real_angle(q.c[i], q.s[i], of[0], of[1]) : complex_angle(q.c[i], q.s[i], of[0], of[1]);
+        }
+        for (int u = angles; u < n; ++u) {
+            const Complex<R>& x = q.x[u - angles];
+            b[system_->place(u, 1)] = real ? Ball<R>(Complex<R>(x.re, R{} + 0.0)) : Ball<R>(x);
+        }
+        for (const auto& step : system_->steps) {
+            const Ball<R>* const c = b + step.first;
+            const Ball<R>* const d = b + step.second;
+            Ball<R>* const y = b + step.place;
+            if (step.unknown < angles) {
+                y[0] = c[0] * d[0] - c[1] * d[1];
+                y[1] = c[1] * d[0] + c[0] * d[1];
+            } else {
+                y[0] = c[0] * d[0];
             }
         }
-        for (int u = angles; u < n; ++u, ++b) {
-            const Complex<R>& x = q.x[u - angles];
-            const Ball<R>& first = b[0] = real ? Ball<R>(Complex<R>(x.re, R{} + 0.0)) : Ball<R>(x);
-            for (int k = 2; k <= system_->highest[u]; ++k, ++b) b[1] = b[0] * first;
-        }
-        std::copy(balls_.begin(), balls_.end(), factors_.begin());
+        take_factors();
     }
 
     const Ball<R>& at(int u, int code) const { return balls_[static_cast<std::size_t>(system_->place(u, code))]; }
@@ -122,28 +154,49 @@ public:
     /// Becomes those of `point`, of the same system, over all displacements |d_u| <= r_u.
     void widen(const FactorBalls& point, const auto& r) {
         const int angles = system_->sizes.angles, n = system_->sizes.unknowns;
-        const Ball<R>* a = point.balls_.data();
-        Ball<R>* y = balls_.data();
-        for (int i = 0; i < angles; ++i)
-            for (int k = 1; k <= system_->highest[i]; ++k, a += 2, y += 2) {
-                // |cos(a + d) - cos a| <= |cos a| (cosh|d| - 1) + |sin a| sinh|d|, and cosh x - 1 < 0.52 x^2,
-                // sinh x < 1.05 x for x < 0.5
-                const R x = static_cast<double>(k) * r[i];
-                const auto small = x < R{} + 0.5;
-                const R infinite = R{} + std::numeric_limits<S>::infinity();
-                const R cosh1 = select(small, R(0.52 * x * x), infinite), sinh = select(small, R(1.05 * x), infinite);
-                const R c = magnitude_bound(a[0]), s = magnitude_bound(a[1]);
-                y[0] = {a[0].mid, rounded_up<R>(a[0].rad + c * cosh1 + s * sinh)};
-                y[1] = {a[1].mid, rounded_up<R>(a[1].rad + s * cosh1 + c * sinh)};
-            }
-        for (int u = angles; u < n; ++u, ++a, ++y) {
-            const Ball<R>& first = y[0] = {a[0].mid, rounded_up<R>(a[0].rad + r[u])};
-            for (int k = 2; k <= system_->highest[u]; ++k, ++a, ++y) y[1] = y[0] * first;
+        const Ball<R>* const a = point.balls_.data();
+        Ball<R>* const y = balls_.data();
+        for (int i = 0; i < angles; ++i) widen_multiple(a + system_->place(i, 1), 1, r[i], y + system_->place(i, 1));
+        for (int u = angles; u < n; ++u) {
+            const Ball<R>& at = a[system_->place(u, 1)];
+            y[system_->place(u, 1)] = {at.mid, rounded_up<R>(at.rad + r[u])};
         }
-        std::copy(balls_.begin(), balls_.end(), factors_.begin());
+        for (const auto& step : system_->steps) {
+            if (step.unknown < angles)
+                widen_multiple(a + step.place, step.multiple, r[step.unknown], y + step.place);
+            else
+                y[step.place] = y[step.first] * y[step.second];
+        }
+        take_factors();
     }
 
 private:
+    /// Cosine and sine of k theta over all displacements |d| <= r of theta.
+    static void widen_multiple(const Ball<R>* a, int k, const R& r, Ball<R>* y) {
+        // |cos(a + d) - cos a| <= |cos a| (cosh|d| - 1) + |sin a| sinh|d|, and cosh x - 1 < 0.52 x^2,
+        // sinh x < 1.05 x for x < 0.5
+        const R x = static_cast<double>(k) * r;
+        const auto small = x < R{} + 0.5;
+        const R infinite = R{} + std::numeric_limits<S>::infinity();
+        const R cosh1 = select(small, R(0.52 * x * x), infinite), sinh = select(small, R(1.05 * x), infinite);
+        const R c = magnitude_bound(a[0]), s = magnitude_bound(a[1]);
+        y[0] = {a[0].mid, rounded_up<R>(a[0].rad + c * cosh1 + s * sinh)};
+        y[1] = {a[1].mid, rounded_up<R>(a[1].rad + s * cosh1 + c * sinh)};
+    }
+    void take_factors() {
+        const auto take = [this](int place) {
+            const auto k = static_cast<std::size_t>(place);
+            factors_[k] = balls_[k];
+        };
+        for (int u = 0; u < system_->sizes.unknowns; ++u) {
+            take(system_->place(u, 1));
+            if (u < system_->sizes.angles) take(system_->place(u, -1));
+        }
+        for (const auto& step : system_->steps) {
+            take(step.place);
+            if (step.unknown < system_->sizes.angles) take(step.place + 1);
+        }
+    }
     static void complex_angle(const Complex<R>& c, const Complex<R>& s, Ball<R>& cosine, Ball<R>& sine) {
         const Complex<R> is(-s.im, s.re), plus = c + is, minus = c - is;  // exp(i theta), exp(-i theta)
         const auto upper = norm2(plus) >= norm2(minus);

@@ -203,7 +203,7 @@ private:
         // the widest boxes over which cosines of the highest multiple are bounded
         open_.push();
         for (int u = 0; u < n_; ++u) {
-            const int pieces = 8 * systems_.all.highest[u];
+            const int pieces = 8 * systems_.all.highest(u);
             const std::size_t size = open_.size();
             for (std::size_t b = 0; b < size; ++b) {
                 open_.radius(b, u) = rounded_up(std::numbers::pi / pieces);

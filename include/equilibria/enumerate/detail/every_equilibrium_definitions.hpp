@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <string>
 #include <utility>
@@ -17,48 +18,83 @@
 
 namespace equilibria::detail {
 
-/// The real equations of a model in units: of a gradient by a congruence of the Hessian, of others by a similarity of
-/// the Jacobian, so that neither indices nor signs of eigenvalues change.
-class EquationsInUnits final : public RealEquations {
+/// Exact equations in double, evaluated term by term, with the energy of a model in its own units.
+class EquationsOfTerms final : public RealEquations {
 public:
-    EquationsInUnits(const RealEquations& of, const std::vector<int>& powers)
-        : RealEquations(of.sizes, of.has_potential), of_(&of), powers_(powers) {}
+    EquationsOfTerms(const ExactTerms& terms, const RealEquations& of, const std::vector<int>& powers)
+        : RealEquations(of.sizes, of.has_potential), terms_(terms), of_(&of), powers_(powers) {
+        for (const auto& t : terms.terms) coefficients_.push_back(t.coefficient.mid().to<double>());
+    }
 
     void linearize(const double* q, double* f, double* jacobian) const override {
-        const RuntimeArray<double> at = back(q);
-        of_->linearize(at.begin(), f, jacobian);
         const int n = sizes.unknowns;
-        for (int i = 0; i < n; ++i) {
-            f[i] = std::ldexp(f[i], row(i));
-            for (int j = 0; j < n; ++j) jacobian[i * n + j] = std::ldexp(jacobian[i * n + j], row(i) + power(j));
+        std::fill(f, f + n, 0.0);
+        std::fill(jacobian, jacobian + n * n, 0.0);
+        for (std::size_t k = 0; k < coefficients_.size(); ++k) {
+            const auto& t = terms_.terms[k];
+            const auto product_without = [&](int left_out) {
+                double y = coefficients_[k];
+                for (int m = t.first; m < t.last; ++m)
+                    if (m != left_out) y *= value(m, q);
+                return y;
+            };
+            f[t.equation] += product_without(-1);
+            for (int m = t.first; m < t.last; ++m)
+                jacobian[t.equation * n + factor(m).unknown] += product_without(m) * slope(m, q);
         }
     }
-    double energy(const double* q) const override { return of_->energy(back(q).begin()); }
-
-private:
-    int power(int u) const { return powers_[static_cast<std::size_t>(u)]; }
-    int row(int u) const { return has_potential ? power(u) : -power(u); }
-    RuntimeArray<double> back(const double* q) const {
+    double energy(const double* q) const override {
         RuntimeArray<double> y(sizes.unknowns);
-        for (int u = 0; u < y.size(); ++u) y[u] = std::ldexp(q[u], power(u));
-        return y;
+        for (int u = 0; u < y.size(); ++u) y[u] = std::ldexp(q[u], powers_[static_cast<std::size_t>(u)]);
+        return of_->energy(y.begin());
     }
 
+private:
+    const ExactTerms::Factor& factor(int m) const { return terms_.factors[static_cast<std::size_t>(m)]; }
+    double value(int m, const double* q) const {
+        const auto [u, code] = factor(m);
+        if (u >= sizes.angles) return std::pow(q[u], code);
+        return code > 0 ? std::cos(code * q[u]) : std::sin(-code * q[u]);
+    }
+    double slope(int m, const double* q) const {
+        const auto [u, code] = factor(m);
+        if (u >= sizes.angles) return code * std::pow(q[u], code - 1);
+        return code > 0 ? -code * std::sin(code * q[u]) : -code * std::cos(-code * q[u]);
+    }
+
+    const ExactTerms& terms_;
     const RealEquations* of_;
     const std::vector<int>& powers_;
+    std::vector<double> coefficients_;
 };
 
-/// The model's exact equations in units, as EquationsInUnits has them.
+/// 2^power, exactly.
+EQUILIBRIA_INLINE ExactBall power_of_two(int power) {
+    ExactBall y(1.0);
+    for (; power > 1000; power -= 1000) y = y * ExactBall(std::ldexp(1.0, 1000));
+    for (; power < -1000; power += 1000) y = y * ExactBall(std::ldexp(1.0, -1000));
+    return y * ExactBall(std::ldexp(1.0, power));
+}
+
+/// A model's exact equations in units: of a gradient by a congruence of the Hessian, of others by a similarity of the
+/// Jacobian, and all of them by one power of two, so that neither indices nor signs of eigenvalues change.
 EQUILIBRIA_INLINE ExactTerms in_units(ExactTerms exact, const std::vector<int>& powers) {
-    for (auto& t : exact.terms) {
-        int power = powers[static_cast<std::size_t>(t.equation)];
+    std::vector<int> of_term;
+    int largest = std::numeric_limits<int>::min();
+    for (const auto& t : exact.terms) {
+        const int own = powers[static_cast<std::size_t>(t.equation)];
+        int power = exact.symmetric ? own : -own;
         for (int k = t.first; k < t.last; ++k) {
             const auto& factor = exact.factors[static_cast<std::size_t>(k)];
             if (factor.unknown >= exact.sizes.angles)
                 power += factor.code * powers[static_cast<std::size_t>(factor.unknown)];
         }
-        t.coefficient = t.coefficient * ExactBall(std::ldexp(1.0, power));
+        of_term.push_back(power);
+        if (may_differ_from_zero(t.coefficient))
+            largest = std::max(largest, power + std::ilogb(t.coefficient.mid().to<double>()));
     }
+    for (std::size_t k = 0; k < of_term.size(); ++k)
+        exact.terms[k].coefficient = exact.terms[k].coefficient * power_of_two(of_term[k] - largest);
     return exact;
 }
 
@@ -85,7 +121,11 @@ EQUILIBRIA_INLINE std::optional<SparseSystem> system_of_exact(const ExactTerms& 
             const auto& factor = exact.factors[static_cast<std::size_t>(k)];
             codes[static_cast<std::size_t>(factor.unknown)] = factor.code;
         }
-        terms.push_back({t.equation, SparseMonomial(std::move(codes)), t.coefficient.mid().to<double>()});
+        const auto coefficient = t.coefficient.mid().to<double>();
+        require(std::isnormal(coefficient), "coefficient of equation " + std::to_string(t.equation + 1), coefficient,
+                "must be a number of double precision, from 2.3e-308 to 1.7e308 in size, at these parameters: choose "
+                "other units");
+        terms.push_back({t.equation, SparseMonomial(std::move(codes)), coefficient});
     }
     return system_of_terms(exact.sizes, terms);
 }
@@ -124,7 +164,8 @@ EQUILIBRIA_INLINE EveryEquilibrium equilibria_of(const SparseSystem& system, con
         }
     };
     for (auto& root : set.roots) scale(root.q, -1);
-    y.proof = prove_set(set, in_units(problem.exact, units.unknown),
+    const ExactTerms exact = in_units(problem.exact, units.unknown);
+    y.proof = prove_set(set, exact,
                         [&]() -> std::optional<ProvedBound> {
                             const auto at = std::ranges::min_element(options.bounds, {}, &ProvedBound::value);
                             return at == options.bounds.end() ? std::nullopt : std::optional(*at);
@@ -138,7 +179,7 @@ EQUILIBRIA_INLINE EveryEquilibrium equilibria_of(const SparseSystem& system, con
     for (Certificate& c : y.proof.certificates) c.radius *= largest;
 
     y.proof.contradictions = 0;  // nothing was classified before
-    const EquationsInUnits equations(*problem.equations, units.unknown);
+    const EquationsOfTerms equations(exact, *problem.equations, units.unknown);
     RootClassifier classifier(equations);
     std::vector<std::array<std::int64_t, 3>> keys;
     for (std::size_t k = 0; k < set.roots.size(); ++k) {

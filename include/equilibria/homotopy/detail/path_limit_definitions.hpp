@@ -8,6 +8,7 @@
 #include <limits>
 #include <numbers>
 #include <optional>
+#include <set>
 #include <utility>
 
 #include <Eigen/Core>
@@ -88,6 +89,9 @@ public:
         }
         for (std::size_t u = 0; u < at(n_); ++u) {
             powers_[u].resize(at(highest_[u] - lowest_[u] + 1));
+            std::set<int> needed{0};
+            for (const LaurentColumn& c : columns) needed.insert(c.exponents[u]);
+            needed_.emplace_back(needed.begin(), needed.end());
             most_whole_ = std::max({most_whole_, highest_[u], -lowest_[u]});
         }
         for (int k = -most_whole_; k <= most_whole_; ++k) whole_.push_back(R(k));
@@ -210,16 +214,31 @@ private:
         return std::move(y_);
     }
 
-    /// Powers of each unknown, from its lowest to its highest exponent; those of an unknown that is 0 too.
+    /// z^k by squaring, k > 0.
+    static Z power_of(Z z, int k) {
+        Z y = z;
+        int bit = 1;
+        while (2 * bit <= k) bit *= 2;
+        for (bit /= 2; bit > 0; bit /= 2) {
+            y = y * y;
+            if (k & bit) y = y * z;
+        }
+        return y;
+    }
+    /// Powers of each unknown, those of its exponents, each from the one before; those of an unknown that is 0 too.
     void set_powers(const std::vector<Z>& z) {
         for (std::size_t u = 0; u < at(n_); ++u) {
             auto& p = powers_[u];
-            const auto zero = at(-lowest_[u]);
-            p[zero] = Z(1.0);
-            for (std::size_t k = zero + 1; k < p.size(); ++k) p[k] = p[k - 1] * z[u];
+            const auto& needed = needed_[u];
+            const auto of = [&](int e) -> Z& { return p[at(e - lowest_[u])]; };
+            const auto zero = at(static_cast<int>(std::ranges::lower_bound(needed, 0) - needed.begin()));
+            of(0) = Z(1.0);
+            for (std::size_t k = zero + 1; k < needed.size(); ++k)
+                of(needed[k]) = of(needed[k - 1]) * power_of(z[u], needed[k] - needed[k - 1]);
             if (zero > 0) {
                 const Z back = inverse(z[u]);
-                for (std::size_t k = zero; k-- > 0;) p[k] = p[k + 1] * back;
+                for (std::size_t k = zero; k-- > 0;)
+                    of(needed[k]) = of(needed[k + 1]) * power_of(back, needed[k + 1] - needed[k]);
             }
         }
     }
@@ -646,6 +665,7 @@ private:
     const std::vector<LaurentColumn>* columns_;
     std::vector<Z> from_, to_;
     std::vector<int> highest_, lowest_;
+    std::vector<std::vector<int>> needed_;  ///< the exponents of each unknown, and 0, ascending
     std::vector<std::vector<Z>> powers_;
     int most_whole_ = 0;
     std::vector<R> whole_;

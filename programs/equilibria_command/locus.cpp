@@ -63,6 +63,9 @@ int locus(int argc, char** argv) {
                     std::string(equilibria::kind_name(curve.kind)).c_str(), curve.points.size(),
                     curve.points.front().x(), curve.points.front().y(), curve.points.back().x(),
                     curve.points.back().y());
+    for (const auto& curve : found.from_infinity)
+        std::printf("%-20s  %4zu points  (%.6f, %.6f) to (%.6f, %.6f)\n", "from infinity", curve.points.size(),
+                    curve.points.front().x, curve.points.front().y, curve.points.back().x, curve.points.back().y);
     for (const auto& r : found.regions)
         std::printf("region  %2llu equilibria, by index %s  around (%.4f, %.4f)%s\n",
                     static_cast<unsigned long long>(r.count), support::joined(r.by_index).c_str(), r.point.x, r.point.y,

@@ -1,5 +1,6 @@
 # A bifurcation locus in a plane of two parameters, with the number of equilibria in each region, and insets around cusps.
-# Given: heading, x_label, y_label, x_low, x_high, y_low, y_high; $folds, $pitchforks, $cusps;
+# Given: heading, x_label, y_label, x_low, x_high, y_low, y_high; $folds, $pitchforks, $cusps, $infinite (from_infinity
+#   says of how many curves);
 #   labels, arrays label_text, label_x, label_y, label_size: what is written into the regions;
 #   insets (0 to 2) and arrays for them: frame_x_low .. frame_y_high, where the frame is drawn; box_x_low .. box_y_high,
 #   what the inset shows; inset_title; the tics of its axes: x_format, x_step, x_zero (1: a bare 0 at 0), and of y.
@@ -22,9 +23,16 @@ do for [k=1:insets] {
         front fillstyle empty border lc rgb 'gray40' lw 0.8
     set label letters[k:k] at frame_x_low[k],frame_y_high[k] left offset 0.2,0.8 font ',13' tc rgb 'gray30'
 }
-plot [x_low:x_high][y_low:y_high] $pitchforks with lines lw 1.8 lc rgb '#0072b2' title 'pitchforks', \
-    $folds with lines lw 2.2 lc rgb '#d55e00' title 'folds', \
-    $cusps with points pt 7 ps 0.9 lc rgb 'black' title 'cusps'
+if (from_infinity > 0) {
+    plot [x_low:x_high][y_low:y_high] $pitchforks with lines lw 1.8 lc rgb '#0072b2' title 'pitchforks', \
+        $folds with lines lw 2.2 lc rgb '#d55e00' title 'folds', \
+        $infinite with lines lw 2.2 dt 2 lc rgb 'gray40' title 'from infinity', \
+        $cusps with points pt 7 ps 0.9 lc rgb 'black' title 'cusps'
+} else {
+    plot [x_low:x_high][y_low:y_high] $pitchforks with lines lw 1.8 lc rgb '#0072b2' title 'pitchforks', \
+        $folds with lines lw 2.2 lc rgb '#d55e00' title 'folds', \
+        $cusps with points pt 7 ps 0.9 lc rgb 'black' title 'cusps'
+}
 unset object
 unset label
 unset xlabel

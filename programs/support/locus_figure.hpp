@@ -15,20 +15,26 @@
 
 namespace support {
 
-/// The data blocks $folds, $pitchforks and $cusps, each name followed by `suffix`.
+/// The data blocks $folds, $pitchforks, $cusps and $infinite (curves on which equilibria come from infinity), each name
+/// followed by `suffix`.
 template <class M>
 void add_locus(equilibria::GnuplotData& data, const equilibria::Locus<M>& locus, const std::string& suffix = "") {
-    std::ostringstream folds, pitchforks, cusps;
-    for (auto* s : {&folds, &pitchforks, &cusps}) s->precision(12);
+    std::ostringstream folds, pitchforks, cusps, infinite;
+    for (auto* s : {&folds, &pitchforks, &cusps, &infinite}) s->precision(12);
     for (const auto& curve : locus.curves) {
         auto& rows = curve.kind == equilibria::SingularityKind::fold ? folds : pitchforks;
         for (const auto& p : curve.points) rows << p.x() << ' ' << p.y() << '\n';
         rows << "\n\n";
     }
+    for (const auto& curve : locus.from_infinity) {
+        for (const auto& p : curve.points) infinite << p.x << ' ' << p.y << '\n';
+        infinite << "\n\n";
+    }
     for (const auto& c : locus.of(equilibria::SingularityKind::cusp)) cusps << c.x() << ' ' << c.y() << '\n';
     data.block("folds" + suffix, folds.str())
         .block("pitchforks" + suffix, pitchforks.str())
-        .block("cusps" + suffix, cusps.str());
+        .block("cusps" + suffix, cusps.str())
+        .block("infinite" + suffix, infinite.str());
 }
 
 /// The window as x_low, x_high, y_low, y_high.
@@ -43,6 +49,11 @@ bool crowded(const equilibria::PlanePoint& at, const equilibria::Locus<M>& locus
         for (const auto& p : curve.points)
             if (std::abs(p.x() - at.x) < width * locus.window.width() &&
                 std::abs(p.y() - at.y) < height * locus.window.height())
+                return true;
+    for (const auto& curve : locus.from_infinity)
+        for (const auto& p : curve.points)
+            if (std::abs(p.x - at.x) < width * locus.window.width() &&
+                std::abs(p.y - at.y) < height * locus.window.height())
                 return true;
     return false;
 }
@@ -164,6 +175,7 @@ equilibria::GnuplotData locus_figure(const equilibria::Locus<M>& locus, const Lo
     data.string("x_label", names.x_label.empty() ? names.x : names.x_label).string("y_label", names.y);
     add_window(data, locus.window);
     add_locus(data, locus);
+    data.integer("from_infinity", static_cast<long long>(locus.from_infinity.size()));
     std::vector<std::string> counts;
     std::vector<double> x, y, sizes;
     for (const auto& r : locus.regions)

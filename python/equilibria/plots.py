@@ -71,6 +71,9 @@ def plot_locus(locus: Locus, ax: Any = None) -> Any:
         label = None if curve.kind in named else f"{curve.kind}s"
         named.add(curve.kind)
         ax.plot(*curve.points.T, color=colours.get(curve.kind, "k"), linewidth=1.4, label=label, zorder=2)
+    for number, points in enumerate(locus.from_infinity):
+        label = "from infinity" if number == 0 else None
+        ax.plot(*points.T, color="0.4", linewidth=1.4, linestyle="--", label=label, zorder=2)
     if locus.cusps:
         ax.plot(
             *np.array([cusp.point for cusp in locus.cusps]).T,

@@ -429,7 +429,10 @@ class Locus(Printed):
     curves: List[Curve]
     special_points: List[SpecialPoint]
     regions: List[Region]
-    borders: Integers  #: (.., 3): two regions, the one with the smaller y first, and the curve between them
+    from_infinity: List[Reals]  #: (points, 2) each: curves on which equilibria come from infinity
+    #: (.., 3): two regions, the one with the smaller y first, and the curve between them; numbers from len(curves) on
+    #: are those of from_infinity
+    borders: Integers
     complete: bool  #: nothing speaks against it
     argument: str  #: why no curve and no cusp is missing, or what speaks against it
     failed_paths: int

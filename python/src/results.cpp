@@ -241,6 +241,9 @@ py::dict to_python(const Locus<RuntimeUnknowns>& locus, int unknowns) {
         regions.append(std::move(one));
     }
     y["regions"] = std::move(regions);
+    py::list from_infinity;
+    for (const InfinityCurve& curve : locus.from_infinity) from_infinity.append(planar(curve.points));
+    y["from_infinity"] = std::move(from_infinity);
     y["borders"] = rows<std::int64_t>(locus.borders, 3, [](const RegionBorder& border) {
         return std::array<std::int64_t, 3>{border.below, border.above, static_cast<std::int64_t>(border.curve)};
     });

@@ -2,6 +2,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <numbers>
 #include <set>
 #include <string>
 
@@ -184,13 +185,76 @@ TEST_CASE("no curve is traced twice: past an extremal point, and from a cusp on 
     CHECK(hub.of(SingularityKind::cusp)[0].y() == Approx(1));
 }
 
-TEST_CASE("a locus with a line on which equilibria come from infinity is not complete, and says where") {
-    const auto locus = in_plane(0, 1, {{-1, 2}, {-1, 1}}, [](const auto&, const auto& x, const auto& a, const auto& b) {
+TEST_CASE("curves on which equilibria come from infinity are traced: a line, a circle, two that cross") {
+    // two minima come along a = 0
+    const auto line = in_plane(0, 1, {{-1, 2}, {-1, 1}}, [](const auto&, const auto& x, const auto& a, const auto& b) {
         return a * x[0] * x[0] * x[0] * x[0] - x[0] * x[0] + b * x[0];
     });
-    CHECK_FALSE(locus.evidence.complete());
-    CHECK(locus.evidence.from_infinity > 0);
-    for (const auto& fault : locus.evidence.faults)
-        if (fault.kind == LocusFaultKind::from_infinity) CHECK(std::abs(fault.point.x) < 1e-12);
-    CHECK(locus.argument().find("equilibria that come from infinity at (") != std::string::npos);
+    INFO(line.argument());
+    CHECK(line.evidence.complete());
+    CHECK(line.evidence.seeds_from_infinity > 0);
+    REQUIRE(line.from_infinity.size() == 1);
+    const auto& straight = line.from_infinity[0];
+    CHECK(straight.ends == std::array{CurveEnd::border, CurveEnd::border});
+    CHECK(std::abs(straight.points.front().y - straight.points.back().y) == Approx(2));
+    for (const auto& point : straight.points) CHECK(std::abs(point.x) < 1e-9);
+    bool parted = false;
+    for (const auto& border : line.borders) parted = parted || border.curve == line.curves.size();
+    CHECK(parted);
+
+    // x^2 / 2 + x + (a^2 + b^2 - 1) x^4: the leading coefficient vanishes on the unit circle
+    const auto circle =
+        in_plane(0, 1, {{-1.5, 1.7}, {-1.4, 1.6}}, [](const auto&, const auto& x, const auto& a, const auto& b) {
+            return (a * a + b * b - 1.0) * x[0] * x[0] * x[0] * x[0] + 0.5 * x[0] * x[0] + x[0];
+        });
+    REQUIRE(circle.from_infinity.size() == 1);
+    CHECK(circle.from_infinity[0].ends[0] == CurveEnd::closed);
+    double length = 0, off = 0;
+    const auto& points = circle.from_infinity[0].points;
+    for (std::size_t k = 0; k < points.size(); ++k) {
+        off = std::max(off, std::abs(std::hypot(points[k].x, points[k].y) - 1));
+        if (k > 0) length += std::hypot(points[k].x - points[k - 1].x, points[k].y - points[k - 1].y);
+    }
+    CHECK(off < 1e-9);
+    CHECK(length == Approx(2 * std::numbers::pi).epsilon(1e-3));
+    INFO(circle.argument());
+    CHECK(circle.evidence.complete());
+
+    // a b x^3 + x^2 + x
+    const auto cross =
+        in_plane(0, 1, {{-1, 1.3}, {-1.2, 1}}, [](const auto&, const auto& x, const auto& a, const auto& b) {
+            return a * b * x[0] * x[0] * x[0] + x[0] * x[0] + x[0];
+        });
+    INFO(cross.argument());
+    CHECK(cross.from_infinity.size() == 2);
+    CHECK(cross.evidence.from_infinity == 0);
+}
+
+TEST_CASE("a parameter that enters by its square has the same locus on both sides of 0") {
+    // the cusp catastrophe over a^2 - 1: the fold curves from both cusps meet at a = 0
+    const auto mirrored_cusp =
+        in_plane(0, 1, {{-2, 1.9}, {-1.3, 1.4}}, [](const auto&, const auto& x, const auto& a, const auto& b) {
+            return x[0] * x[0] * x[0] * x[0] + (a * a - 1.0) * x[0] * x[0] + b * x[0];
+        });
+    INFO(mirrored_cusp.argument());
+    CHECK(mirrored_cusp.evidence.complete());
+    CHECK(mirrored_cusp.of(SingularityKind::cusp).size() == 2);
+    double negative = 0, positive = 0;
+    for (const auto& curve : mirrored_cusp.curves)
+        for (const auto& at : curve.points) {
+            CHECK(std::abs(8 * std::pow(at.x() * at.x() - 1, 3) + 27 * at.y() * at.y()) < 1e-9);
+            negative = std::min(negative, at.x()), positive = std::max(positive, at.x());
+        }
+    CHECK(negative == Approx(-1));
+    CHECK(positive == Approx(1));
+    CHECK(mirrored_cusp.regions.size() == 2);
+
+    // folds at b^2 = a^4 + 0.1: a curve on each side of b = 0, both symmetric in a
+    const auto arms =
+        in_plane(0, 1, {{-1, 1.1}, {-1.2, 1}}, [](const auto&, const auto& x, const auto& a, const auto& b) {
+            return x[0] * x[0] * x[0] / 3.0 + (b * b - a * a * a * a - 0.1) * x[0];
+        });
+    INFO(arms.argument());
+    CHECK(arms.evidence.complete());
+    CHECK(arms.curves.size() == 2);
 }

@@ -37,6 +37,13 @@ Json json_of(const LocusCurve<M>& curve) {
             {"ends", {end_name(curve.ends[0]), end_name(curve.ends[1])}}};
 }
 
+/// "points" ([x, y] each) and "ends".
+inline Json json_of(const InfinityCurve& curve) {
+    Json points = Json::array();
+    for (const auto& p : curve.points) points.push_back({json_of(p.x), json_of(p.y)});
+    return {{"points", std::move(points)}, {"ends", {end_name(curve.ends[0]), end_name(curve.ends[1])}}};
+}
+
 /// "count", "by_index", "point" (well inside), "area", "confirmed", "polygons": whose union is the region.
 inline Json json_of(const LocusRegion& r) {
     Json polygons = Json::array();
@@ -75,28 +82,33 @@ Json evidence_json(const Locus<M>& locus) {
             {"checked_points", e.checked_points},
             {"wrong_counts", e.wrong_counts},
             {"wrong_borders", e.wrong_borders},
+            {"seeds_from_infinity", e.seeds_from_infinity},
             {"from_infinity", e.from_infinity},
             {"faults", faults_json(e)},
             {"complete", e.complete()},
             {"seconds", e.seconds}};
 }
 
-/// The ranges of both parameters by their names, "cusps", "degenerate_pitchforks", "curves", "regions", "borders",
-/// "extremal", "argument", "evidence": see docs/output.md.
+/// The ranges of both parameters by their names, "cusps", "degenerate_pitchforks", "curves", "from_infinity",
+/// "regions", "borders", "extremal", "argument", "evidence": see docs/output.md.
 template <class M>
 Json json_of(const Locus<M>& locus, const AxisNames& names, const Sizes<M>& sizes = {}) {
     const auto& w = locus.window;
     Json out{{names.x, json_range(w.x.low, w.x.high)}, {names.y, json_range(w.y.low, w.y.high)}};
-    for (const char* key : {"cusps", "degenerate_pitchforks", "curves", "regions", "borders", "extremal"})
+    for (const char* key :
+         {"cusps", "degenerate_pitchforks", "curves", "from_infinity", "regions", "borders", "extremal"})
         out[key] = Json::array();
     for (const auto& cusp : locus.of(SingularityKind::cusp)) out["cusps"].push_back(cusp_json(cusp, names, sizes));
     for (const auto& p : locus.of(SingularityKind::tricritical_pitchfork))
         out["degenerate_pitchforks"].push_back(point_json(p, names, sizes));
     for (const auto& curve : locus.curves) out["curves"].push_back(json_of(curve));
+    for (const auto& curve : locus.from_infinity) out["from_infinity"].push_back(json_of(curve));
     for (const auto& region : locus.regions) out["regions"].push_back(json_of(region));
     for (const auto& b : locus.borders)
         out["borders"].push_back(
-            {{"regions", {b.below, b.above}}, {"curve", b.curve}, {"kind", kind_name(locus.curves[b.curve].kind)}});
+            {{"regions", {b.below, b.above}},
+             {"curve", b.curve},
+             {"kind", b.curve < locus.curves.size() ? kind_name(locus.curves[b.curve].kind) : "from infinity"}});
     for (const auto& p : locus.of(SingularityKind::extremal_fold, SingularityKind::extremal_pitchfork))
         out["extremal"].push_back(extremal_json(p, names, sizes));
     out["argument"] = locus.argument();

@@ -12,6 +12,7 @@
 #include <equilibria/core/compiled.hpp>
 #include <equilibria/core/window.hpp>
 #include <equilibria/locus/plane/curve_end.hpp>
+#include <equilibria/locus/plane/infinity_curve.hpp>
 #include <equilibria/locus/regions/plane_point.hpp>
 #include <equilibria/paths/solution_counts.hpp>
 #include <equilibria/singularity/singularity.hpp>
@@ -46,7 +47,7 @@ enum class LocusFaultKind {
     broken_curve,       ///< the end of a curve that the step control gave up
     wrong_count,        ///< an enumeration that differs from its region's
     wrong_border,       ///< a region next to another one whose table no fold or pitchfork explains
-    from_infinity       ///< equilibria come from infinity, or go there: no curve of that kind is traced
+    from_infinity       ///< equilibria come from infinity on no traced curve, or where such a curve breaks off
 };
 /// In words.
 constexpr const char* to_string(LocusFaultKind kind) {
@@ -83,9 +84,11 @@ struct LocusEvidence {
     std::uint64_t broken_curves = 0;       ///< curves that the step control gave up
     std::uint64_t wrong_counts = 0;        ///< checked points whose count is not their region's
     std::uint64_t wrong_borders = 0;       ///< borders of regions whose tables by index do not fit
-    std::uint64_t from_infinity = 0;       ///< points of lines at which equilibria come from infinity
-    std::vector<LocusFault> faults;        ///< places of what is counted above, but for failed paths
-    double seconds = 0;                    ///< of the whole search
+    std::uint64_t from_infinity = 0;       ///< see LocusFaultKind::from_infinity
+    /// Points of lines at which equilibria come from infinity, which curves of that kind must pass.
+    std::uint64_t seeds_from_infinity = 0;
+    std::vector<LocusFault> faults;  ///< places of what is counted above, but for failed paths
+    double seconds = 0;              ///< of the whole search
 
     /// Counts a fault, and keeps its place.
     void add(LocusFaultKind kind, const PlanePoint& point);
@@ -117,8 +120,11 @@ struct Locus {
     /// phi'''' of the reduced potential, residual the largest of |F|, |J v| and |phi'''|), tricritical pitchforks, and
     /// extremal folds and pitchforks, at which the parameter number `extremal` turns back on the curve.
     std::vector<Singularity<M>> points;
-    std::vector<LocusRegion> regions;   ///< into which the curves cut the window
-    std::vector<RegionBorder> borders;  ///< regions and curves by their numbers here
+    /// Curves on which equilibria come from infinity, or go there; none of a model of angles alone.
+    std::vector<InfinityCurve> from_infinity;
+    std::vector<LocusRegion> regions;  ///< into which the curves cut the window
+    /// Regions and curves by their numbers here; numbers from curves.size() on are those of `from_infinity`.
+    std::vector<RegionBorder> borders;
 
     /// The special points of these kinds, in their order.
     std::vector<Singularity<M>> of(std::same_as<SingularityKind> auto... kinds) const {
@@ -145,6 +151,7 @@ To converted_locus(const From& from, To to, const auto& convert) {
         for (const auto& at : curve.points) to.curves.back().points.push_back(convert(at));
     }
     for (const auto& at : from.points) to.points.push_back(convert(at));
+    to.from_infinity = from.from_infinity;
     to.regions = from.regions;
     to.borders = from.borders;
     to.evidence = from.evidence;

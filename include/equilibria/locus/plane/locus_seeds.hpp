@@ -47,7 +47,8 @@ public:
         : model_(&model), system_(&system), parameters_(p), window_(window), inner_lines_(inner_lines), seed_(run.seed),
           solver_(model, system, p, run,
                   {std::max(std::abs(window.x.low), std::abs(window.x.high)),
-                   std::max(std::abs(window.y.low), std::abs(window.y.high))}) {}
+                   std::max(std::abs(window.y.low), std::abs(window.y.high))},
+                  {window.x.low < 0, window.y.low < 0}) {}
 
     void solve(LocusEvidence& evidence) {
         solve_lines(1, evidence);
@@ -134,7 +135,7 @@ private:
                 at.kind = SingularityKind::fold;
                 add_seed({at, fixed, line});
             }
-            add_pitchforks(axis, line, degree, moving);
+            for (const auto& at : pitchforks(axis, line, degree, moving)) add_seed({at, fixed, line});
             lines_[own].push_back(line);
             ++evidence.lines;
         };
@@ -163,7 +164,8 @@ private:
     }
 
     /// The pitchforks of symmetric branches on such a line.
-    void add_pitchforks(int axis, double line, int degree, const Interval& moving) {
+    std::vector<RuntimeSingularity<>> pitchforks(int axis, double line, int degree, const Interval& moving) const {
+        std::vector<RuntimeSingularity<>> found;
         const int fixed = system_->active()[static_cast<std::size_t>(axis)];
         const int active = system_->active()[static_cast<std::size_t>(1 - axis)];
         const int x = system_->active()[0], y = system_->active()[1];
@@ -179,9 +181,28 @@ private:
                  polynomial_roots(determinant, model_->unknowns() * degree, moving.low, moving.high)) {
                 p[active] = value;
                 const auto v = null_vector(jacobian(*model_->functions, branch, p));
-                add_seed(
-                    {singularity_at<double>(SingularityKind::pitchfork, system_->active(), branch, p, v), fixed, line});
+                found.push_back(singularity_at<double>(SingularityKind::pitchfork, system_->active(), branch, p, v));
             }
+        }
+        return found;
+    }
+
+    /// Where curves cross the line on which a parameter is 0 that enters by even powers alone: the other one turns back
+    /// there, since the curve is its own mirror image.
+    void solve_mirror_lines(LocusEvidence& evidence) {
+        for (const int axis : {0, 1}) {
+            const auto own = static_cast<std::size_t>(axis), other = 1 - own;
+            const Interval &range = axis == 0 ? window_.x : window_.y, &moving = axis == 0 ? window_.y : window_.x;
+            if (system_->entry().power[own] != 2 || !(range.low < 0 && range.high > 0)) continue;
+            Generator generator(seed_);
+            const PlaneSolver::Lines lines(solver_, axis, range.high * uniform(generator));
+            std::uint64_t failed = 0;
+            const int turning = system_->active()[other];
+            add_points(lines.folds(0, failed), SingularityKind::extremal_fold, turning);
+            evidence.failed_paths += failed;
+            if (model_->reflection_symmetric())
+                add_points(pitchforks(axis, 0, system_->entry().degree[other], moving),
+                           SingularityKind::extremal_pitchfork, turning);
         }
     }
 
@@ -194,6 +215,7 @@ private:
         for (const int which : {0, 1})
             add_points(solver_.extremal_folds(which, solved[Kind::extremal_fold]), Kind::extremal_fold,
                        parameter(which));
+        solve_mirror_lines(evidence);
         if (!model_->reflection_symmetric()) return;
         for (const int which : {0, 1})
             add_points(solver_.extremal_pitchforks(which, solved[Kind::extremal_pitchfork]), Kind::extremal_pitchfork,

@@ -14,8 +14,8 @@
 #include <equilibria/continuation/curves/critical_curve.hpp>
 #include <equilibria/continuation/event_function.hpp>
 #include <equilibria/core/eigen_copies.hpp>
-#include <equilibria/locus/line/infinity_search.hpp>
 #include <equilibria/locus/plane/curve_copies.hpp>
+#include <equilibria/locus/plane/infinity_curves.hpp>
 #include <equilibria/locus/plane/locus_options.hpp>
 #include <equilibria/locus/plane/locus_result.hpp>
 #include <equilibria/locus/plane/locus_seeds.hpp>
@@ -48,7 +48,7 @@ public:
     Locus<RuntimeUnknowns> run() {
         const detail::Stopwatch begin;
         seeds_.solve(locus_.evidence);
-        look_for_infinity();
+        trace_from_infinity();
         for (Seed& seed : seeds_.all())
             if (!seed.traced) trace_from(seed);
         drop_copies();
@@ -260,9 +260,9 @@ private:
         clear(at.y(), locus_.window.height());
     }
 
-    /// Lines of both directions on which equilibria come from infinity, or go there: no curve of that kind is traced,
-    /// but that there is one is said.
-    void look_for_infinity() {
+    /// Curves on which equilibria come from infinity, or go there, through what lines of both directions are solved
+    /// for.
+    void trace_from_infinity() {
         const int coordinates = model_.sizes().coordinates, angles = model_.sizes().angles;
         if (coordinates == 0) return;
         const Window& w = locus_.window;
@@ -279,19 +279,24 @@ private:
                     sizes[j] = std::max(sizes[j], std::abs(q[angles + static_cast<int>(j)]));
         const double largest = *std::max_element(sizes.begin(), sizes.end());
         for (double& size : sizes) size = size > 1e-6 * largest ? size : largest > 0 ? largest : 1;
+        InfinityCurveTracer tracer(model_, {x_number(), y_number()}, locus_.parameters, w, sizes, run_);
         for (const int axis : {0, 1}) {
             const auto& lines = seeds_.lines(axis);
-            const Interval& moving = axis == 0 ? w.y : w.x;
-            for (std::size_t k = 0; k < lines.size(); k += std::max<std::size_t>(1, lines.size() / 6)) {
-                const double line = lines[k];
-                const auto found = search_infinity(model_, axis == 0 ? at(line, moving.low) : at(moving.low, line),
-                                                   axis == 0 ? y_number() : x_number(), moving, sizes, run_);
-                locus_.evidence.failed_paths += found.paths.failed;
-                for (const auto& event : found.events)
-                    locus_.evidence.add(LocusFaultKind::from_infinity,
-                                        axis == 0 ? PlanePoint{line, event.value} : PlanePoint{event.value, line});
-            }
+            for (std::size_t k = 0; k < lines.size(); k += std::max<std::size_t>(1, lines.size() / 6))
+                tracer.add_line(axis, lines[k]);
+            tracer.add_line(axis, lines.back());
         }
+        locus_.from_infinity = tracer.trace();
+        locus_.evidence.failed_paths += tracer.failed_paths();
+        locus_.evidence.seeds_from_infinity = tracer.seeds();
+        for (const PlanePoint& point : tracer.untraced()) locus_.evidence.add(LocusFaultKind::from_infinity, point);
+        for (const InfinityCurve& curve : locus_.from_infinity)
+            for (const int side : {0, 1}) {
+                const CurveEnd end = curve.ends[static_cast<std::size_t>(side)];
+                if (end == CurveEnd::step || end == CurveEnd::length)
+                    locus_.evidence.add(LocusFaultKind::from_infinity,
+                                        side == 0 ? curve.points.front() : curve.points.back());
+            }
     }
 
     /// The reduced third derivative along the null vector on the side of `before`.

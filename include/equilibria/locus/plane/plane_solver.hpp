@@ -34,10 +34,12 @@ public:
     using Points = std::vector<RuntimeSingularity<>>;  ///< refined points of the locus
 
     /// The model and the plane's system have to outlive it. scales: values of x and y that count as large, positive:
-    /// the size of the window.
+    /// the size of the window. negative: whether negative values of x and y are looked for as well; of a parameter that
+    /// enters by even powers alone they are the positive ones with the other sign.
     PlaneSolver(const SearchedModel& model, const CriticalSystem& system, const RuntimeArray<double>& p,
-                const RunOptions& run, const std::array<double, 2>& scales = {1, 1})
-        : model_(&model), system_(&system), p_(p), run_(run), scales_(scales) {}
+                const RunOptions& run, const std::array<double, 2>& scales = {1, 1},
+                const std::array<bool, 2>& negative = {false, false})
+        : model_(&model), system_(&system), p_(p), run_(run), scales_(scales), negative_(negative) {}
 
     /// The folds on lines on which x (`fixed` 0) or y (1) has the given value. One line is
     /// solved from its start system, at the value `generic`; the others follow by parameter homotopy, on as many paths
@@ -71,14 +73,14 @@ public:
             Points points;
             const auto take = [&](const auto& roots) {
                 for (const auto& root : roots)
-                    if (const auto near = solver_->real_point(root)) {
-                        auto at = *near;
-                        (fixed_ == 0 ? at.x() : at.y()) = value;
-                        const int moving = solver_->system_->active()[fixed_ == 0 ? 1 : 0];
-                        solver_->keep(points, at,
-                                      locate_singularity(*solver_->model_->functions, SingularityKind::fold,
-                                                         {&moving, 1}, at.q, at.p));
-                    }
+                    if (const auto near = solver_->real_point(root))
+                        for (auto at : solver_->with_signs(*near, fixed_)) {
+                            (fixed_ == 0 ? at.x() : at.y()) = value;
+                            const int moving = solver_->system_->active()[fixed_ == 0 ? 1 : 0];
+                            solver_->keep(points, at,
+                                          locate_singularity(*solver_->model_->functions, SingularityKind::fold,
+                                                             {&moving, 1}, at.q, at.p));
+                        }
             };
             take(set.roots);
             if (!thorough) {
@@ -192,6 +194,24 @@ private:
         return true;
     }
 
+    /// The point, and those with the other sign of a parameter that enters by even powers alone and is not `fixed`.
+    Points with_signs(const RuntimeSingularity<>& at, int fixed = -1) const {
+        Points y{at};
+        for (const int k : {0, 1}) {
+            if (k == fixed || !negative_[static_cast<std::size_t>(k)] ||
+                system_->entry().power[static_cast<std::size_t>(k)] != 2)
+                continue;
+            for (std::size_t m = y.size(); m-- > 0;) {
+                auto other = y[m];
+                double& value = k == 0 ? other.x() : other.y();
+                if (value == 0) continue;
+                value = -value;
+                y.push_back(std::move(other));
+            }
+        }
+        return y;
+    }
+
     bool same(const RuntimeSingularity<>& a, const RuntimeSingularity<>& b, double tolerance) const {
         if (!(std::abs(a.x() - b.x()) <= tolerance * scales_[0])) return false;
         if (!(std::abs(a.y() - b.y()) <= tolerance * scales_[1])) return false;
@@ -218,7 +238,8 @@ private:
                                                run_.with_seed(seed), resort(attempts));
             for (const auto& root : set.roots)
                 if (const auto near = real_point(root))
-                    keep(points, *near, refine_singularity(*model_->functions, kind, active, near->q, near->p));
+                    for (const auto& one : with_signs(*near))
+                        keep(points, one, refine_singularity(*model_->functions, kind, active, one.q, one.p));
             return set;
         });
         return points;
@@ -236,10 +257,12 @@ private:
                 for (const auto& root : set.roots) {
                     auto found = singularity_at<double>(SingularityKind::pitchfork, system_->active(), branch, p_);
                     if (!real_parameters(&root.q[system.first_active()], 1e-6, found)) continue;
-                    found.v = null_vector(jacobian(*model_->functions, branch, found.p));
-                    bool known = false;
-                    for (const auto& other : points) known = known || same(other, found, 1e-8);
-                    if (!known) points.push_back(found);
+                    for (auto& one : with_signs(found)) {
+                        one.v = null_vector(jacobian(*model_->functions, branch, one.p));
+                        bool known = false;
+                        for (const auto& other : points) known = known || same(other, one, 1e-8);
+                        if (!known) points.push_back(one);
+                    }
                 }
                 return set;
             });
@@ -251,6 +274,7 @@ private:
     RuntimeArray<double> p_;
     RunOptions run_;
     std::array<double, 2> scales_;
+    std::array<bool, 2> negative_;
 };
 
 }  // namespace equilibria

@@ -26,6 +26,9 @@ inline void place_points(Locus<RuntimeUnknowns>& locus, const PlaneDecomposition
         for (const auto& curve : locus.curves)
             for (const auto& p : curve.points)
                 clearance = std::min(clearance, std::hypot((p.x() - x) / w.width(), (p.y() - y) / w.height()));
+        for (const auto& curve : locus.from_infinity)
+            for (const auto& p : curve.points)
+                clearance = std::min(clearance, std::hypot((p.x - x) / w.width(), (p.y - y) / w.height()));
         const auto region = static_cast<std::size_t>(number);
         if (clearance > best[region]) best[region] = clearance, locus.regions[region].point = {x, y};
     };
@@ -82,6 +85,7 @@ inline void count_regions(Locus<RuntimeUnknowns>& locus, const SearchedModel& mo
         lines.emplace_back();
         for (const auto& p : curve.points) lines.back().push_back({p.x(), p.y()});
     }
+    for (const auto& curve : locus.from_infinity) lines.push_back(curve.points);
     const PlaneDecomposition plane(locus.window, lines);
     locus.regions.resize(static_cast<std::size_t>(plane.regions()));
     place_points(locus, plane);
@@ -123,7 +127,8 @@ inline void count_regions(Locus<RuntimeUnknowns>& locus, const SearchedModel& mo
         locus.borders.push_back({below, above, border.curve});
         const auto &a = locus.regions[static_cast<std::size_t>(border.below)].by_index,
                    &b = locus.regions[static_cast<std::size_t>(border.above)].by_index;
-        if (!differ_by_pairs(a, b))
+        // what comes from infinity may have any index, and as many may go there
+        if (border.curve < locus.curves.size() && !differ_by_pairs(a, b))
             locus.evidence.add(LocusFaultKind::wrong_border,
                                locus.regions[static_cast<std::size_t>(border.below)].point);
     }

@@ -136,7 +136,8 @@ private:
     CuspPlane<M> solved_at(double z) {
         CuspPlane<M> plane;
         plane.z = z;
-        const PlaneSolver solver(model_, plane_system_, runtime_array(with_active<Z>(locus_.parameters, z)), run_);
+        const PlaneSolver solver(model_, plane_system_, runtime_array(with_active<Z>(locus_.parameters, z)), run_,
+                                 {1, 1}, {locus_.box.x.low < 0, locus_.box.y.low < 0});
         std::vector<Singularity<M>> taken;
         for (const auto& found : solver.cusps(plane.counts)) {
             const auto at = typed<M>(found);

@@ -35,7 +35,7 @@ struct EveryEquilibriumOf {
     std::vector<char> confirmed;              ///< of each root that is singular: its multiplicity was confirmed
     std::vector<DivergingPaths> at_infinity;  ///< explained paths, by their direction
 };
-/// Those of a model at run time.
+/// Equilibria of a model at run time.
 using EveryEquilibrium = EveryEquilibriumOf<RuntimeUnknowns>;
 
 namespace detail {

@@ -27,7 +27,7 @@ struct BallSystem {
         int equation, first, last;  ///< its factors
         Ball<S> coefficient;
     };
-    /// Of each unknown the multiples or powers that the table of factors has, from 0 on.
+    /// Which multiples or powers the table of factors has of each unknown, from 0 on.
     using Multiples = std::vector<std::vector<char>>;
     /// A multiple or power in the table, from those of half of it: none is far from 1, so that radii stay small.
     struct Step {

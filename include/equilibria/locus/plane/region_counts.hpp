@@ -18,18 +18,27 @@ namespace equilibria::detail {
 /// A point of each region, as far from the curves and the border as a search over the cells and a grid finds.
 inline void place_points(Locus<RuntimeUnknowns>& locus, const PlaneDecomposition& plane) {
     const Window& w = locus.window;
+    // some thousand points of all curves tell how far they are
+    std::size_t size = 0;
+    for (const auto& curve : locus.curves) size += curve.points.size();
+    for (const auto& curve : locus.from_infinity) size += curve.points.size();
+    const std::size_t step = 1 + size / 4000;
+    std::vector<PlanePoint> points;
+    for (const auto& curve : locus.curves)
+        for (std::size_t k = 0; k < curve.points.size(); k += step)
+            points.push_back({curve.points[k].x(), curve.points[k].y()});
+    for (const auto& curve : locus.from_infinity)
+        for (std::size_t k = 0; k < curve.points.size(); k += step) points.push_back(curve.points[k]);
     std::vector<double> best(locus.regions.size(), -1);
     const auto consider = [&](double x, double y, int number) {
         if (number < 0) return;
         double clearance =
             std::min(std::min(x - w.x.low, w.x.high - x) / w.width(), std::min(y - w.y.low, w.y.high - y) / w.height());
-        for (const auto& curve : locus.curves)
-            for (const auto& p : curve.points)
-                clearance = std::min(clearance, std::hypot((p.x() - x) / w.width(), (p.y() - y) / w.height()));
-        for (const auto& curve : locus.from_infinity)
-            for (const auto& p : curve.points)
-                clearance = std::min(clearance, std::hypot((p.x - x) / w.width(), (p.y - y) / w.height()));
         const auto region = static_cast<std::size_t>(number);
+        for (const PlanePoint& p : points) {
+            if (clearance <= best[region]) return;
+            clearance = std::min(clearance, std::hypot((p.x - x) / w.width(), (p.y - y) / w.height()));
+        }
         if (clearance > best[region]) best[region] = clearance, locus.regions[region].point = {x, y};
     };
     for (const auto& cell : plane.cells()) {

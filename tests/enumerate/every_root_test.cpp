@@ -5,6 +5,7 @@
 #include <cmath>
 #include <complex>
 #include <cstdint>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -224,4 +225,24 @@ TEST_CASE("the work that is predicted counts the paths of the start", "[every_ro
     const auto cells = predicted_work(system, fewest_paths(bounds, StartKind::polyhedral), {}, 1);
     CHECK(static_cast<std::uint64_t>(cells.paths.value) == bounds.mixed_volume);
     CHECK_FALSE(predicted_work(system, fewest_paths(bounds, StartKind::total_degree)).seconds);
+}
+
+TEST_CASE("Chandrasekhar's H-equation in 8 unknowns: ill-conditioned roots are all found and proved", "[every_root]") {
+    constexpr int n = 8;
+    std::string text = std::to_string(n) + "\n";
+    for (int k = 1; k <= n; ++k) {
+        const std::string x = "x" + std::to_string(k);
+        std::string f = "15.48766*" + x + "-16";
+        for (int i = 1; i < n; ++i) {
+            std::ostringstream c;
+            c.precision(17);
+            c << 0.51234 * k / (i + k);
+            f += "-" + c.str() + "*" + x + "*x" + std::to_string(i);
+        }
+        text += f + ";\n";
+    }
+    const auto y = solved(text);
+    CHECK(y.proof.distinct == 128);
+    CHECK(y.proof.real == 128);
+    CHECK(y.verdict.completeness == Completeness::complete);
 }

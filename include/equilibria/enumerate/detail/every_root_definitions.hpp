@@ -14,6 +14,7 @@
 #include <equilibria/enumerate/detail/explained_paths.hpp>
 #include <equilibria/enumerate/every_root.hpp>
 #include <equilibria/enumerate/families.hpp>
+#include <equilibria/enumerate/more_digits.hpp>
 #include <equilibria/enumerate/named_families.hpp>
 #include <equilibria/enumerate/prove_complex_roots.hpp>
 #include <equilibria/evaluation/point_of.hpp>
@@ -55,7 +56,7 @@ EQUILIBRIA_INLINE RootAttempt plain_attempt(const SparseSystem& system, const St
                                             const EveryRootOptions& options) {
     RootAttempt y;
     const Stopwatch clock;
-    y.found = solve_from_start(system, choice, run, options.tracker, nullptr);
+    y.found = solve_from_start(system, choice, run, options.tracker, more_digits);
     y.tracking_seconds = clock.seconds();
     y.proof = prove_and_refine(system, y.found, bounds, run);
     y.confirmed.assign(y.found.roots.size(), 0);

@@ -14,6 +14,7 @@
 
 #include <equilibria/enumerate/every_root.hpp>
 #include <equilibria/enumerate/families.hpp>
+#include <equilibria/enumerate/more_digits.hpp>
 #include <equilibria/enumerate/named_families.hpp>
 #include <equilibria/enumerate/prove_complex_roots.hpp>
 #include <equilibria/evaluation/point_of.hpp>
@@ -78,7 +79,7 @@ public:
     RootAttempt run() {
         const Stopwatch clock;
         const GenericInstance::Start start(instance_);
-        PathSet paths = track(homotopy_, start, run_, options_.tracker, nullptr);
+        PathSet paths = track(homotopy_, start, run_, options_.tracker, more_digits);
         y_.tracking_seconds = clock.seconds();
         y_.found.start = std::string(GenericInstance::Start::name());
         auto account = account_for(paths);

@@ -69,8 +69,9 @@ StartBounds polyhedral_bounds(const SparseSystem& system, const PathCount& track
 /// The start of the least predicted cost; or the one that is asked for.
 StartChoice choose_start(StartBounds bounds, std::optional<StartKind> asked = {});
 
-/// The start of the fewest paths, where these are few; else of the least predicted cost. Fewer paths leave less to be
-/// explained: with a mixed volume of 0 no root is isolated, and the total degree is taken, whose paths meet all curves.
+/// The start of clearly the fewest paths, where these are few; else of the least predicted cost. Fewer paths leave less
+/// to be explained: with a mixed volume of 0 no root is isolated, and the total degree is taken, which meets all
+/// curves.
 StartChoice fewest_paths(StartBounds bounds, std::optional<StartKind> asked = {});
 
 /// Every isolated solution of the system, from that start; of monodromy those that it found, with a caution. Throws

@@ -103,7 +103,10 @@ EQUILIBRIA_INLINE StartChoice fewest_paths(StartBounds bounds, std::optional<Sta
     constexpr double few = 2000;  // then cells cost little
     const double degrees = detail::least_cost_of_degrees(bounds);
     // of as many paths those in logarithms, where degrees are high
-    const double most = bounds.highest_degree > 30 ? degrees : degrees - 1;
+    constexpr double cells_cost_little = 200;
+    const double most = bounds.highest_degree > 30     ? degrees
+                        : degrees <= cells_cost_little ? degrees - 1
+                                                       : 0.8 * degrees;
     if (!asked && bounds.mixed_volume && degrees <= few && static_cast<double>(*bounds.mixed_volume) <= most &&
         *bounds.mixed_volume > 0)
         return {StartKind::polyhedral, "the mixed volume is the smallest number of paths", std::move(bounds)};

@@ -153,3 +153,16 @@ TEST_CASE("where every state is an equilibrium there is an event, and the branch
     REQUIRE(diagram.pieces.size() == 4);
     for (const auto& piece : diagram.pieces) CHECK(piece.points.size() > 10);
 }
+
+TEST_CASE("a root far out that a path of the total degree loses is counted by the polyhedral start") {
+    const auto model = by_potential(0, 2, [](const auto&, const auto& x, const auto& a) {
+        return -8.0 * x[0] * x[0] * x[0] * x[0] + 0.25 * x[0] * x[0] * x[1] + 11.0 * x[0] * x[1] - 5.0 * x[1] * a;
+    });
+    // dV/dy: x^2 / 4 + 11 x = 5 a, whose roots are real for a > -24.2; y follows from dV/dx
+    for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+        INFO("seed = " << seed);
+        const auto found = find_events(model, {1.0}, 0, {-3, -2}, {.seed = seed});
+        REQUIRE(found.intervals.size() == 1);
+        CHECK(found.intervals[0].count == 2);
+    }
+}

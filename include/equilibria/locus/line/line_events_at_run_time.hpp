@@ -2,7 +2,7 @@
 /// `find_events` for models whose numbers of unknowns are known at run time alone.
 #pragma once
 
-#include <equilibria/enumerate/enumerate_at_run_time.hpp>
+#include <equilibria/locus/line/count_equilibria.hpp>
 #include <equilibria/locus/line/line_events.hpp>
 #include <equilibria/model/runtime_model_functions.hpp>
 #include <equilibria/system/runtime_model_polynomials.hpp>
@@ -18,7 +18,7 @@ LineEvents<RuntimeUnknowns> find_events(const T& model, const RuntimeArray<doubl
     const RuntimeModelFunctions<T> functions(model);
     const RuntimeModelPolynomials<T> polynomials(model);
     const SearchedModel searched{&functions, &polynomials, [&](const RuntimeArray<double>& at, const RunOptions& how) {
-                                     return count_of(enumerate(model, at, how));
+                                     return count_equilibria(model, at, how);
                                  }};
     return find_events(searched, p, active, range, run);
 }

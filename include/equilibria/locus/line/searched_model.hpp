@@ -2,11 +2,14 @@
 /// What searches for events and for loci need of a model, whatever the model: they are compiled once.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <type_traits>
 #include <vector>
 
+#include <equilibria/certify/exact_system.hpp>
 #include <equilibria/core/sized_array.hpp>
 #include <equilibria/enumerate/enumerate.hpp>
 #include <equilibria/model/model_functions.hpp>
@@ -36,6 +39,21 @@ EquilibriaCount count_of(const RootSet<M>& set) {
     return y;
 }
 
+namespace detail {
+
+/// The count of a set; where it may lack roots far out, that of `again()`, if it has more of them. again: an
+/// enumeration from a polyhedral start, or nothing.
+template <class M, class Again>
+EquilibriaCount fuller_count(const RootSet<M>& set, const Again& again) {
+    const bool doubtful = set.model.sizes.coordinates > 0 && set.start.name != "polyhedral" && set.families.empty() &&
+                          set.paths.at_infinity + set.paths.failed > 0;
+    if (!doubtful) return count_of(set);
+    const std::optional<RootSet<M>> other = again();
+    return count_of(other && other->paths.finite > set.paths.finite ? *other : set);
+}
+
+}  // namespace detail
+
 /// A model's functions, its polynomials and its enumeration.
 struct SearchedModel {
     const ModelFunctions<>* functions;    ///< with derivatives
@@ -55,7 +73,16 @@ struct SearchedModel {
 template <Model M>
 SearchedModel searched_model() {
     return {&functions_of<M>(), &polynomials_of<M>(), [](const RuntimeArray<double>& p, const RunOptions& run) {
-                return count_of(enumerate<M>(parameters_from<M>(p), run));
+                const auto at = parameters_from<M>(p);
+                const auto set = enumerate<M>(at, run);
+                if constexpr (n_coordinates<M> == 0)
+                    return count_of(set);
+                else
+                    return detail::fuller_count(set, [&]() -> std::optional<RootSet<M>> {
+                        const auto degrees = ExactSystem<M>::at(at).degrees();
+                        if (std::count(degrees.begin(), degrees.end(), 0) > 0) return {};
+                        return enumerate<M, Polyhedral>(at, run);
+                    });
             }};
 }
 

@@ -11,6 +11,7 @@
 
 #include <equilibria/enumerate/enumerate_at_run_time.hpp>
 #include <equilibria/enumerate/more_digits.hpp>
+#include <equilibria/locus/line/count_equilibria.hpp>
 #include <equilibria/model/runtime_model_functions.hpp>
 #include <equilibria/studies/formula_model/formula_searches.hpp>
 #include <equilibria/system/runtime_formulation.hpp>
@@ -75,10 +76,9 @@ auto search_formula_model(const FormulaModel& formulas, std::span<const int> act
         using T = std::remove_cvref_t<decltype(model)>;
         const RuntimeModelFunctions<T> functions(model);
         const RuntimeModelPolynomials<T> polynomials(model);
-        const SearchedModel searched{&functions, &polynomials,
-                                     [&](const RuntimeArray<double>& at, const RunOptions& how) {
-                                         return count_of(equilibria::enumerate(model, at, how));
-                                     }};
+        const SearchedModel searched{
+            &functions, &polynomials,
+            [&](const RuntimeArray<double>& at, const RunOptions& how) { return count_equilibria(model, at, how); }};
         return search(searched, model);
     });
 }

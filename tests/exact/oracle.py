@@ -190,7 +190,8 @@ class Oracle:
                 largest = max(abs(c) for c in g.values())
                 reduced.append({e: c / largest for e, c in g.items()})
             equations = reduced
-        forms = [[(7 * k * k + 13 * k + 3) % 31 + 1 for k in range(n)], [(11 * k * k + 5 * k + 17) % 37 + 2 for k in range(n)]]
+        # with coefficients below 40 both forms took the same value at two of the eight roots of sin(x - y) = -4/5 and its like
+        forms = [[(457 * k * k + 613 * k + 103) % 997 + 1 for k in range(n)], [(311 * k * k + 509 * k + 217) % 991 + 2 for k in range(n)]]
         words = ["+".join(f"{c}*{x}" for c, x in zip(form, names)) for form in forms]
         code = f"ring r=0,(x(1..{n})),dp; short=0; ideal I={','.join(text(f, names, exact) for f in equations)};"
         code += f"truth(I,{words[0]},{words[1]},{'*'.join(names)}); kill I; kill r;"

@@ -2,12 +2,11 @@
 /// The equilibria that searches for events and loci count at run time.
 #pragma once
 
-#include <algorithm>
 #include <optional>
 
-#include <equilibria/certify/exact_system.hpp>
 #include <equilibria/enumerate/enumerate_at_run_time.hpp>
 #include <equilibria/locus/line/searched_model.hpp>
+#include <equilibria/system/runtime_formulation.hpp>
 
 namespace equilibria {
 
@@ -17,7 +16,8 @@ template <RuntimeModel T>
 EquilibriaCount count_equilibria(const T& model, const RuntimeArray<double>& p, const RunOptions& run = {}) {
     const auto set = enumerate(model, p, run);
     return detail::fuller_count(set, [&]() -> std::optional<RootSet<RuntimeUnknowns>> {
-        if (std::ranges::count(exact_terms(model, p).degrees(), 0) > 0) return {};
+        const RuntimeFormulation formulation(model);
+        if (!detail::system_of_terms(sizes_of(model), formulation.terms(model, p))) return {};  // an equation vanishes
         return enumerate_from<Polyhedral>(model, p, run);
     });
 }

@@ -2,14 +2,12 @@
 /// What searches for events and for loci need of a model, whatever the model: they are compiled once.
 #pragma once
 
-#include <algorithm>
 #include <cstdint>
 #include <functional>
 #include <optional>
 #include <type_traits>
 #include <vector>
 
-#include <equilibria/certify/exact_system.hpp>
 #include <equilibria/core/sized_array.hpp>
 #include <equilibria/enumerate/enumerate.hpp>
 #include <equilibria/model/model_functions.hpp>
@@ -79,8 +77,7 @@ SearchedModel searched_model() {
                     return count_of(set);
                 else
                     return detail::fuller_count(set, [&]() -> std::optional<RootSet<M>> {
-                        const auto degrees = ExactSystem<M>::at(at).degrees();
-                        if (std::count(degrees.begin(), degrees.end(), 0) > 0) return {};
+                        if (!detail::system_of(ModelSystem<M>(at))) return {};  // an equation vanishes
                         return enumerate<M, Polyhedral>(at, run);
                     });
             }};

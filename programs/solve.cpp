@@ -267,7 +267,7 @@ int main(int argc, char** argv) {
         const Json result = document(c, input, solution);
         if (c.json) c.json->write(equilibria::json_text(result));
         if (!to_stdout(c.json)) print(result);
-        if (solution.found.paths.cancelled > 0)
+        if (solution.verdict.completeness == equilibria::Completeness::open && support::stopped_status() != 0)
             return support::say_stopped("solve", "the result is what was found until then");
     } catch (const std::exception& error) {
         bar.reset();

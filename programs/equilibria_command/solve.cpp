@@ -71,7 +71,10 @@ int enumerated(const char* name, bool proving, int argc, char** argv) {
                         count(away.paths), equilibria::direction_in_words(away.direction).c_str(), away.residual);
         std::printf("%.3g s\n%s\n", set.seconds, in_words(set.completeness).c_str());
     }
-    return set.cancelled() ? support::say_stopped(name, "the result is what was found until then") : 0;
+    const bool open = set.cancelled() || (proof && set.completeness.completeness == equilibria::Completeness::open);
+    if (open && support::stopped_status() != 0)
+        return support::say_stopped(name, "the result is what was found until then");
+    return 0;
 }
 
 }  // namespace

@@ -103,8 +103,8 @@ class RootSet(Printed):
 
     @property
     def complete(self) -> bool:
-        """Whether no root is missing, by a theorem or since every path is explained."""
-        return self.completeness != "open"
+        """Whether a theorem says that no root is missing."""
+        return self.completeness == "complete"
 
     def __len__(self) -> int:
         """The number of equilibria."""

@@ -125,13 +125,14 @@ py::dict sweep_rows(const FormulaModel& model, const Numbers& points, const RunO
 
 /// A set with its proof, where one is asked for, and the verdict that it gives.
 EveryEquilibrium with_proof(const FormulaModel& model, Set set, const RunOptions& run, bool proved) {
-    EveryEquilibrium y;
-    y.set = std::move(set);
-    y.confirmed.assign(y.set.roots.size(), 0);
-    if (!proved) return y;
-    y.proof = prove(model, y.set, {.seed = run.seed, .executor = run.executor});
-    y.set.completeness = detail::verdict_of(y.proof);
-    return y;
+    if (!proved) {
+        EveryEquilibrium y;
+        y.confirmed.assign(set.roots.size(), 0);
+        y.set = std::move(set);
+        return y;
+    }
+    auto proof = prove(model, set, {.seed = run.seed, .executor = run.executor});
+    return detail::with_verdict(std::move(set), std::move(proof));
 }
 
 /// The set as the library has it, and as Python shows it; and its proof, or None.

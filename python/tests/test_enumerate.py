@@ -59,6 +59,19 @@ def test_proof_is_complete():
     assert proof.contradictions == 0
 
 
+def test_enumerate_proves_by_default():
+    model = rotating_chain()
+    roots = model.enumerate()
+    assert roots.complete and roots.completeness == "complete" and roots.missing_at_most == 0
+    assert roots.proof.distinct == len(roots.roots) and roots.prove() is roots.proof
+    assert roots.verdict in str(roots)
+    plain = model.enumerate(prove=False)
+    assert plain.proof is None and not plain.complete and plain.completeness == "open"
+    assert plain.angles.tobytes() == roots.angles.tobytes()
+    there = model.enumerate(start=roots, omega=1.9)
+    assert there.proof.distinct == len(there.roots)
+
+
 def test_trace_file_and_sympy_give_the_same_roots():
     traced = rotating_chain().enumerate().angles
     parsed = eq.Model.parse(text).enumerate().angles

@@ -220,6 +220,15 @@ TEST_CASE("curves on which equilibria come from infinity are traced: a line, a c
     INFO(circle.argument());
     CHECK(circle.evidence.complete());
 
+    // two lines side by side, 5e-5 apart, are two curves
+    const auto pair =
+        in_plane(0, 1, {{-1, 1.3}, {-1, 1}}, [](const auto&, const auto& x, const auto& a, const auto& b) {
+            return (a - 0.31) * (a - 0.31005) * x[0] * x[0] * x[0] * x[0] + x[0] * x[0] + b * x[0];
+        });
+    INFO(pair.argument());
+    CHECK(pair.from_infinity.size() == 2);
+    CHECK(pair.evidence.from_infinity == 0);
+
     // a b x^3 + x^2 + x
     const auto cross =
         in_plane(0, 1, {{-1, 1.3}, {-1.2, 1}}, [](const auto&, const auto& x, const auto& a, const auto& b) {

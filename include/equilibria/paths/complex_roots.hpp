@@ -23,6 +23,8 @@
 
 namespace equilibria {
 
+class TotalDegreeStart;
+
 /// All complex solutions of a system. M: its unknowns.
 template <class M = RuntimeUnknowns>
 struct ComplexRoots {
@@ -45,6 +47,12 @@ ComplexRoots<> complex_roots(const H& homotopy, const StartSystem& start, const 
     found.start = start.name();
     return found;
 }
+
+namespace detail {
+/// The homotopy from a total-degree start to a system. degrees: those of the start, one an equation.
+PolynomialHomotopy total_degree_homotopy(const SparseSystem& system, const TotalDegreeStart& start,
+                                         const std::vector<int>& degrees);
+}  // namespace detail
 
 /// Every isolated solution of the system, by as many paths as its total degree (the product of the equations' degrees,
 /// times 2 an angle). With a `resort` as solve_multihomogeneous. Throws InvalidArgument where an equation is a

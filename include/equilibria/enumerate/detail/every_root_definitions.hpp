@@ -253,8 +253,10 @@ EQUILIBRIA_INLINE EveryRoot every_root(const SparseSystem& system, const StartCh
         (choice.bounds.mixed_volume && *choice.bounds.mixed_volume == 0))
         if (choice.kind != StartKind::monodromy && !run.cancelled_anywhere())
             detail::find_all_families(in_units, run, options, *best);
-    if (run.cancelled_anywhere())
+    if (run.cancelled_anywhere() && verdict.completeness == Completeness::open) {
         for (auto& family : best->families) family.degree = 0;  // not all slices were followed
+        if (best->found.paths.cancelled == 0) verdict.sentence += "; the run was stopped before more was tried";
+    }
     y.start = std::move(best->start);
     y.found = std::move(best->found);
     y.confirmed = std::move(best->confirmed);

@@ -119,12 +119,7 @@ EQUILIBRIA_INLINE FoundFamilies name_families(const SparseSystem& system,
     std::vector<int> degrees = system.degrees();
     for (int& d : degrees) d = std::max(d, 1);
     const TotalDegreeStart start(TotalDegreeKind::general, system.sizes(), degrees, system.scale(), generator);
-    const PolynomialHomotopy homotopy({.sizes = system.sizes(),
-                                       .terms = system.terms(),
-                                       .from = {},
-                                       .forms = {.terms = start.system().terms(), .products = {}},
-                                       .scale = system.scale(),
-                                       .degrees = degrees});
+    const PolynomialHomotopy homotopy = total_degree_homotopy(system, start, degrees);
     auto y = find_families(homotopy, all, run.executor);
     keep_families(system, all, y);
     if (tracked && system.sizes().angles == 0 && !y.families.empty()) {

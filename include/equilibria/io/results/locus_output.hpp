@@ -83,6 +83,7 @@ Json evidence_json(const Locus<M>& locus) {
             {"wrong_counts", e.wrong_counts},
             {"wrong_borders", e.wrong_borders},
             {"seeds_from_infinity", e.seeds_from_infinity},
+            {"lines_from_infinity", e.lines_from_infinity},
             {"from_infinity", e.from_infinity},
             {"faults", faults_json(e)},
             {"complete", e.complete()},

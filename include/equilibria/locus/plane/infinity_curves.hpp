@@ -35,9 +35,10 @@ public:
 
     /// Solves the line x = value (axis 0) or y = value (axis 1), whose points curves must pass.
     void add_line(int axis, double value) {
+        ++lines_;
         for (const double other : on_line(axis, value)) {
             const PlanePoint at = axis == 0 ? PlanePoint{value, other} : PlanePoint{other, value};
-            seeds_.push_back({at, axis, false});
+            seeds_.push_back({at, axis, value, false});
         }
     }
 
@@ -60,7 +61,7 @@ public:
                 curve.points.insert(curve.points.end(), half.begin() + 1, half.end());
                 std::swap(curve.ends[0], curve.ends[1]);
             }
-            for (Seed& other : seeds_) other.traced = other.traced || passes(curve, other.at);
+            claim_crossings(curve);
             seed.traced = true;
             curves.push_back(std::move(curve));
         }
@@ -75,6 +76,7 @@ public:
         return y;
     }
     std::uint64_t seeds() const { return seeds_.size(); }         ///< points of the lines
+    std::uint64_t lines() const { return lines_; }                ///< those that were solved
     std::uint64_t failed_paths() const { return failed_paths_; }  ///< of all lines
 
 private:
@@ -85,6 +87,7 @@ private:
     struct Seed {
         PlanePoint at;
         int axis;
+        double line;
         bool traced;
     };
     /// In units of the window.
@@ -173,7 +176,8 @@ private:
         }
         return CurveEnd::length;
     }
-    /// Where the curve leaves the window: on the border if it is found there, else where the tangent leaves.
+    /// The point at which the curve leaves the window: on the border if it is found there, else where the tangent
+    /// leaves.
     PlanePoint at_border(const PlanePoint& last, const Vector& d) {
         double part = 1e300;
         int axis = 0;
@@ -190,14 +194,32 @@ private:
         const auto exact = nearest(to, across, 0.5 * part + 1e-9);
         return exact ? *exact : to;
     }
-    /// Whether a curve passes a point, to within what a chord of the largest step is off it.
-    bool passes(const InfinityCurve& curve, const PlanePoint& at) const {
+    /// Marks the seeds that a curve passes: each of its crossings of a line is the nearest seed of that line, and no
+    /// two crossings are one seed, so that curves side by side are told apart.
+    void claim_crossings(const InfinityCurve& curve) {
+        constexpr double near = 1e-3;  // of the window: a chord of the largest step is less off its curve
+        std::vector<char> claimed(seeds_.size());
         for (std::size_t k = 0; k + 1 < curve.points.size(); ++k) {
-            const Vector chord = from(curve.points[k], curve.points[k + 1]), to = from(curve.points[k], at);
-            const double part = std::clamp(to.dot(chord) / std::max(chord.dot(chord), 1e-300), 0.0, 1.0);
-            if (std::hypot(to.x - part * chord.x, to.y - part * chord.y) < 1e-4) return true;
+            const PlanePoint &a = curve.points[k], &b = curve.points[k + 1];
+            for (std::size_t first = 0; first < seeds_.size(); ++first) {
+                const Seed& of_line = seeds_[first];
+                if (first > 0 && seeds_[first - 1].axis == of_line.axis && seeds_[first - 1].line == of_line.line)
+                    continue;  // its line has been looked at
+                const double from_a = (of_line.axis == 0 ? a.x : a.y) - of_line.line;
+                const double from_b = (of_line.axis == 0 ? b.x : b.y) - of_line.line;
+                if ((from_a < 0) == (from_b < 0)) continue;
+                const double part = from_a / (from_a - from_b);
+                const PlanePoint crossing{a.x + part * (b.x - a.x), a.y + part * (b.y - a.y)};
+                std::size_t best = seeds_.size();
+                double distance = near;
+                for (std::size_t m = first; m < seeds_.size(); ++m) {
+                    if (seeds_[m].axis != of_line.axis || seeds_[m].line != of_line.line) break;
+                    const double apart = from(crossing, seeds_[m].at).length();
+                    if (!claimed[m] && apart < distance) distance = apart, best = m;
+                }
+                if (best < seeds_.size()) claimed[best] = 1, seeds_[best].traced = true;
+            }
         }
-        return false;
     }
 
     const SearchedModel& model_;
@@ -207,7 +229,7 @@ private:
     std::vector<double> sizes_;
     RunOptions run_;
     std::vector<Seed> seeds_;
-    std::uint64_t failed_paths_ = 0;
+    std::uint64_t failed_paths_ = 0, lines_ = 0;
 };
 
 }  // namespace equilibria::detail

@@ -87,8 +87,9 @@ struct LocusEvidence {
     std::uint64_t from_infinity = 0;       ///< see LocusFaultKind::from_infinity
     /// Points of lines at which equilibria come from infinity, which curves of that kind must pass.
     std::uint64_t seeds_from_infinity = 0;
-    std::vector<LocusFault> faults;  ///< places of what is counted above, but for failed paths
-    double seconds = 0;              ///< of the whole search
+    std::uint64_t lines_from_infinity = 0;  ///< solved for such points; 0 of a model of angles alone
+    std::vector<LocusFault> faults;         ///< places of what is counted above, but for failed paths
+    double seconds = 0;                     ///< of the whole search
 
     /// Counts a fault, and keeps its place.
     void add(LocusFaultKind kind, const PlanePoint& point);

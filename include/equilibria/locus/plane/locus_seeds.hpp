@@ -187,8 +187,8 @@ private:
         return found;
     }
 
-    /// Where curves cross the line on which a parameter is 0 that enters by even powers alone: the other one turns back
-    /// there, since the curve is its own mirror image.
+    /// Crossings of curves with the line on which a parameter is 0 that enters by even powers alone: the other
+    /// parameter turns back there, since the curve is its own mirror image.
     void solve_mirror_lines(LocusEvidence& evidence) {
         for (const int axis : {0, 1}) {
             const auto own = static_cast<std::size_t>(axis), other = 1 - own;

@@ -282,13 +282,14 @@ private:
         InfinityCurveTracer tracer(model_, {x_number(), y_number()}, locus_.parameters, w, sizes, run_);
         for (const int axis : {0, 1}) {
             const auto& lines = seeds_.lines(axis);
-            for (std::size_t k = 0; k < lines.size(); k += std::max<std::size_t>(1, lines.size() / 6))
-                tracer.add_line(axis, lines[k]);
-            tracer.add_line(axis, lines.back());
+            const std::size_t step = std::max<std::size_t>(1, lines.size() / 6);
+            for (std::size_t k = 0; k < lines.size(); ++k)
+                if (k % step == 0 || k + 1 == lines.size()) tracer.add_line(axis, lines[k]);
         }
         locus_.from_infinity = tracer.trace();
         locus_.evidence.failed_paths += tracer.failed_paths();
         locus_.evidence.seeds_from_infinity = tracer.seeds();
+        locus_.evidence.lines_from_infinity = tracer.lines();
         for (const PlanePoint& point : tracer.untraced()) locus_.evidence.add(LocusFaultKind::from_infinity, point);
         for (const InfinityCurve& curve : locus_.from_infinity)
             for (const int side : {0, 1}) {

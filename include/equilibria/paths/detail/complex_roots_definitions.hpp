@@ -15,6 +15,17 @@
 
 namespace equilibria {
 
+EQUILIBRIA_INLINE PolynomialHomotopy detail::total_degree_homotopy(const SparseSystem& system,
+                                                                   const TotalDegreeStart& start,
+                                                                   const std::vector<int>& degrees) {
+    return PolynomialHomotopy({.sizes = system.sizes(),
+                               .terms = system.terms(),
+                               .from = {},
+                               .forms = {.terms = start.system().terms(), .products = {}},
+                               .scale = system.scale(),
+                               .degrees = degrees});
+}
+
 EQUILIBRIA_INLINE ComplexRoots<> complex_roots(PathSet paths) {
     auto [counts, failures] = account_for(paths);
     return {counts, merge(paths), std::move(failures), {}, {}};
@@ -30,13 +41,7 @@ EQUILIBRIA_INLINE ComplexRoots<> solve_total_degree(const SparseSystem& system, 
             "must have fewer paths than can be numbered");
     Generator generator(run.seed);
     const TotalDegreeStart start(TotalDegreeKind::general, system.sizes(), system.degrees(), system.scale(), generator);
-    const PolynomialHomotopy homotopy({.sizes = system.sizes(),
-                                       .terms = system.terms(),
-                                       .from = {},
-                                       .forms = {.terms = start.system().terms(), .products = {}},
-                                       .scale = system.scale(),
-                                       .degrees = system.degrees()});
-    return complex_roots(homotopy, start, run, options, resort);
+    return complex_roots(detail::total_degree_homotopy(system, start, system.degrees()), start, run, options, resort);
 }
 
 EQUILIBRIA_INLINE ComplexRoots<> solve_multihomogeneous(const SparseSystem& system, std::span<const int> grouping,

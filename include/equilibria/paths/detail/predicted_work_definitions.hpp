@@ -42,12 +42,7 @@ EQUILIBRIA_INLINE SampledSeconds sampled_seconds(const SparseSystem& in_own_unit
     const SparseSystem system = scaled(in_own_units, unit_scaling(in_own_units));
     Generator generator(run.seed);
     const TotalDegreeStart start(TotalDegreeKind::general, system.sizes(), system.degrees(), system.scale(), generator);
-    const PolynomialHomotopy homotopy({.sizes = system.sizes(),
-                                       .terms = system.terms(),
-                                       .from = {},
-                                       .forms = {.terms = start.system().terms(), .products = {}},
-                                       .scale = system.scale(),
-                                       .degrees = system.degrees()});
+    const PolynomialHomotopy homotopy = total_degree_homotopy(system, start, system.degrees());
     const SampleOfStart sample(start, 128);
     const Stopwatch clock;
     PathSet paths = track(homotopy, sample, {.seed = run.seed, .cancel = run.cancel});

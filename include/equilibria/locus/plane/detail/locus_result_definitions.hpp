@@ -39,11 +39,11 @@ EQUILIBRIA_INLINE std::string LocusEvidence::argument() const {
         << " special points of curves were not solved for, and " << e.broken_curves << " ends of curves break off; "
         << e.wrong_counts << " of " << e.checked_points << " enumerations differ from their region, and "
         << e.wrong_borders << " borders of regions have tables that no fold or pitchfork explains";
-    if (e.seeds_from_infinity + e.from_infinity > 0)
-        out << "; " << e.seeds_from_infinity
-            << " points of lines at which equilibria come from infinity are solved for, and curves of that kind pass "
-               "them, but for "
-            << e.from_infinity << " faults; one that crosses no line is seen by enumerations alone";
+    if (e.lines_from_infinity > 0)
+        out << "; on " << e.lines_from_infinity
+            << " lines all points at which equilibria come from infinity are solved for, " << e.seeds_from_infinity
+            << " of them, and curves of that kind pass them, but for " << e.from_infinity
+            << " faults; such a curve that crosses none of these lines is seen by enumerations alone";
     if (e.complete()) return out.str();
     out << "; NOT COMPLETE: ";
     if (e.all_failed_paths() > 0) out << e.all_failed_paths() << " paths failed";

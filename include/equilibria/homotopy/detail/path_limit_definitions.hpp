@@ -6,60 +6,28 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <optional>
-#include <set>
 #include <utility>
 
-#include <Eigen/Core>
-#include <Eigen/SVD>
-
 #include <equilibria/core/double_double.hpp>
-#include <equilibria/core/linear_solve.hpp>
 #include <equilibria/core/multiprecision.hpp>
 #include <equilibria/core/singular_values.hpp>
+#include <equilibria/homotopy/detail/face_systems.hpp>
 #include <equilibria/homotopy/path_limit.hpp>
 
 namespace equilibria {
 
 namespace detail {
 
-/// The binary exponent of |z|, roughly; a large negative number of 0.
-template <class R>
-int size_exponent(const Complex<R>& z) {
-    const auto of = [](const R& x) {
-        if constexpr (std::is_same_v<R, DoubleDouble>) {
-            return x.high() == 0 ? -100000 : std::isfinite(x.high()) ? std::ilogb(x.high()) : 100000;
-        } else {
-            using std::frexp;
-            int e = 0;
-            const R m = frexp(x, &e);
-            if (!(m == m) || !isfinite(x)) return 100000;
-            return m == R(0) ? -100000 : e;
-        }
-    };
-    return std::max(of(z.re), of(z.im));
-}
-template <class R>
-R times_power_of_two(const R& x, int e) {
-    if constexpr (std::is_same_v<R, DoubleDouble>)
-        return {std::ldexp(x.high(), e), std::ldexp(x.low(), e)};
-    else
-        return ldexp(x, e);
-}
-template <class R>
-std::complex<double> rounded(const Complex<R>& z) {
-    return {static_cast<double>(z.re), static_cast<double>(z.im)};
-}
-
 /// One path, with the digits of R.
 template <class R>
-class LogarithmicPath {
+class LogarithmicPath : private FaceSystems<R> {
 public:
-    using Z = Complex<R>;
+    using Base = FaceSystems<R>;
+    using typename Base::Z;
     using Vector = std::vector<std::complex<double>>;
 
-    static constexpr bool double_double = std::is_same_v<R, DoubleDouble>;
+    using Base::double_double, Base::vanishing;
     /// Values of 1 - t at which points of a path are kept; one that does not move any more at the last is singular.
     static constexpr std::array<double, double_double ? 1 : 3> levels = [] {
         if constexpr (double_double)
@@ -69,33 +37,9 @@ public:
     }();
     /// A correction that leaves the digits of a regular root: next to a multiple one corrections are halved at best.
     static constexpr double converged = double_double ? 1e-24 : 1e-44;
-    /// The logarithm of the size from which on it is believed to go to a multiple root at infinity.
-    static constexpr double multiple_size = 100;
     /// Largest 1 - t at which a path may be believed to go to infinity.
     static constexpr double far_r = double_double ? 1e-10 : 1e-25;
-    /// A residual that is rounding, against the size of the terms.
-    static constexpr double vanishing = double_double ? 1e-24 : 1e-45;
-
-    LogarithmicPath(const RuntimeSizes& sizes, const std::vector<LaurentColumn>& columns)
-        : n_(sizes.unknowns), angles_(sizes.angles), columns_(&columns), highest_(at(n_)), lowest_(at(n_)),
-          powers_(at(n_)), f_(n_), by_r_(n_), j_(n_), lu_(n_), exponent_(at(n_)), sum_(at(n_)), terms_(columns.size()) {
-        for (const LaurentColumn& c : columns) {
-            from_.emplace_back(R(c.from.real()), R(c.from.imag()));
-            to_.emplace_back(R(c.to.real()), R(c.to.imag()));
-            for (std::size_t u = 0; u < at(n_); ++u) {
-                highest_[u] = std::max(highest_[u], c.exponents[u]);
-                lowest_[u] = std::min(lowest_[u], c.exponents[u]);
-            }
-        }
-        for (std::size_t u = 0; u < at(n_); ++u) {
-            powers_[u].resize(at(highest_[u] - lowest_[u] + 1));
-            std::set<int> needed{0};
-            for (const LaurentColumn& c : columns) needed.insert(c.exponents[u]);
-            needed_.emplace_back(needed.begin(), needed.end());
-            most_whole_ = std::max({most_whole_, highest_[u], -lowest_[u]});
-        }
-        for (int k = -most_whole_; k <= most_whole_; ++k) whole_.push_back(R(k));
-    }
+    using Base::Base;
 
     PathLimit follow(const Vector& begin, double r, int most_steps) {
         z_.clear();
@@ -194,7 +138,10 @@ public:
     }
 
 private:
-    static std::size_t at(int i) { return static_cast<std::size_t>(i); }
+    using Base::angles_, Base::at, Base::columns_, Base::exponent_, Base::f_, Base::growth_factor, Base::j_,
+        Base::leading_root, Base::linearize, Base::lu_, Base::n_, Base::newton_step, Base::relative_residual,
+        Base::slope, Base::to_;
+
     /// r exp(-h).
     R shrunk(double h) const { return r_ + growth_factor(Z(R(-h), R(0))).re * r_; }
 
@@ -214,104 +161,6 @@ private:
         return std::move(y_);
     }
 
-    /// z^k by squaring, k > 0.
-    static Z power_of(Z z, int k) {
-        Z y = z;
-        int bit = 1;
-        while (2 * bit <= k) bit *= 2;
-        for (bit /= 2; bit > 0; bit /= 2) {
-            y = y * y;
-            if (k & bit) y = y * z;
-        }
-        return y;
-    }
-    /// Powers of each unknown, those of its exponents, each from the one before; those of an unknown that is 0 too.
-    void set_powers(const std::vector<Z>& z) {
-        for (std::size_t u = 0; u < at(n_); ++u) {
-            auto& p = powers_[u];
-            const auto& needed = needed_[u];
-            const auto of = [&](int e) -> Z& { return p[at(e - lowest_[u])]; };
-            const auto zero = at(static_cast<int>(std::ranges::lower_bound(needed, 0) - needed.begin()));
-            of(0) = Z(1.0);
-            for (std::size_t k = zero + 1; k < needed.size(); ++k)
-                of(needed[k]) = of(needed[k - 1]) * power_of(z[u], needed[k] - needed[k - 1]);
-            if (zero > 0) {
-                const Z back = inverse(z[u]);
-                for (std::size_t k = zero; k-- > 0;)
-                    of(needed[k]) = of(needed[k + 1]) * power_of(back, needed[k + 1] - needed[k]);
-            }
-        }
-    }
-    const Z& power(std::size_t u, int e) const { return powers_[u][at(e - lowest_[u])]; }
-
-    /// Terms, equations and their derivatives by the logarithms of the unknowns and by r, each equation divided by a
-    /// power of two near its largest term. plain: coordinates that are 0 take derivatives by themselves.
-    bool linearize(const std::vector<Z>& z, const R& r, const std::vector<char>* plain = nullptr) {
-        set_powers(z);
-        std::fill(exponent_.begin(), exponent_.end(), -100000);
-        std::vector<Z> product(columns_->size()), coefficient(columns_->size());
-        for (std::size_t k = 0; k < columns_->size(); ++k) {
-            const LaurentColumn& c = (*columns_)[k];
-            Z p(1.0);
-            for (std::size_t u = 0; u < at(n_); ++u)
-                if (c.exponents[u] != 0) p *= power(u, c.exponents[u]);
-            product[k] = p;
-            coefficient[k] = to_[k] + r * (from_[k] - to_[k]);
-            terms_[k] = coefficient[k] * p;
-            const int e = size_exponent(terms_[k]);
-            if (e >= 100000) return false;
-            exponent_[at(c.equation)] = std::max(exponent_[at(c.equation)], e);
-        }
-        for (int& e : exponent_)
-            if (e == -100000) e = 0;  // all terms are 0
-        if constexpr (double_double)
-            for (const int e : exponent_)
-                if (e > 900 || e < -800) return false;
-        for (int i = 0; i < n_; ++i) {
-            f_[i] = by_r_[i] = Z(0.0);
-            sum_[at(i)] = 0;
-            for (int u = 0; u < n_; ++u) j_[i][u] = Z(0.0);
-        }
-        for (std::size_t k = 0; k < columns_->size(); ++k) {
-            const LaurentColumn& c = (*columns_)[k];
-            const int i = c.equation, e = -exponent_[at(i)];
-            const Z t = scaled(terms_[k], e);
-            terms_[k] = t;
-            f_[i] += t;
-            sum_[at(i)] += std::abs(rounded(t));
-            by_r_[i] += (from_[k] - to_[k]) * scaled(product[k], e);
-            for (int u = 0; u < n_; ++u) {
-                const int power_of_u = c.exponents[at(u)];
-                if (power_of_u == 0) continue;
-                if (plain && (*plain)[at(u)]) {
-                    if (power_of_u != 1) continue;  // at 0
-                    Z p(1.0);
-                    for (std::size_t v = 0; v < at(n_); ++v)
-                        if (v != at(u) && c.exponents[v] != 0) p *= power(v, c.exponents[v]);
-                    j_[i][u] += scaled(coefficient[k] * p, e);
-                } else {
-                    j_[i][u] += whole(power_of_u) * t;
-                }
-            }
-        }
-        return true;
-    }
-    /// A small integer, which takes time to convert.
-    const R& whole(int k) const { return whole_[at(k + most_whole_)]; }
-    static Z scaled(const Z& z, int e) { return {times_power_of_two(z.re, e), times_power_of_two(z.im, e)}; }
-
-    /// f_ becomes -J^-1 f; its largest size is returned.
-    double newton_step() {
-        lu_.factor(j_);
-        for (int i = 0; i < n_; ++i) f_[i] = -f_[i];
-        lu_.solve(f_);
-        double size = 0;
-        for (int u = 0; u < n_; ++u) {
-            const double one = std::abs(rounded(f_[u]));
-            if (!(one <= size)) size = one;  // a NaN stays
-        }
-        return size;
-    }
     /// Newton's method at s, from no farther than `most`; whether its corrections shrink as they do near this path
     /// alone.
     bool correct(std::vector<Z>& z, const R& r_exact, double most) {
@@ -332,32 +181,6 @@ private:
             before = size;
         }
         return false;
-    }
-    /// d zeta / d s at z.
-    bool slope(const std::vector<Z>& z, const R& r, std::vector<Z>& d) {
-        if (!linearize(z, r)) return false;
-        lu_.factor(j_);
-        for (int i = 0; i < n_; ++i) f_[i] = r * by_r_[i];
-        lu_.solve(f_);
-        d.assign(at(n_), Z(0.0));
-        for (int u = 0; u < n_; ++u) {
-            d[at(u)] = f_[u];
-            if (!(std::abs(rounded(f_[u])) < 1e6)) return false;
-        }
-        return true;
-    }
-    /// exp(d) - 1 to all digits: by its series, of a small fraction of d.
-    static Z growth_factor(Z d) {
-        int halvings = 0;
-        for (double size = std::abs(rounded(d)); size > 0.05; size /= 2) ++halvings;
-        d = scaled(d, -halvings);
-        Z sum = d, term = d;
-        for (int k = 2; k < (double_double ? 18 : 34); ++k) {
-            term = (term * d) / R(k);
-            sum += term;
-        }
-        for (; halvings > 0; --halvings) sum = sum * (sum + 2.0);
-        return sum;
     }
     std::vector<Z> turned(const std::vector<Z>& z, double h, const std::vector<Z>& d) const {
         std::vector<Z> y = z;
@@ -414,8 +237,18 @@ private:
             return false;
         }();
         if (away)
-            for (const double tolerance : {0.02, 0.1, 0.3})
-                if (has_leading_root(v, tolerance)) return true;
+            for (const double tolerance : {0.02, 0.1, 0.3}) {
+                auto root = leading_root(v, tolerance, z_, r_, s_);
+                if (!root) continue;
+                if (root->multiple) {
+                    to_multiple_ = true;
+                    continue;
+                }
+                y_.kind = LimitKind::at_infinity;
+                y_.direction = std::move(root->direction);
+                y_.residual = root->residual;
+                return true;
+            }
         return false;
     }
     /// Whether the growth is as it was before.
@@ -424,16 +257,6 @@ private:
         for (std::size_t u = 0; u < v.size(); ++u)
             if (!(std::abs(v[u] - before_[u]) < 2e-3)) return false;
         return true;
-    }
-    /// The fractions of one small denominator that v are nearly; whether there are any.
-    static bool make_rational(std::vector<double>& v) {
-        for (int by = 1; by <= 24; ++by) {
-            if (!std::ranges::all_of(v, [by](double x) { return std::abs(x - std::round(by * x) / by) < 2e-3; }))
-                continue;
-            for (double& x : v) x = std::round(by * x) / by;
-            return true;
-        }
-        return false;
     }
     /// Whether Newton's method at t = 1 converges quadratically to a root, no farther than the path has to go.
     bool ends_regularly(const std::vector<char>& zero, const std::vector<double>& v) {
@@ -482,11 +305,6 @@ private:
             if (!(std::abs(rounded(f_[u])) < (double_double ? 1e16 : 1e46))) return true;
         return false;
     }
-    double relative_residual() const {
-        double y = 0;
-        for (int i = 0; i < n_; ++i) y = std::max(y, std::abs(rounded(f_[i])) / std::max(sum_[at(i)], 1e-300));
-        return y;
-    }
     /// Whether no unknown moves any more, but for coordinates on their way to 0.
     bool is_still() {
         const std::vector<double> v = growth();
@@ -527,154 +345,6 @@ private:
         return finish();
     }
 
-    /// Whether the terms that grow fastest vanish together next to the path.
-    bool has_leading_root(const std::vector<double>& v, double tolerance) {
-        // growth of each term; r itself, whose coefficient an absent term has, shrinks
-        const std::size_t size = columns_->size();
-        const auto rate = [&](std::size_t k, const std::vector<double>& w) {
-            const LaurentColumn& c = (*columns_)[k];
-            double y = c.to == 0.0 ? -1 : 0;
-            for (std::size_t u = 0; u < at(n_); ++u) y += c.exponents[u] * w[u];
-            return y;
-        };
-        std::vector<double> most(at(n_), -1e300);
-        for (std::size_t k = 0; k < size; ++k) {
-            auto& m = most[at((*columns_)[k].equation)];
-            m = std::max(m, rate(k, v));
-        }
-        std::vector<char> leads(size);
-        std::vector<std::size_t> first(at(n_), size);
-        std::vector<int> count(at(n_));
-        for (std::size_t k = 0; k < size; ++k) {
-            const auto i = at((*columns_)[k].equation);
-            leads[k] = rate(k, v) > most[i] - tolerance;
-            if (!leads[k]) continue;
-            ++count[i];
-            if (first[i] == size) first[i] = k;
-        }
-        if (std::ranges::any_of(count, [](int c) { return c < 2; })) return false;
-        // the direction nearest to v along which all of them grow alike
-        std::vector<std::pair<std::size_t, std::size_t>> equal;
-        for (std::size_t k = 0; k < size; ++k)
-            if (const auto i = at((*columns_)[k].equation); leads[k] && k != first[i]) equal.emplace_back(k, first[i]);
-        Eigen::MatrixXd a(static_cast<Eigen::Index>(equal.size()), n_);
-        Eigen::VectorXd b(a.rows());
-        for (std::size_t m = 0; m < equal.size(); ++m) {
-            const auto [k, l] = equal[m];
-            const auto row = static_cast<Eigen::Index>(m);
-            for (int u = 0; u < n_; ++u) a(row, u) = (*columns_)[k].exponents[at(u)] - (*columns_)[l].exponents[at(u)];
-            b(row) = -(rate(k, v) - rate(l, v));
-        }
-        Eigen::JacobiSVD<Eigen::MatrixXd> svd(a, Eigen::ComputeThinU | Eigen::ComputeThinV);
-        svd.setThreshold(1e-9);
-        const Eigen::VectorXd change = svd.solve(b);
-        if (!((a * change - b).lpNorm<Eigen::Infinity>() < 1e-9) || !(change.lpNorm<Eigen::Infinity>() < 0.1))
-            return false;
-        std::vector<double> w = v;
-        for (std::size_t u = 0; u < w.size(); ++u) w[u] += change(static_cast<Eigen::Index>(u));
-        if (!make_rational(w)) return false;
-        bool away = false;
-        for (std::size_t u = 0; u < w.size(); ++u)
-            away = away || (u < at(angles_) ? std::abs(w[u]) > 1e-6 : w[u] > 1e-6);
-        if (!away) return false;
-        // far enough for the leading terms to lead
-        if (s_ * farthest(w) < 16) return false;
-        // the leading terms grow alike, the others must fall behind
-        for (std::size_t k = 0; k < size; ++k) {
-            const auto i = at((*columns_)[k].equation);
-            if (leads[k] && !(std::abs(rate(k, w) - rate(first[i], w)) < 1e-9)) return false;
-            if (!leads[k] && !(rate(k, w) < rate(first[i], w) - 1e-6)) return false;
-        }
-        return leading_terms_vanish(leads, w);
-    }
-    static double farthest(const std::vector<double>& w) {
-        double y = 0;
-        for (const double x : w) y = std::max(y, std::abs(x));
-        return y;
-    }
-    bool leading_terms_vanish(const std::vector<char>& leads, const std::vector<double>& w) {
-        std::vector<Z> q = z_;
-        const R& r = r_;
-        double moved = 0, before = 1e300;
-        for (int round = 0; round < 150; ++round) {
-            if (!linearize(q, r)) return false;
-            // the equations of the leading terms alone
-            std::vector<double> behind(at(n_)), ahead(at(n_));
-            std::vector<Z> face(at(n_), Z(0.0));
-            SingularValues::Vector j(at(n_ * n_)), of_terms(at(n_ * n_)), right(at(n_));
-            for (std::size_t k = 0; k < columns_->size(); ++k) {
-                const LaurentColumn& c = (*columns_)[k];
-                const auto i = at(c.equation);
-                const auto size = std::abs(rounded(terms_[k]));
-                if (!leads[k]) {
-                    behind[i] += size;
-                    continue;
-                }
-                // its coefficient in the limit
-                const Z limit = c.to == 0.0 ? terms_[k] : terms_[k] * (to_[k] / (to_[k] + r * (from_[k] - to_[k])));
-                ahead[i] += size;
-                face[i] += limit;
-                for (std::size_t u = 0; u < at(n_); ++u)
-                    j[u * at(n_) + i] += static_cast<double>(c.exponents[u]) * rounded(limit);
-            }
-            double residual = 0;
-            for (std::size_t i = 0; i < at(n_); ++i) {
-                if (round == 0 && !(behind[i] < 0.3 * ahead[i])) return false;
-                residual = std::max(residual, std::abs(rounded(face[i])) / ahead[i]);
-                for (std::size_t u = 0; u < at(n_); ++u) of_terms[u * at(n_) + i] = j[u * at(n_) + i] / ahead[i];
-                // rows of one size: next to a multiple root they are small
-                double row = 0;
-                for (std::size_t u = 0; u < at(n_); ++u) row = std::max(row, std::abs(j[u * at(n_) + i]));
-                if (!(row > 0)) continue;
-                right[i] = rounded(face[i]) / row;
-                for (std::size_t u = 0; u < at(n_); ++u) j[u * at(n_) + i] /= row;
-            }
-            if (round == 0 && !(residual < 0.3)) return false;
-            if (residual < vanishing) {
-                // near a multiple root at infinity there may be roots that are merely far away: 1e16 and more out,
-                // where coefficients are rounded
-                if (s_ * farthest(w) < multiple_size) {
-                    const SingularValues regular(n_, n_, std::move(of_terms));
-                    int rank = 0;
-                    while (rank < n_ && regular[rank] > 1e-6) ++rank;
-                    if (rank < n_ - 1) {
-                        to_multiple_ = true;
-                        return false;
-                    }
-                }
-                y_.kind = LimitKind::at_infinity;
-                y_.direction = w;
-                y_.residual = residual;
-                return true;
-            }
-            if (round > 10 && residual > 0.98 * before) return false;
-            before = residual;
-            const SingularValues svd(n_, n_, std::move(j));
-            const auto step = svd.solve(right, svd.rank(1e-9));
-            for (std::size_t u = 0; u < at(n_); ++u) {
-                if (!(std::abs(step[u]) < 0.5)) return false;
-                moved += std::abs(step[u]);
-                q[u] *= Z(1.0) - Z(R(step[u].real()), R(step[u].imag()));
-            }
-            if (!(moved < 0.7)) return false;
-        }
-        return false;
-    }
-
-    int n_, angles_;
-    const std::vector<LaurentColumn>* columns_;
-    std::vector<Z> from_, to_;
-    std::vector<int> highest_, lowest_;
-    std::vector<std::vector<int>> needed_;  ///< the exponents of each unknown, and 0, ascending
-    std::vector<std::vector<Z>> powers_;
-    int most_whole_ = 0;
-    std::vector<R> whole_;
-    SizedArray<Z, at_run_time> f_, by_r_;
-    RuntimeMatrix<Z> j_;
-    PivotedFactorization<R> lu_;
-    std::vector<int> exponent_;
-    std::vector<double> sum_;
-    std::vector<Z> terms_;
     std::vector<Z> z_;
     std::vector<double> before_;
     bool to_multiple_ = false;

@@ -29,12 +29,14 @@ function(write_unit name last)
     file(WRITE ${BINARY}/${name}.cpp "${text}${last}")
 endfunction()
 
-# Sets `out` to the names of strong symbols of `files`, but for the mark of a unit's kind (core/compiled.hpp).
+# Sets `out` to the names of strong symbols of `files`, but for the mark of a unit's kind (core/compiled.hpp) and the tables
+# of virtual functions, which Clang makes strong beside a class's first virtual function, and GCC weak.
 function(strong_symbols out)
     execute_process(COMMAND ${NM} -C --defined-only ${ARGN} OUTPUT_VARIABLE symbols COMMAND_ERROR_IS_FATAL ANY)
     string(REGEX MATCHALL "[0-9a-f]+ [TDBR] [^\n]+" symbols "${symbols}")
     list(TRANSFORM symbols REPLACE "^[0-9a-f]+ . " "")
     list(FILTER symbols EXCLUDE REGEX "^this_unit_uses_equilibria_")
+    list(FILTER symbols EXCLUDE REGEX "^(vtable|typeinfo|typeinfo name) for ")
     list(REMOVE_DUPLICATES symbols)
     set(${out} ${symbols} PARENT_SCOPE)
 endfunction()

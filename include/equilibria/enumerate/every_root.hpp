@@ -16,6 +16,7 @@
 #include <vector>
 
 #include <equilibria/core/compiled.hpp>
+#include <equilibria/enumerate/every_root_options.hpp>
 #include <equilibria/enumerate/family.hpp>
 #include <equilibria/enumerate/prove.hpp>
 #include <equilibria/enumerate/roots_verdict.hpp>
@@ -26,22 +27,6 @@
 #include <equilibria/system/sparse_system.hpp>
 
 namespace equilibria {
-
-/// Paths that leave in one direction, each to a root of that face system.
-struct DivergingPaths {
-    std::vector<double> direction;  ///< growth of log |x_u|, or of the imaginary part of -theta_u, against -log(1 - t)
-    std::uint64_t paths = 0;        ///< how many
-    double residual = 0;            ///< the largest of the face systems at their roots, against the size of their terms
-};
-
-/// How every_root searches.
-struct EveryRootOptions {
-    TrackerOptions tracker{};              ///< of all paths in double
-    std::uint64_t most_explained = 20000;  ///< paths above which none is explained one by one
-    int seeds = 3;                         ///< starts that are tried before something is left open
-    /// Bounds that hold as theorems, of the system that this one is the rounding of; none: those of this system.
-    std::vector<ProvedBound> bounds{};
-};
 
 /// All isolated complex roots of a system, and curves of solutions beside them.
 struct EveryRoot {

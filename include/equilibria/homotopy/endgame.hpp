@@ -376,6 +376,7 @@ private:
             end.status = PathStatus::finite;
             return true;
         }
+        if (winding == 1 && is_regular_in_digits(mean, end)) return true;
         // loops around what looks like an endpoint at these radii, but is none, close as well: it fulfils no equations
         q = estimate;
         if (!(polisher_->correct_determined(q, polishing_) < 1e-10)) return false;

@@ -14,6 +14,9 @@ namespace equilibria {
 
 namespace detail {
 
+template <class Matrix>
+class CrossingFinder;
+
 /// What is known at configurations, as it is at their images by one of problem.images.
 template <class Matrix>
 class ImageMap {

@@ -12,7 +12,7 @@
 #include <set>
 #include <utility>
 
-#include <equilibria/enumerate/every_root.hpp>
+#include <equilibria/enumerate/every_root_options.hpp>
 #include <equilibria/enumerate/families.hpp>
 #include <equilibria/enumerate/more_digits.hpp>
 #include <equilibria/enumerate/named_families.hpp>

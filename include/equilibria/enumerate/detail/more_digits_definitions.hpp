@@ -22,19 +22,25 @@ void track_again_with_more_digits(const H& homotopy, const Polisher<H>& polisher
         if (Endgame<H, DoubleDouble>(homotopy, polisher, options).end_straight(here)) end = here;
         return;
     }
+    const Endpoint before = end;
     // far out, or where equations are badly scaled, regular solutions have conditions that doubles take for singular
     // ones, or that no step in double comes close to
     if (end.status == PathStatus::singular || end.status == PathStatus::failed) {
         RuntimePoint<DoubleDouble> q;
         copy_lane(end.q, 0, q, 0);
-        if (converges_in_digits(homotopy, q)) {
+        if (!converges_in_digits(homotopy, q)) {
+            if (end.status == PathStatus::singular) return;
+        } else if (end.status == PathStatus::singular && end.winding_number > 1) {
+            // rounding disturbed the loops in double, or another solution is too near for them
+            end.status = PathStatus::failed;
+        } else {
             copy_lane(q, 0, end.q, 0);
             typename Polisher<H>::template Workspace<double> with(homotopy);
             polisher.assess(end.q, &end.evidence, with);
             end.status = PathStatus::finite;
             end.reason = FailureReason::none;
+            return;
         }
-        if (end.status == PathStatus::singular) return;
     }
     const auto track = [&]<class R>(R) {
         if (end.status != PathStatus::failed) return;
@@ -56,6 +62,7 @@ void track_again_with_more_digits(const H& homotopy, const Polisher<H>& polisher
     };
     track(DoubleDouble());
     track(Multiprecision<64>());
+    if (end.status == PathStatus::failed && before.status == PathStatus::singular) end = before;
 }
 
 EQUILIBRIA_INLINE void track_with_more_digits(const PolynomialHomotopy& homotopy,

@@ -288,8 +288,7 @@ private:
         for (std::uint64_t k = 0; k < ends.size(); ++k) {
             const EndpointRecord end = ends.record(k);
             paths.effort.more_digits += end.precision == Precision::more_digits;
-            const bool doubtful =
-                end.status == PathStatus::failed || (end.status == PathStatus::singular && end.winding_number == 1);
+            const bool doubtful = end.status == PathStatus::failed || end.status == PathStatus::singular;
             if (doubtful && end.precision != Precision::more_digits) failed.push_back(k), again.push_back(ends[k]);
         }
         TrackerOptions careful = options_.tightened();

@@ -107,11 +107,6 @@ EQUILIBRIA_INLINE MixedVolume walk_mixed_cells(const Supports& supports, const L
 
 }  // namespace detail
 
-EQUILIBRIA_INLINE bool MixedCell::fine() const {
-    const auto zeros = static_cast<std::size_t>(std::count(heights.begin(), heights.end(), std::int64_t{0}));
-    return zeros == 2 * edges.size();
-}
-
 EQUILIBRIA_INLINE MixedVolume mixed_volume(const Supports& supports, const MixedCellOptions& options) {
     const auto plan = detail::plan_of(supports, options);
     bool complete = true;

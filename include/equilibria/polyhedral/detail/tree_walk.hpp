@@ -18,7 +18,7 @@
 #include <equilibria/polyhedral/detail/regeneration_plan.hpp>
 #include <equilibria/polyhedral/detail/regeneration_walk.hpp>
 #include <equilibria/polyhedral/detail/table_integers.hpp>
-#include <equilibria/polyhedral/mixed_cells.hpp>
+#include <equilibria/polyhedral/mixed_cell.hpp>
 #include <equilibria/polyhedral/supports.hpp>
 #include <equilibria/run/executor.hpp>
 #include <equilibria/run/mutex.hpp>

@@ -19,6 +19,10 @@ namespace detail {
 /// Ends a path with 31 digits, and if that fails, and a start is given, with 64.
 void track_with_more_digits(const PolynomialHomotopy& homotopy, const Polisher<PolynomialHomotopy>& polisher,
                             const TrackerOptions& options, const RuntimePoint<double>* start, Endpoint& end);
+/// What track_with_more_digits does, but a path that came near its end and stays undecided there is left as it is: for
+/// those who follow its limit (path_limit.hpp), which takes a hundredth of the time at a root of high multiplicity.
+void track_with_more_digits_but_ends(const PolynomialHomotopy& homotopy, const Polisher<PolynomialHomotopy>& polisher,
+                                     const TrackerOptions& options, const RuntimePoint<double>* start, Endpoint& end);
 /// The same along an arc of parameters.
 void track_arc_with_more_digits(const ArcHomotopy& homotopy, const Polisher<ArcHomotopy>& polisher,
                                 const TrackerOptions& options, const RuntimePoint<double>* start, Endpoint& end);

@@ -53,10 +53,10 @@ EQUILIBRIA_INLINE std::optional<ProvedBound> smallest(const std::vector<ProvedBo
 /// What the start of a choice finds, its paths not explained.
 EQUILIBRIA_INLINE RootAttempt plain_attempt(const SparseSystem& system, const StartChoice& choice,
                                             const std::vector<ProvedBound>& bounds, const RunOptions& run,
-                                            const EveryRootOptions& options) {
+                                            const EveryRootOptions& options, MoreDigits<> resort) {
     RootAttempt y;
     const Stopwatch clock;
-    y.found = solve_from_start(system, choice, run, options.tracker, more_digits);
+    y.found = solve_from_start(system, choice, run, options.tracker, resort);
     y.tracking_seconds = clock.seconds();
     y.proof = prove_and_refine(system, y.found, bounds, run);
     y.confirmed.assign(y.found.roots.size(), 0);
@@ -219,7 +219,8 @@ EQUILIBRIA_INLINE EveryRoot every_root(const SparseSystem& system, const StartCh
         if (better) best.emplace(std::move(attempt)), verdict = std::move(of);
     };
     if (choice.kind != StartKind::polyhedral || !may_explain) {
-        take(detail::plain_attempt(in_units, choice, bounds, run, options), false);
+        const auto resort = may_explain ? &detail::track_with_more_digits_but_ends : more_digits;
+        take(detail::plain_attempt(in_units, choice, bounds, run, options, resort), false);
         best->start = choice;
     }
     std::string left_before;

@@ -79,7 +79,7 @@ public:
     RootAttempt run() {
         const Stopwatch clock;
         const GenericInstance::Start start(instance_);
-        PathSet paths = track(homotopy_, start, run_, options_.tracker, more_digits);
+        PathSet paths = track(homotopy_, start, run_, options_.tracker, &track_with_more_digits_but_ends);
         y_.tracking_seconds = clock.seconds();
         y_.found.start = std::string(GenericInstance::Start::name());
         auto account = account_for(paths);

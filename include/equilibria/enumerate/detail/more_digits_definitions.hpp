@@ -16,7 +16,7 @@ namespace equilibria::detail {
 
 template <class H>
 void track_again_with_more_digits(const H& homotopy, const Polisher<H>& polisher, const TrackerOptions& options,
-                                  const RuntimePoint<double>* start, Endpoint& end) {
+                                  const RuntimePoint<double>* start, Endpoint& end, bool undecided_ends = true) {
     if (start == nullptr) {
         Endpoint here = end;
         if (Endgame<H, DoubleDouble>(homotopy, polisher, options).end_straight(here)) end = here;
@@ -42,6 +42,7 @@ void track_again_with_more_digits(const H& homotopy, const Polisher<H>& polisher
             return;
         }
     }
+    if (!undecided_ends && end.reason == FailureReason::endgame_undecided && end.t > 0.98) return;
     const auto track = [&]<class R>(R) {
         if (end.status != PathStatus::failed) return;
         Endgame<H, R> endgame(homotopy, polisher, options);
@@ -70,6 +71,12 @@ EQUILIBRIA_INLINE void track_with_more_digits(const PolynomialHomotopy& homotopy
                                               const TrackerOptions& options, const RuntimePoint<double>* start,
                                               Endpoint& end) {
     track_again_with_more_digits(homotopy, polisher, options, start, end);
+}
+EQUILIBRIA_INLINE void track_with_more_digits_but_ends(const PolynomialHomotopy& homotopy,
+                                                       const Polisher<PolynomialHomotopy>& polisher,
+                                                       const TrackerOptions& options, const RuntimePoint<double>* start,
+                                                       Endpoint& end) {
+    track_again_with_more_digits(homotopy, polisher, options, start, end, false);
 }
 EQUILIBRIA_INLINE void track_arc_with_more_digits(const ArcHomotopy& homotopy, const Polisher<ArcHomotopy>& polisher,
                                                   const TrackerOptions& options, const RuntimePoint<double>* start,

@@ -10,6 +10,7 @@ line of cause, is kept in build/exact/failures. The number given by --first-seed
 
 import argparse
 import json
+import math
 import multiprocessing
 import random
 import shutil
@@ -161,6 +162,7 @@ def main():
     p.add_argument("--failures", default=str(ROOT / "build/exact/failures"), metavar="DIR", help="where failing systems are kept")
     p.add_argument("--processes", type=int, default=2)
     p.add_argument("--time", type=float, default=60, help="seconds that a program may take")
+    p.add_argument("--limit", type=float, default=math.inf, metavar="SECONDS", help="when to stop; the table has what was done until then")
     p.add_argument("--oracle-time", type=float, default=20, help="seconds that an exact computation may take")
     p.add_argument("--allow", type=int, default=0, metavar="W", help="so many wrong answers are no failure")
     p.add_argument("--scale", action="store_true", help="compare systems with themselves in other units")
@@ -191,11 +193,16 @@ def main():
                 all_causes += causes
                 for c in causes:
                     print(c, flush=True)
+                if time.monotonic() - start > o.limit:
+                    pool.terminate()
+                    break
             pool.close()
             pool.join()
     print()
     total = table(results, ["complete", "explained", "undecided", "refused", "wrong", "unknown"])
-    print(f"\n{o.systems} systems, {o.seeds} seeds each, {total['wrong']} wrong answers, {time.monotonic() - start:.0f} s", end="")
+    done = sum(len(rows) for rows in results.values())
+    print(f"\n{done} systems, {o.seeds} seeds each, {total['wrong']} wrong answers, {time.monotonic() - start:.0f} s", end="")
+    print(f"; stopped by --limit before {o.systems}" if done < o.systems else "", end="")
     print(f"; what failed is in {o.failures}" if total["wrong"] else "")
     return 0 if total["wrong"] <= o.allow else 1
 

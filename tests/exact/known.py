@@ -17,6 +17,8 @@ POLYNOMIALS = [
     ("xy", "(x+y-1)**2", "x - 3*y - 1"),
     ("xy", "-2*x**9 - 9*x**5*y**2 + 9*x**3*y**4", "5*x*y**4 - 2*x**8*y"),
     ("xyzw", "2*x*y**2*z**2 - 2*w*x", "2*x**2*y*z**2 - 2*w*y", "2*x**2*y**2*z - 2*w*z", "x**2 + y**2 + z**2 - 1"),
+    ("xy", "5*x**2*y**3 - 6*x**4*y**3", "-7*x**5 - x**3*y - 4*y**4 - 6*y**2"),
+    ("xy", "8*y**5 - 3*x**3*y**3", "7*x**4 - 9*y**4 + 9*y**2 + 4*y"),
 ]
 # name of the kind, angles, coordinates, formulas: a term is (coefficient, kind, harmonics, exponents)
 MODELS = [

@@ -43,6 +43,7 @@ Solved solved(const Input& input, const equilibria::RunOptions& run, const Solve
         auto found = equilibria::every_equilibrium(input.model, input.p, run, options.start);
         y.set = std::move(found.set);
         y.proof = std::move(found.proof);
+        y.confirmed = std::move(found.confirmed);
         y.at_infinity = std::move(found.at_infinity);
     } else {
         y.set = equilibria::enumerate(input.model, input.p, run, options.start, options.more_digits);
@@ -75,6 +76,8 @@ std::string document(const Input& input, const Solved& found) {
     if (found.proof) {
         out["proof"] = equilibria::json_of(*found.proof);
         equilibria::add_certificates(out["equilibria"], *found.proof);
+        Json& proved = out["multiplicities_proved"] = Json::array();
+        for (const char confirmed : found.confirmed) proved.push_back(confirmed != 0);
     }
     equilibria::add_verdict(out, found.set.completeness);
     out["directions_at_infinity"] = equilibria::json_of(found.at_infinity);

@@ -51,6 +51,7 @@ struct SolveOptions {
 struct Solved {
     equilibria::RootSet<RuntimeUnknowns> set;
     std::optional<equilibria::ProofOfRoots> proof;
+    std::vector<char> confirmed;  ///< of each root that is singular: its multiplicity was confirmed; by a proof alone
     std::vector<equilibria::DivergingPaths> at_infinity;
     std::vector<std::optional<equilibria::PoleCount<Eigen::MatrixXd>>> poles;
 };

@@ -42,7 +42,7 @@ int enumerated(const char* name, bool proving, int argc, char** argv) {
                                                                   : equilibria::FormulaStart::least_cost,
                                  .more_digits = more_digits,
                                  .prove = !no_proof});
-    const auto& [set, proof, at_infinity, poles] = found;
+    const auto& [set, proof, confirmed, at_infinity, poles] = found;
     run.end();
     if (c.json) c.json->write(document(input, found));
     if (!to_stdout(c.json)) {

@@ -31,12 +31,10 @@
 #include <equilibria/homotopy/newton_in_digits.hpp>
 #include <equilibria/homotopy/polish.hpp>
 
-namespace equilibria {
+namespace equilibria::detail {
 
-namespace detail {
-
-/// R: double, or a multiprecision float, which tracks and closes loops with more digits; what is polished, and what
-/// counts as regular, is decided in double all the same.
+/// R: double, or a multiprecision float, which tracks, closes loops and tells regular endpoints from singular ones with
+/// more digits; what is polished is in double all the same.
 template <class H, class R = double>
 class Endgame {
 public:
@@ -397,5 +395,4 @@ private:
     typename Polisher<H>::template Workspace<double> polishing_;
 };
 
-}  // namespace detail
-}  // namespace equilibria
+}  // namespace equilibria::detail

@@ -22,12 +22,12 @@ using Lifting = std::vector<std::int64_t>;
 /// A mixed cell of a lifting w: a pair of points of each equation whose lifted points lie on a common plane, (gamma,
 /// beta), with no point of that equation below it. What the spans show lasts until the sink returns.
 struct MixedCell {
-    /// Of each equation the numbers of the two points in its support, the smaller first.
+    /// The numbers of the two points of each equation in its support, the smaller first.
     std::span<const std::array<int, 2>> edges;
     /// |det| of the edges' vectors: the number of roots of the binomial system of the cell.
     std::uint64_t volume = 0;
-    /// Of each column, volume * (w_{i,a} + <gamma, a> - beta_i): how far above the cell's plane, exactly 0 at the
-    /// edges.
+    /// A number for each column, volume * (w_{i,a} + <gamma, a> - beta_i): how far above the cell's plane, exactly 0
+    /// at the edges.
     std::span<const std::int64_t> heights;
 
     /// No other column has height 0. A cell that is not fine is one of the cells into which lexicographic
@@ -45,7 +45,7 @@ struct MixedCellOptions {
     /// the least degree and new unknowns. Of twelve random orders the best has 0.6 to 1.4 times as many exchanges, the
     /// worst 1 to 2.3 times, over the families of bench/peers/mixed_volumes.
     std::vector<int> order = {};
-    /// Over which the branches of the tree are divided. The cells and their order do not depend on it.
+    /// The threads that the branches of the tree are divided over. The cells and their order do not depend on it.
     Executor executor = {};
     /// mixed_volume() stops as soon as it knows that the mixed volume is larger.
     std::uint64_t most_volume = std::numeric_limits<std::uint64_t>::max();
@@ -67,7 +67,7 @@ struct MixedVolume {
     std::uint64_t cells = 0;
     /// The walls that were crossed.
     std::uint64_t exchanges = 0;
-    /// Of these, in tables of 32 bits, of 64 bits, without limit.
+    /// Exchanges in tables of 32 bits, of 64 bits, without limit.
     std::array<std::uint64_t, 3> exchanges_by_width = {};
     /// The order in which the equations were taken.
     std::vector<int> order;

@@ -12,6 +12,7 @@
 #include <utility>
 
 #include <equilibria/enumerate/detail/explained_paths.hpp>
+#include <equilibria/enumerate/detail/root_attempt.hpp>
 #include <equilibria/enumerate/every_root.hpp>
 #include <equilibria/enumerate/families.hpp>
 #include <equilibria/enumerate/more_digits.hpp>

@@ -12,11 +12,11 @@
 #include <set>
 #include <utility>
 
+#include <equilibria/enumerate/detail/root_attempt.hpp>
 #include <equilibria/enumerate/every_root_options.hpp>
 #include <equilibria/enumerate/families.hpp>
 #include <equilibria/enumerate/more_digits.hpp>
 #include <equilibria/enumerate/named_families.hpp>
-#include <equilibria/enumerate/prove_complex_roots.hpp>
 #include <equilibria/evaluation/point_of.hpp>
 #include <equilibria/evaluation/table_evaluation.hpp>
 #include <equilibria/homotopy/local_multiplicity.hpp>
@@ -29,40 +29,6 @@
 #include <equilibria/system/unit_scaling.hpp>
 
 namespace equilibria::detail {
-
-/// What one start found, in scaled units.
-struct RootAttempt {
-    StartChoice start;
-    ComplexRoots<> found;
-    std::vector<char> confirmed;
-    ProofOfRoots proof;
-    std::vector<Family<RuntimeUnknowns>> families;
-    std::vector<DivergingPaths> at_infinity;
-    std::uint64_t unexplained = 0;  ///< paths
-    std::uint64_t hidden = 0;       ///< of those, paths to multiple roots at infinity: other starts have them, too
-    std::string left;               ///< what they are, in words
-    double tracking_seconds = 0;
-
-    /// Proved regular roots, and confirmed multiple ones by their multiplicities.
-    std::uint64_t counted() const {
-        std::uint64_t y = proof.distinct;
-        for (std::size_t k = 0; k < found.roots.size(); ++k)
-            if (confirmed[k]) y += static_cast<std::uint64_t>(found.roots[k].paths);
-        return y;
-    }
-};
-
-/// A proof of the roots, which are moved to where it finds them.
-inline ProofOfRoots prove_and_refine(const SparseSystem& system, ComplexRoots<>& found,
-                                     const std::vector<ProvedBound>& bounds, const RunOptions& run) {
-    auto proof = prove(system, found, bounds, {.executor = run.executor, .ranks = run.ranks});
-    for (const MovedRoot& refined : proof.moved) {
-        auto& root = found.roots[refined.root];
-        std::copy(refined.q.begin(), refined.q.end(), root.q.begin());
-        proof.certificates[refined.root].radius = refined.radius;
-    }
-    return proof;
-}
 
 /// The paths of a polyhedral start, each explained or not.
 class ExplainedPaths {

@@ -14,6 +14,7 @@
 
 namespace equilibria::detail {
 
+/// undecided_ends: paths that came near their end and stay undecided there are tracked again as well.
 template <class H>
 void track_again_with_more_digits(const H& homotopy, const Polisher<H>& polisher, const TrackerOptions& options,
                                   const RuntimePoint<double>* start, Endpoint& end, bool undecided_ends = true) {

@@ -25,7 +25,7 @@ EQUILIBRIA_INLINE std::ostream& write(std::ostream& out, const RootSetSummary& s
     if (!families.empty()) out << "; NOT ISOLATED: " << families;
     if (paths.singular > on_families) out << "; SINGULAR: equilibria coincide";
     if (verdict.cancelled()) out << "; CANCELLED: " << paths.cancelled << " paths are not finished";
-    if (paths.finite > 0 && paths.singular == 0 && paths.finite > verdict.distinct && !verdict.cancelled())
+    if (paths.singular == 0 && paths.finite > verdict.distinct && !verdict.cancelled())
         out << "; " << paths.finite - verdict.distinct << " paths ended on another's root: roots may be missing";
     if (verdict.alarms->raised()) out << "; ALARM: " << verdict.alarms->sentences();
     return out;

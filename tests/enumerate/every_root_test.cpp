@@ -55,6 +55,8 @@ TEST_CASE("every root of systems far from size 1, near to multiple roots, beside
         // 19 paths to one point, none of which ends in double
         {"2\n-6*x^4*y^3+5*x^2*y^3;\n-7*x^5-x^3*y-4*y^4-6*y^2;\n", 8, 2, {2, 2, 19}, Completeness::complete},
         {"2\n-3*x^3*y^3+8*y^5;\n7*x^4-9*y^4+9*y^2+4*y;\n", 9, 3, {15}, Completeness::complete},
+        // values that rounding makes 0 next to a double root of an equation in y alone
+        {"2\ny*x-x;\ny^2-2*y+1+7.2*x^3;\n", 0, 0, {5}, Completeness::complete},
         // two roots 5e-8 i beside the real points; two paths to a double root of a face system, which is no evidence
         {"2\nx^2+4*x*y-2*x+4*y^2-4*y+1.0000000000000024;\n-2*x^2-8*x*y+3*x-8*y^2+7*y+2;\n",
          2,

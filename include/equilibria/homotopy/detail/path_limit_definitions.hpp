@@ -297,12 +297,13 @@ private:
         return false;
     }
     /// Whether the inverse of the last factors magnifies by what the digits can tell: on a curve of solutions
-    /// Newton's method converges, too.
+    /// Newton's method converges, too. Next to a double root values vanish to the square of the distance, and with
+    /// half of the digits rounding looks like convergence.
     bool is_singular() {
         for (int i = 0; i < n_; ++i) f_[i] = Z(R(i % 2 == 0 ? 1.0 : -0.7), R(0.6 + 0.1 * i));
         lu_.solve(f_);
         for (int u = 0; u < n_; ++u)
-            if (!(std::abs(rounded(f_[u])) < (double_double ? 1e16 : 1e46))) return true;
+            if (!(std::abs(rounded(f_[u])) < (double_double ? 1e15 : 1e31))) return true;
         return false;
     }
     /// Whether no unknown moves any more, but for coordinates on their way to 0.

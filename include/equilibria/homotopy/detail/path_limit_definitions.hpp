@@ -283,7 +283,7 @@ private:
                 moved = std::max(moved, std::abs(rounded(f_[u])));
             }
             if (size < converged) {
-                if (is_singular()) return false;
+                if (is_singular() || !comes_back(q, zero)) return false;
                 if (!(moved <= 4 * left)) return false;
                 y_.kind = LimitKind::finite;
                 y_.z.clear();
@@ -297,14 +297,30 @@ private:
         return false;
     }
     /// Whether the inverse of the last factors magnifies by what the digits can tell: on a curve of solutions
-    /// Newton's method converges, too. Next to a double root values vanish to the square of the distance, and with
-    /// half of the digits rounding looks like convergence.
+    /// Newton's method converges, too.
     bool is_singular() {
         for (int i = 0; i < n_; ++i) f_[i] = Z(R(i % 2 == 0 ? 1.0 : -0.7), R(0.6 + 0.1 * i));
         lu_.solve(f_);
         for (int u = 0; u < n_; ++u)
-            if (!(std::abs(rounded(f_[u])) < (double_double ? 1e15 : 1e31))) return true;
+            if (!(std::abs(rounded(f_[u])) < (double_double ? 1e16 : 1e46))) return true;
         return false;
+    }
+    /// Whether one step of Newton's method takes back what moves each equation by 1e4 roundings (is_singular's solution):
+    /// next to a multiple root, where rounding makes values 0 and looks like convergence, it takes half of it back.
+    bool comes_back(std::vector<Z> q, const std::vector<char>& zero) {
+        constexpr double roundings = double_double ? 1e-27 : 1e-60;
+        std::vector<Z> move;
+        double largest = 0, left = 0;
+        for (int u = 0; u < n_; ++u) {
+            move.push_back(zero[at(u)] ? Z(0.0) : R(roundings) * f_[u]);
+            q[at(u)] *= Z(1.0) + move.back();
+            largest = std::max(largest, std::abs(rounded(move.back())));
+        }
+        if (!linearize(q, R(0), std::ranges::count(zero, char{1}) > 0 ? &zero : nullptr)) return false;
+        newton_step();
+        for (int u = 0; u < n_; ++u)
+            if (!zero[at(u)]) left = std::max(left, std::abs(rounded(f_[u] + move[at(u)])));
+        return left <= 0.25 * largest;
     }
     /// Whether no unknown moves any more, but for coordinates on their way to 0.
     bool is_still() {

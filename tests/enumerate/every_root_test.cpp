@@ -57,6 +57,8 @@ TEST_CASE("every root of systems far from size 1, near to multiple roots, beside
         {"2\n-3*x^3*y^3+8*y^5;\n7*x^4-9*y^4+9*y^2+4*y;\n", 9, 3, {15}, Completeness::complete},
         // values that rounding makes 0 next to a double root of an equation in y alone
         {"2\ny*x-x;\ny^2-2*y+1+7.2*x^3;\n", 0, 0, {5}, Completeness::complete},
+        // a pitchfork point beside a regular root: x is 0 there, and the equations have no derivative with x
+        {"3\n14*x^2+3*y-3*z;\nx*y-x;\ny*z-1;\n", 1, 1, {3}, Completeness::complete},
         // two roots 5e-8 i beside the real points; two paths to a double root of a face system, which is no evidence
         {"2\nx^2+4*x*y-2*x+4*y^2-4*y+1.0000000000000024;\n-2*x^2-8*x*y+3*x-8*y^2+7*y+2;\n",
          2,
@@ -114,6 +116,17 @@ TEST_CASE("curves beside isolated roots have their dimension and degree", "[ever
     REQUIRE(y.families.size() == 1);
     CHECK(y.families[0].dimension == 1);
     CHECK(y.families[0].degree == 2);
+    // x = 0 and z = 1, along which squares vanish; y = x = 0, of multiplicity 3
+    const EveryRoot lines = solved("2\nx*z^2-2*x*z+x;\nx^2*z-x^2;\n");
+    CHECK(lines.verdict.completeness == Completeness::explained);
+    CHECK(lines.found.roots.empty());
+    int degree = 0;
+    for (const auto& family : lines.families) degree += static_cast<int>(family.degree);
+    CHECK(degree == 2);
+    const EveryRoot triple = solved("3\ny^2*z;\nx^3;\ny*z-0.1*y;\n");
+    CHECK(triple.verdict.completeness == Completeness::explained);
+    CHECK(triple.found.roots.empty());
+    for (const auto& family : triple.families) CHECK(family.dimension == 1);
 }
 
 TEST_CASE("polynomials known for ill-conditioned roots are solved and proved", "[every_root]") {

@@ -63,11 +63,6 @@ struct PathLimit {
 PathLimit follow_to_limit(const RuntimeSizes& sizes, const std::vector<LaurentColumn>& columns,
                           std::vector<std::complex<double>> z, double r, int digits, int most_steps = 1500);
 
-/// True if the target (`to` of the columns) has a solution next to z, by steps of least length with 31 digits that move
-/// no unknown by more than `most` of its size: on a curve of solutions, to its rounding; a near miss is none.
-bool has_solution_near(const RuntimeSizes& sizes, const std::vector<LaurentColumn>& columns,
-                       const std::vector<std::complex<double>>& z, double most);
-
 /// A direction as small integers over their common denominator: "(1, -2)/3".
 std::string direction_in_words(const std::vector<double>& direction);
 

@@ -13,7 +13,7 @@
 #include <equilibria/enumerate/named_families.hpp>
 #include <equilibria/evaluation/point_of.hpp>
 #include <equilibria/evaluation/table_evaluation.hpp>
-#include <equilibria/homotopy/path_limit.hpp>
+#include <equilibria/homotopy/nearby_solution.hpp>
 #include <equilibria/homotopy/polish.hpp>
 #include <equilibria/paths/complex_roots.hpp>
 #include <equilibria/paths/generic_instance.hpp>

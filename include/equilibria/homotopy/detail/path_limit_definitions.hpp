@@ -11,7 +11,6 @@
 
 #include <equilibria/core/double_double.hpp>
 #include <equilibria/core/multiprecision.hpp>
-#include <equilibria/core/singular_values.hpp>
 #include <equilibria/homotopy/detail/face_systems.hpp>
 #include <equilibria/homotopy/path_limit.hpp>
 
@@ -86,55 +85,6 @@ public:
             if (!y_.points.empty()) return singular();
             return open("no limit can be told");
         }
-    }
-
-    /// See has_solution_near.
-    bool vanishes_near(const Vector& begin, double most) {
-        std::vector<Z> q;
-        std::vector<char> zero;
-        for (std::size_t u = 0; u < begin.size(); ++u) {
-            const auto z = u >= at(angles_) && std::abs(begin[u]) < 1e-6 ? 0.0 : begin[u];
-            q.emplace_back(R(z.real()), R(z.imag()));
-            zero.push_back(z == 0.0);
-        }
-        // an equation all of whose terms vanish is measured by its coefficients
-        std::vector<int> coefficient(at(n_), -100000);
-        for (std::size_t k = 0; k < to_.size(); ++k) {
-            int& most_of = coefficient[at((*columns_)[k].equation)];
-            most_of = std::max(most_of, size_exponent(to_[k]));
-        }
-        double moved = 0, before = 1e300;
-        for (int round = 0; round < 100; ++round) {
-            if (!linearize(q, R(0), &zero)) return false;
-            double residual = 0;
-            for (int i = 0; i < n_; ++i) {
-                const int below = std::max(-300, std::min(0, exponent_[at(i)] - coefficient[at(i)]));
-                residual = std::max(residual, std::ldexp(std::abs(rounded(f_[i])), below));
-            }
-            if (residual < vanishing) return true;
-            if (round > 10 && residual > 0.98 * before) return false;
-            before = residual;
-            SingularValues::Vector j(at(n_ * n_)), right(at(n_));
-            for (int i = 0; i < n_; ++i) {
-                double row = 0;
-                for (int u = 0; u < n_; ++u) row = std::max(row, std::abs(rounded(j_[i][u])));
-                if (!(row > 0)) continue;
-                right[at(i)] = rounded(f_[i]) / row;
-                for (int u = 0; u < n_; ++u) j[at(u * n_ + i)] = rounded(j_[i][u]) / row;
-            }
-            const SingularValues svd(n_, n_, std::move(j));
-            const auto step = svd.solve(right, svd.rank(1e-9));
-            for (std::size_t u = 0; u < at(n_); ++u) {
-                moved += std::abs(step[u]);
-                const Z d(R(-step[u].real()), R(-step[u].imag()));
-                if (zero[u])
-                    q[u] += d, zero[u] = step[u] == 0.0;
-                else
-                    q[u] += d * q[u];
-            }
-            if (!(moved < most)) return false;
-        }
-        return false;
     }
 
 private:
@@ -269,9 +219,8 @@ private:
                 left = std::max(left, std::abs(v[u]));
         }
         double before = 1e300, moved = 0;
-        bool some_zero = std::ranges::count(zero, char{1}) > 0;
         for (int round = 0; round < 12; ++round) {
-            if (!linearize(q, R(0), some_zero ? &zero : nullptr)) return false;
+            if (!linearize(q, R(0), &zero)) return false;
             const double size = newton_step();
             if (!(size < 0.05) || !(round == 0 || size < 0.05 * before)) return false;
             for (int u = 0; u < n_; ++u) {
@@ -283,12 +232,11 @@ private:
                 moved = std::max(moved, std::abs(rounded(f_[u])));
             }
             if (size < converged) {
-                if (is_singular() || !comes_back(q, zero)) return false;
-                if (!(moved <= 4 * left)) return false;
+                if (!(moved <= 4 * left) || is_singular(q, zero) || !comes_back(q, zero)) return false;
                 y_.kind = LimitKind::finite;
                 y_.z.clear();
                 for (const Z& x : q) y_.z.push_back(rounded(x));
-                linearize(q, R(0), some_zero ? &zero : nullptr);
+                linearize(q, R(0), &zero);
                 y_.residual = relative_residual();
                 return true;
             }
@@ -296,17 +244,19 @@ private:
         }
         return false;
     }
-    /// Whether the inverse of the last factors magnifies by what the digits can tell: on a curve of solutions
-    /// Newton's method converges, too.
-    bool is_singular() {
+    /// Whether the inverse at q magnifies by what the digits can tell: on a curve of solutions Newton's method
+    /// converges, too, and so it does where an unknown that is 0 has no derivative. Its solution stays in f_.
+    bool is_singular(const std::vector<Z>& q, const std::vector<char>& zero) {
+        if (!linearize(q, R(0), &zero)) return true;
+        lu_.factor(j_);
         for (int i = 0; i < n_; ++i) f_[i] = Z(R(i % 2 == 0 ? 1.0 : -0.7), R(0.6 + 0.1 * i));
         lu_.solve(f_);
         for (int u = 0; u < n_; ++u)
             if (!(std::abs(rounded(f_[u])) < (double_double ? 1e16 : 1e46))) return true;
         return false;
     }
-    /// Whether one step of Newton's method takes back what moves each equation by 1e4 roundings (is_singular's solution):
-    /// next to a multiple root, where rounding makes values 0 and looks like convergence, it takes half of it back.
+    /// Whether one step of Newton's method takes back what moves equations by 1e4 roundings (is_singular's solution).
+    /// Next to a multiple root, where rounding makes values 0 and looks like convergence, it takes half of it back.
     bool comes_back(std::vector<Z> q, const std::vector<char>& zero) {
         constexpr double roundings = double_double ? 1e-27 : 1e-60;
         std::vector<Z> move;
@@ -316,7 +266,7 @@ private:
             q[at(u)] *= Z(1.0) + move.back();
             largest = std::max(largest, std::abs(rounded(move.back())));
         }
-        if (!linearize(q, R(0), std::ranges::count(zero, char{1}) > 0 ? &zero : nullptr)) return false;
+        if (!linearize(q, R(0), &zero)) return false;
         newton_step();
         for (int u = 0; u < n_; ++u)
             if (!zero[at(u)]) left = std::max(left, std::abs(rounded(f_[u] + move[at(u)])));
@@ -376,11 +326,6 @@ EQUILIBRIA_INLINE PathLimit follow_to_limit(const RuntimeSizes& sizes, const std
                                             std::vector<std::complex<double>> z, double r, int digits, int most_steps) {
     if (digits > 31) return detail::LogarithmicPath<Multiprecision<64>>(sizes, columns).follow(z, r, most_steps);
     return detail::LogarithmicPath<DoubleDouble>(sizes, columns).follow(z, r, most_steps);
-}
-
-EQUILIBRIA_INLINE bool has_solution_near(const RuntimeSizes& sizes, const std::vector<LaurentColumn>& columns,
-                                         const std::vector<std::complex<double>>& z, double most) {
-    return detail::LogarithmicPath<DoubleDouble>(sizes, columns).vanishes_near(z, most);
 }
 
 EQUILIBRIA_INLINE std::string direction_in_words(const std::vector<double>& direction) {

@@ -1,8 +1,9 @@
 /// \file
-/// Whether a system has a solution next to a point, on a curve of solutions or alone.
+/// A solution of a system next to a point, on a curve of solutions or alone.
 #pragma once
 
 #include <complex>
+#include <optional>
 #include <vector>
 
 #include <equilibria/core/compiled.hpp>
@@ -11,10 +12,14 @@
 
 namespace equilibria {
 
-/// True if the target (`to` of the columns) has a solution next to z, by steps of least length with 31 digits that move
-/// no unknown by more than `most` of its size: on a curve of solutions, to its rounding; a near miss is none.
-bool has_solution_near(const RuntimeSizes& sizes, const std::vector<LaurentColumn>& columns,
-                       const std::vector<std::complex<double>>& z, double most);
+/// The solution of the target (`to` of the columns) that steps of least length with 31 digits lead to from z, rounded
+/// to doubles; angles as exp(i t). They may move no unknown by more than `most` of its size; coordinates below `small`
+/// begin at 0. On a curve of solutions it is one of them, to its rounding; nothing where there is none: a near miss is
+/// none.
+std::optional<std::vector<std::complex<double>>> nearby_solution(const RuntimeSizes& sizes,
+                                                                 const std::vector<LaurentColumn>& columns,
+                                                                 const std::vector<std::complex<double>>& z,
+                                                                 double most, double small = 1e-6);
 
 }  // namespace equilibria
 

@@ -38,8 +38,11 @@ EQUILIBRIA_INLINE void keep_families(const SparseSystem& system, const std::vect
     const auto columns = columns_at_rest(system);
     std::erase_if(found.families, [&](const Family<RuntimeUnknowns>& family) {
         for (const auto& point : family.points)
-            if (has_solution_near(system.sizes(), columns, laurent_point(point.neighbour, system.sizes()), 1e-3))
-                return false;
+            // a coordinate that is 0 on a multiple curve is known to a root of the rounding
+            for (const double small : {1e-6, 1e-3})
+                if (nearby_solution(system.sizes(), columns, laurent_point(point.neighbour, system.sizes()), 1e-3,
+                                    small))
+                    return false;
         for (const auto& point : family.points)
             for (std::size_t k = 0; k < roots.size(); ++k)
                 if (roots[k].path == point.path) found.on_one[k] = 0;
@@ -84,19 +87,23 @@ EQUILIBRIA_INLINE std::optional<std::vector<Root<RuntimeUnknowns>>> witness_poin
     const auto found = solve_total_degree(on_plane, run, options, nullptr);
     const auto columns = columns_at_rest(system);
     std::vector<Root<RuntimeUnknowns>> y;
+    std::vector<std::vector<std::complex<double>>> places;
     Polisher<PolynomialHomotopy>::Workspace<double> with(homotopy);
     for (const auto& root : found.roots) {
         PolishedEvidence evidence;
         Polisher(homotopy).assess(point_of<RuntimeUnknowns>(root.q, system.sizes()), &evidence, with);
         if (!(evidence.residual < 1e-6)) continue;
-        if (!has_solution_near(system.sizes(), columns, laurent_point(root.q, system.sizes()), 1e-3)) continue;
-        const bool known = std::ranges::any_of(y, [&](const auto& other) {
+        const auto on_family = nearby_solution(system.sizes(), columns, laurent_point(root.q, system.sizes()), 1e-3);
+        if (!on_family) continue;
+        // a multiple curve meets the plane in multiple points, each known to a root of the rounding
+        const bool known = std::ranges::any_of(places, [&](const auto& other) {
             double apart = 0;
-            for (int u = 0; u < system.sizes().unknowns; ++u)
-                apart = std::max(apart, std::abs(other.q[u] - root.q[u]) / (1e-300 + std::abs(root.q[u])));
-            return apart < 1e-5;
+            for (std::size_t u = 0; u < other.size(); ++u)
+                apart = std::max(apart, std::abs(other[u] - (*on_family)[u]) / (1 + std::abs(other[u])));
+            return apart < 1e-4;
         });
         if (known) continue;
+        places.push_back(*on_family);
         y.push_back(root);
         y.back().status = PathStatus::singular;
         y.back().condition = evidence.condition;

@@ -18,15 +18,10 @@ namespace detail {
 class NearbySolution : private LogarithmicHomotopy<DoubleDouble> {
 public:
     using LogarithmicHomotopy<DoubleDouble>::LogarithmicHomotopy;
+    using Vector = std::vector<std::complex<double>>;
 
-    bool is_near(const std::vector<std::complex<double>>& begin, double most) {
-        // a coordinate that is 0 on a multiple curve is known to a root of the rounding
-        return is_near(begin, most, 1e-6) || is_near(begin, most, 1e-3);
-    }
-
-private:
-    /// Coordinates below `small` begin at 0.
-    bool is_near(const std::vector<std::complex<double>>& begin, double most, double small) {
+    /// See nearby_solution.
+    std::optional<Vector> from(const Vector& begin, double most, double small) {
         std::vector<Z> q;
         std::vector<char> zero;
         for (std::size_t u = 0; u < begin.size(); ++u) {
@@ -42,14 +37,18 @@ private:
         }
         double moved = 0, before = 1e300;
         for (int round = 0; round < 100; ++round) {
-            if (!linearize(q, DoubleDouble(0), &zero)) return false;
+            if (!linearize(q, DoubleDouble(0), &zero)) return {};
             double residual = 0;
             for (int i = 0; i < n_; ++i) {
                 const int below = std::max(-300, std::min(0, exponent_[at(i)] - coefficient[at(i)]));
                 residual = std::max(residual, std::ldexp(std::abs(rounded(f_[i])), below));
             }
-            if (residual < vanishing) return true;
-            if (round > 10 && residual > 0.98 * before) return false;
+            if (residual < vanishing) {
+                Vector y;
+                for (const Z& z : q) y.push_back(rounded(z));
+                return y;
+            }
+            if (round > 10 && residual > 0.98 * before) return {};
             before = residual;
             SingularValues::Vector j(at(n_ * n_)), right(at(n_));
             for (int i = 0; i < n_; ++i) {
@@ -69,17 +68,18 @@ private:
                 else
                     q[u] += d * q[u];
             }
-            if (!(moved < most)) return false;
+            if (!(moved < most)) return {};
         }
-        return false;
+        return {};
     }
 };
 
 }  // namespace detail
 
-EQUILIBRIA_INLINE bool has_solution_near(const RuntimeSizes& sizes, const std::vector<LaurentColumn>& columns,
-                                         const std::vector<std::complex<double>>& z, double most) {
-    return detail::NearbySolution(sizes, columns).is_near(z, most);
+EQUILIBRIA_INLINE std::optional<std::vector<std::complex<double>>> nearby_solution(
+    const RuntimeSizes& sizes, const std::vector<LaurentColumn>& columns, const std::vector<std::complex<double>>& z,
+    double most, double small) {
+    return detail::NearbySolution(sizes, columns).from(z, most, small);
 }
 
 }  // namespace equilibria

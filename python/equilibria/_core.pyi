@@ -80,14 +80,37 @@ class FormulaModel:
     def moves(self) -> bool: ...
     def number_of_parameter(self, name: str) -> int: ...
     def enumerate(
-        self, p: Reals, seed: int, threads: int, start: str, more_digits: bool, prove: bool, progress: Progress
+        self,
+        p: Reals,
+        seed: int,
+        threads: int,
+        start: str,
+        more_digits: bool,
+        prove: bool,
+        limit: Optional[float],
+        progress: Progress,
     ) -> Tuple[RootSetData, Dict[str, Any], Optional[Dict[str, Any]]]: ...
     def enumerate_from(
-        self, solved: RootSetData, p: Reals, seed: int, threads: int, prove: bool, progress: Progress
+        self,
+        solved: RootSetData,
+        p: Reals,
+        seed: int,
+        threads: int,
+        prove: bool,
+        limit: Optional[float],
+        progress: Progress,
     ) -> Tuple[RootSetData, Dict[str, Any], Optional[Dict[str, Any]]]: ...
     def prove(self, roots: RootSetData, threads: int, most_digits: int, progress: Progress) -> Dict[str, Any]: ...
     def events(
-        self, p: Reals, active: int, low: float, high: float, seed: int, threads: int, progress: Progress
+        self,
+        p: Reals,
+        active: int,
+        low: float,
+        high: float,
+        seed: int,
+        threads: int,
+        limit: Optional[float],
+        progress: Progress,
     ) -> Dict[str, Any]: ...
     def diagram(
         self,
@@ -98,6 +121,7 @@ class FormulaModel:
         seed: int,
         threads: int,
         largest_step: float,
+        limit: Optional[float],
         progress: Progress,
     ) -> Dict[str, Any]: ...
     def locus(
@@ -110,10 +134,18 @@ class FormulaModel:
         threads: int,
         lines: int,
         checks: int,
+        limit: Optional[float],
         progress: Progress,
     ) -> Dict[str, Any]: ...
     def sweep(
-        self, points: Reals, seed: int, threads: int, prove: bool, checkpoint: str, progress: Progress
+        self,
+        points: Reals,
+        seed: int,
+        threads: int,
+        prove: bool,
+        checkpoint: str,
+        limit: Optional[float],
+        progress: Progress,
     ) -> Dict[str, Any]: ...
     def export(self, program: str, p: Reals) -> str: ...
     def residual(self, q: Reals, p: Reals) -> Reals: ...

@@ -72,8 +72,18 @@ def _integer(value: Any, argument: str, low: int, high: int) -> int:
     return int(value)
 
 
-def _run(seed: Any, threads: Any) -> Dict[str, int]:
-    return {"seed": _integer(seed, "seed", 0, 2**64 - 1), "threads": _integer(threads, "threads", 0, 1024)}
+def _run(seed: Any, threads: Any, limit: Any = None) -> Dict[str, Any]:
+    try:
+        seconds = None if limit is None else float(limit)
+    except (TypeError, ValueError):
+        seconds = -1.0
+    if seconds is not None and not seconds > 0:
+        raise InvalidArgument(f"limit = {limit!r}: must be a positive number of seconds, or None")
+    return {
+        "seed": _integer(seed, "seed", 0, 2**64 - 1),
+        "threads": _integer(threads, "threads", 0, 1024),
+        "limit": seconds,
+    }
 
 
 def _range(given: Any, argument: str) -> Tuple[float, float]:
@@ -336,6 +346,7 @@ class Model:
         more_digits: bool = False,
         prove: bool = True,
         progress: Progress = False,
+        limit: Optional[float] = None,
         at: Optional[Mapping[str, float]] = None,
         **parameters: float,
     ) -> RootSet:
@@ -347,13 +358,14 @@ class Model:
         seed: of the random numbers; the same seed gives the same bytes. threads: 0 for all of the machine's; changes no
         result. start: "least_cost", "total_degree" or "polyhedral", or the roots of this model at other parameters,
         which are followed from there. more_digits: paths that fail in double are tracked with 50 digits. progress: True
-        (drawn by tqdm where it is installed) or a function of (done, all) paths. at: parameters by name, for names that
+        (drawn by tqdm where it is installed) or a function of (done, all) paths. limit: seconds after which the call
+        returns what it has found; the verdict and the counts say what was left. at: parameters by name, for names that
         are arguments here.
 
         Ctrl-C ends the call within a moment, by KeyboardInterrupt.
         """
         p = self._at(at, parameters)
-        run = _run(seed, threads)
+        run = _run(seed, threads, limit)
         with reporting(progress, "enumerate") as report:
             run["prove"] = bool(prove)
             if isinstance(start, RootSet):
@@ -393,19 +405,21 @@ class Model:
         seed: int = 1,
         threads: int = 1,
         progress: Progress = False,
+        limit: Optional[float] = None,
         at: Optional[Mapping[str, float]] = None,
         **parameters: float,
     ) -> Events:
         """All values of one parameter in a range at which the number or the indices of the equilibria change.
 
         The model must be polynomial in that parameter. progress: as of enumerate, of the present of several systems.
-        Ctrl-C ends the call at the next report of progress: where branches are followed, no report is made.
+        Ctrl-C ends the call at the next report of progress: where branches are followed, no report is made. limit:
+        seconds after which it is ended so, by TimeoutError.
         """
         active = self._data.number_of_parameter(str(parameter))
         low, high = _range(range, "range")
         with reporting(progress, "events") as report:
             found = self._data.events(
-                self._at(at, parameters), active, low, high, progress=report, **_run(seed, threads)
+                self._at(at, parameters), active, low, high, progress=report, **_run(seed, threads, limit)
             )
         return Events._of(self, str(parameter), (low, high), found)
 
@@ -417,6 +431,7 @@ class Model:
         threads: int = 1,
         largest_step: float = 0.02,
         progress: Progress = False,
+        limit: Optional[float] = None,
         at: Optional[Mapping[str, float]] = None,
         **parameters: float,
     ) -> Diagram:
@@ -434,7 +449,7 @@ class Model:
                 high,
                 largest_step=float(largest_step),
                 progress=report,
-                **_run(seed, threads),
+                **_run(seed, threads, limit),
             )
         return Diagram._of(self, str(parameter), (low, high), found)
 
@@ -447,6 +462,7 @@ class Model:
         lines: int = 12,
         checks: int = 20,
         progress: Progress = False,
+        limit: Optional[float] = None,
         at: Optional[Mapping[str, float]] = None,
         **parameters: float,
     ) -> Locus:
@@ -470,7 +486,7 @@ class Model:
                 lines=_integer(lines, "lines", 2, 10000),
                 checks=_integer(checks, "checks", 0, 10000),
                 progress=report,
-                **_run(seed, threads),
+                **_run(seed, threads, limit),
             )
         return Locus._of(self, (str(x[0]), str(y[0])), (axes[0][1], axes[1][1]), found)
 
@@ -482,6 +498,7 @@ class Model:
         threads: int = 1,
         prove: bool = False,
         progress: Progress = False,
+        limit: Optional[float] = None,
         checkpoint: Union[str, "os.PathLike[str]", None] = None,
         at: Optional[Mapping[str, float]] = None,
         **parameters: float,
@@ -491,7 +508,8 @@ class Model:
         values: of one or more parameters. grid: every combination of their one-dimensional arrays, the last one
         fastest; otherwise the arrays, of one shape or broadcast to it, are the points. prove: each root, by Krawczyk's
         test. checkpoint: a file that keeps the points that are finished; the same call goes on from there, with any number
-        of threads. One of another call, or a damaged one, raises CheckpointError. Ctrl-C ends the call within a moment.
+        of threads. One of another call, or a damaged one, raises CheckpointError. Ctrl-C ends the call within a moment,
+        and so does limit, in seconds, by TimeoutError.
         """
         if not values:
             raise InvalidArgument("values = {}: must name a parameter with its values")
@@ -521,7 +539,7 @@ class Model:
                 prove=bool(prove),
                 checkpoint="" if checkpoint is None else os.fspath(checkpoint),
                 progress=report,
-                **_run(seed, threads),
+                **_run(seed, threads, limit),
             )
         return Sweep._of(self, {str(name): array for name, array in zip(values, arrays)}, found)
 

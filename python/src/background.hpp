@@ -10,6 +10,7 @@
 #include <exception>
 #include <mutex>
 #include <optional>
+#include <string>
 #include <thread>
 #include <type_traits>
 #include <utility>
@@ -29,10 +30,17 @@ enum class Cancel {
 /// Thrown out of a report of progress by a run that has been interrupted.
 struct Interrupted {};
 
-/// What work(run) returns. What a signal's handler or `progress(done, all)` throws ends the run and is thrown here;
-/// exceptions of the work itself are thrown as well.
+/// How long a call may take.
+struct Limit {
+    std::optional<double> seconds;  ///< none: as long as it takes
+    bool kept = false;              ///< what is found until then is returned; else TimeoutError is raised
+};
+
+/// What work(run) returns. What a signal's handler or `progress(done, all)` throws ends the run and is thrown here, and
+/// so is the end of a limit; exceptions of the work itself are thrown as well.
 template <class Work>
-auto in_background(RunOptions run, const pybind11::object& progress, Cancel how, const Work& work) {
+auto in_background(RunOptions run, const pybind11::object& progress, Cancel how, const Work& work,
+                   const Limit& limit = {}) {
     namespace py = pybind11;
     using Result = std::invoke_result_t<const Work&, const RunOptions&>;
     std::atomic<std::uint64_t> done = 0, all = 0;
@@ -47,6 +55,11 @@ auto in_background(RunOptions run, const pybind11::object& progress, Cancel how,
     std::mutex guard;
     std::condition_variable ended;
     bool has_ended = false;
+    const auto begin = std::chrono::steady_clock::now();
+    const auto is_over = [&] {
+        return limit.seconds &&
+               std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count() >= *limit.seconds;
+    };
     std::optional<Result> result;
     std::exception_ptr failure, interruption;
     {
@@ -70,6 +83,16 @@ auto in_background(RunOptions run, const pybind11::object& progress, Cancel how,
                 try {
                     if (PyErr_CheckSignals() != 0) throw py::error_already_set();
                     if (!progress.is_none()) progress(done.load(), all.load());
+                    if (is_over()) {
+                        cancel = true;
+                        if (!limit.kept) {
+                            const std::string text =
+                                "limit = " + py::str(py::float_(*limit.seconds)).cast<std::string>() +
+                                ": the call has not ended in so many seconds; more of them, or None, let it end";
+                            PyErr_SetString(PyExc_TimeoutError, text.c_str());
+                            throw py::error_already_set();
+                        }
+                    }
                 } catch (...) {
                     interruption = std::current_exception();
                     cancel = true;

@@ -83,7 +83,7 @@ py::array_t<double> for_rows(const FormulaModel& model, const Numbers& q, const 
 
 /// Points of a sweep as rows of all parameters, and what is known of each.
 py::dict sweep_rows(const FormulaModel& model, const Numbers& points, const RunOptions& run,
-                    const SweepOptions& options, const py::object& progress) {
+                    const SweepOptions& options, const py::object& progress, const Limit& limit) {
     const auto width = static_cast<py::ssize_t>(model.parameters.size());
     require(points.ndim() == 2 && points.shape(1) == width, "points", points.ndim() == 2 ? points.shape(1) : 0,
             "must have a row of all parameters for each point: " + std::to_string(width));
@@ -99,9 +99,12 @@ py::dict sweep_rows(const FormulaModel& model, const Numbers& points, const RunO
         }};
     std::vector<SweptPoint> found;
     found.reserve(size);
-    const SweepCounts counts = in_background(run, progress, Cancel::by_flag, [&](const RunOptions& how) {
-        return sweep(model, given, [&](const SweptPoint& point) { found.push_back(point); }, how, options);
-    });
+    const SweepCounts counts = in_background(
+        run, progress, Cancel::by_flag,
+        [&](const RunOptions& how) {
+            return sweep(model, given, [&](const SweptPoint& point) { found.push_back(point); }, how, options);
+        },
+        limit);
     py::dict y;
     y["count"] = column<std::int64_t>(found, [](const SweptPoint& p) { return p.real; });
     const auto indices = static_cast<std::size_t>(model.unknowns()) + 1;
@@ -200,34 +203,37 @@ void add_models(py::module_& m) {
         .def(
             "enumerate",
             [](const FormulaModel& model, const Numbers& p, std::uint64_t seed, unsigned thread_count,
-               const std::string& start, bool more_digits, bool proved, const py::object& progress) {
+               const std::string& start, bool more_digits, bool proved, const std::optional<double>& limit,
+               const py::object& progress) {
                 const auto at = runtime_array(p, "parameters");
                 const FormulaStart how_to_start = start_of(start);
-                return set_and_proof(in_background(run_options(seed, thread_count), progress, Cancel::by_flag,
-                                                   [&](const RunOptions& run) {
-                                                       if (proved && !more_digits)
-                                                           return every_equilibrium(model, at, run, how_to_start);
-                                                       return with_proof(
-                                                           model, enumerate(model, at, run, how_to_start, more_digits),
-                                                           run, proved);
-                                                   }),
-                                     proved);
+                return set_and_proof(
+                    in_background(
+                        run_options(seed, thread_count), progress, Cancel::by_flag,
+                        [&](const RunOptions& run) {
+                            if (proved && !more_digits) return every_equilibrium(model, at, run, how_to_start);
+                            return with_proof(model, enumerate(model, at, run, how_to_start, more_digits), run, proved);
+                        },
+                        Limit{limit, true}),
+                    proved);
             },
             py::arg("p"), py::arg("seed"), py::arg("threads"), py::arg("start"), py::arg("more_digits"),
-            py::arg("prove"), py::arg("progress"))
+            py::arg("prove"), py::arg("limit"), py::arg("progress"))
         .def(
             "enumerate_from",
             [](const FormulaModel& model, const std::shared_ptr<Set>& solved, const Numbers& p, std::uint64_t seed,
-               unsigned thread_count, bool proved, const py::object& progress) {
+               unsigned thread_count, bool proved, const std::optional<double>& limit, const py::object& progress) {
                 const auto at = runtime_array(p, "parameters");
-                return set_and_proof(in_background(run_options(seed, thread_count), progress, Cancel::by_flag,
-                                                   [&](const RunOptions& run) {
-                                                       return with_proof(model, enumerate(model, *solved, at, run), run,
-                                                                         proved);
-                                                   }),
+                return set_and_proof(in_background(
+                                         run_options(seed, thread_count), progress, Cancel::by_flag,
+                                         [&](const RunOptions& run) {
+                                             return with_proof(model, enumerate(model, *solved, at, run), run, proved);
+                                         },
+                                         Limit{limit, true}),
                                      proved);
             },
-            py::arg("solved"), py::arg("p"), py::arg("seed"), py::arg("threads"), py::arg("prove"), py::arg("progress"))
+            py::arg("solved"), py::arg("p"), py::arg("seed"), py::arg("threads"), py::arg("prove"), py::arg("limit"),
+            py::arg("progress"))
         .def(
             "prove",
             [](const FormulaModel& model, const std::shared_ptr<Set>& set, unsigned thread_count, int most_digits,
@@ -240,59 +246,64 @@ void add_models(py::module_& m) {
         .def(
             "events",
             [](const FormulaModel& model, const Numbers& p, int active, double low, double high, std::uint64_t seed,
-               unsigned thread_count, const py::object& progress) {
+               unsigned thread_count, const std::optional<double>& limit, const py::object& progress) {
                 const auto at = runtime_array(p, "parameters");
                 return to_python(in_background(
                     run_options(seed, thread_count), progress, Cancel::by_progress,
-                    [&](const RunOptions& run) { return find_events(model, at, active, {low, high}, run); }));
+                    [&](const RunOptions& run) { return find_events(model, at, active, {low, high}, run); },
+                    Limit{limit}));
             },
             py::arg("p"), py::arg("active"), py::arg("low"), py::arg("high"), py::arg("seed"), py::arg("threads"),
-            py::arg("progress"))
+            py::arg("limit"), py::arg("progress"))
         .def(
             "diagram",
             [](const FormulaModel& model, const Numbers& p, int active, double low, double high, std::uint64_t seed,
-               unsigned thread_count, double largest_step, const py::object& progress) {
+               unsigned thread_count, double largest_step, const std::optional<double>& limit,
+               const py::object& progress) {
                 const auto at = runtime_array(p, "parameters");
                 BranchOptions branch = diagram_steps;
                 branch.largest_step = largest_step;
-                return to_python(in_background(run_options(seed, thread_count), progress, Cancel::by_progress,
-                                               [&](const RunOptions& run) {
-                                                   return trace_diagram(model, at, active, {low, high}, run, branch);
-                                               }),
+                return to_python(in_background(
+                                     run_options(seed, thread_count), progress, Cancel::by_progress,
+                                     [&](const RunOptions& run) {
+                                         return trace_diagram(model, at, active, {low, high}, run, branch);
+                                     },
+                                     Limit{limit}),
                                  model.unknowns());
             },
             py::arg("p"), py::arg("active"), py::arg("low"), py::arg("high"), py::arg("seed"), py::arg("threads"),
-            py::arg("largest_step"), py::arg("progress"))
+            py::arg("largest_step"), py::arg("limit"), py::arg("progress"))
         .def(
             "locus",
             [](const FormulaModel& model, const Numbers& p, std::array<int, 2> active, std::array<double, 2> x,
                std::array<double, 2> y, std::uint64_t seed, unsigned thread_count, int lines, int checks,
-               const py::object& progress) {
+               const std::optional<double>& limit, const py::object& progress) {
                 const auto at = runtime_array(p, "parameters");
                 LocusOptions options;
                 options.lines = lines;
                 options.checks = checks;
                 const Window window{{x[0], x[1]}, {y[0], y[1]}};
-                return to_python(in_background(run_options(seed, thread_count), progress, Cancel::by_progress,
-                                               [&](const RunOptions& run) {
-                                                   return trace_locus(model, at, active, window, run, options);
-                                               }),
-                                 model.unknowns());
+                return to_python(
+                    in_background(
+                        run_options(seed, thread_count), progress, Cancel::by_progress,
+                        [&](const RunOptions& run) { return trace_locus(model, at, active, window, run, options); },
+                        Limit{limit}),
+                    model.unknowns());
             },
             py::arg("p"), py::arg("active"), py::arg("x"), py::arg("y"), py::arg("seed"), py::arg("threads"),
-            py::arg("lines"), py::arg("checks"), py::arg("progress"))
+            py::arg("lines"), py::arg("checks"), py::arg("limit"), py::arg("progress"))
         .def(
             "sweep",
             [](const FormulaModel& model, const Numbers& points, std::uint64_t seed, unsigned thread_count, bool prove,
-               const std::string& checkpoint, const py::object& progress) {
+               const std::string& checkpoint, const std::optional<double>& limit, const py::object& progress) {
                 SweepOptions options;
                 options.prove = prove;
                 RunOptions run = run_options(seed, thread_count);
                 run.checkpoint = checkpoint;
-                return sweep_rows(model, points, run, options, progress);
+                return sweep_rows(model, points, run, options, progress, {limit});
             },
             py::arg("points"), py::arg("seed"), py::arg("threads"), py::arg("prove"), py::arg("checkpoint"),
-            py::arg("progress"))
+            py::arg("limit"), py::arg("progress"))
         .def(
             "export",
             [](const FormulaModel& model, const std::string& program, const Numbers& p) {

@@ -72,3 +72,21 @@ def test_other_python_threads_run_meanwhile():
     ended.set()
     other.join()
     assert counted[0] > 100 * min(seconds, 10)
+
+
+def test_a_limit_ends_calls():
+    model = row(8)
+    begin = time.monotonic()
+    roots = model.enumerate(start="total_degree", limit=0.3)
+    assert time.monotonic() - begin < 2
+    assert roots.completeness == "open"
+    assert roots.paths["cancelled"] > 0
+    with pytest.raises(TimeoutError, match="limit = 0.3: the call has not ended"):
+        row(4).locus(("k", -5, 5), ("g", -5, 5), limit=0.3)
+    values = [0.1 + 0.8 * k / 20000 for k in range(20000)]
+    with pytest.raises(TimeoutError):
+        row(3).sweep({"k": values}, limit=0.3)
+    assert len(row(2).enumerate(limit=60)) == 4
+    for wrong in (0, -1, "soon", float("nan")):
+        with pytest.raises(eq.InvalidArgument, match="limit"):
+            row(2).enumerate(limit=wrong)

@@ -128,6 +128,27 @@ TEST_CASE("a double root of a leading coefficient is one event, to ten digits") 
     CHECK(found.events[0].at_infinity == std::array<std::uint64_t, 2>{2, 2});
 }
 
+TEST_CASE("a coordinate that is 0 but for rounding at all equilibria that are counted has the equations' own size") {
+    // x = 0 at a = +-.58, where sizes are asked; x^2 (cos t + 4 a^2) sends two equilibria to infinity at a = +-.5
+    const auto model = by_potential(1, 1, [](const auto& theta, const auto& x, const auto& a) {
+        return 9 * sin(2 * theta[0]) * a * a + (cos(theta[0]) + 4 * a * a) * x[0] * x[0];
+    });
+    for (const std::uint64_t seed : {1, 2, 3}) {
+        const auto found = find_events(model, {1.0}, 0, {-1, 1}, {.seed = seed});
+        CHECK(found.complete());
+        std::vector<double> values;
+        for (const auto& event : found.events)
+            if (event.kind == CriticalKind::from_infinity) {
+                values.push_back(event.value);
+                CHECK(event.at_infinity[0] + event.at_infinity[1] == 2);
+            }
+        REQUIRE(values.size() == 2);
+        CHECK(values[0] == Approx(-0.5).epsilon(1e-12));
+        CHECK(values[1] == Approx(0.5).epsilon(1e-12));
+        CHECK(found.intervals.back().by_index == std::vector<Number>{2, 2, 0});
+    }
+}
+
 TEST_CASE("a Hessian with a zero diagonal: the branch of a saddle is followed from end to end") {
     const auto model =
         by_potential(0, 2, [](const auto&, const auto& x, const auto& a) { return x[0] * x[1] + a * x[0]; });

@@ -154,7 +154,7 @@ private:
         run_.executor.for_blocks(open.size(), open.size(), [&](std::size_t first, std::size_t last) {
             for (std::size_t m = first; m < last && !stopped(); ++m) limits[m] = first_limit(open[m], paths);
         });
-        const auto on_curves = find_curves(open, limits);
+        auto on_curves = find_curves(open, limits);
         Members doubtful;
         for (std::size_t m = 0; m < open.size(); ++m)
             if (!is_decided(limits[m]) && !on_curves[m]) doubtful.push_back(m);
@@ -167,6 +167,9 @@ private:
                 limits[m] = exact_limit(open[m], limits[m], most_steps);
             }
         });
+        // where curves cross, all derivatives vanish: 31 digits tell too little of the place
+        if (std::ranges::any_of(doubtful, [&](std::size_t m) { return limits[m].kind == LimitKind::singular; }))
+            on_curves = find_curves(open, limits);
         std::vector<std::size_t> singular;
         std::map<std::string, std::uint64_t> reasons;
         for (std::size_t m = 0; m < open.size(); ++m) {

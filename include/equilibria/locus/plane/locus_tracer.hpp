@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
 #include <limits>
 #include <numbers>
 #include <optional>
@@ -14,6 +15,7 @@
 #include <equilibria/continuation/curves/critical_curve.hpp>
 #include <equilibria/continuation/event_function.hpp>
 #include <equilibria/core/eigen_copies.hpp>
+#include <equilibria/locus/line/coordinate_sizes.hpp>
 #include <equilibria/locus/plane/curve_copies.hpp>
 #include <equilibria/locus/plane/infinity_curves.hpp>
 #include <equilibria/locus/plane/locus_options.hpp>
@@ -263,22 +265,17 @@ private:
     /// Curves on which equilibria come from infinity, or go there, through what lines of both directions are solved
     /// for.
     void trace_from_infinity() {
-        const int coordinates = model_.sizes().coordinates, angles = model_.sizes().angles;
-        if (coordinates == 0) return;
+        if (model_.sizes().coordinates == 0) return;
         const Window& w = locus_.window;
-        std::vector<double> sizes(static_cast<std::size_t>(coordinates), 0);
-        const auto at = [&](double x, double y) {
-            RuntimeArray<double> p = locus_.parameters;
-            p[x_number()] = x;
-            p[y_number()] = y;
-            return p;
-        };
-        for (const double part : {0.21, 0.79})
-            for (const auto& q : model_.count(at(w.x.low + part * w.width(), w.y.low + part * w.height()), run_).at)
-                for (std::size_t j = 0; j < sizes.size(); ++j)
-                    sizes[j] = std::max(sizes[j], std::abs(q[angles + static_cast<int>(j)]));
-        const double largest = *std::max_element(sizes.begin(), sizes.end());
-        for (double& size : sizes) size = size > 1e-6 * largest ? size : largest > 0 ? largest : 1;
+        std::vector<RuntimeArray<double>> equilibria;
+        RuntimeArray<double> p = locus_.parameters;
+        for (const double part : {0.21, 0.79}) {
+            p[x_number()] = w.x.low + part * w.width();
+            p[y_number()] = w.y.low + part * w.height();
+            auto there = model_.count(p, run_).at;
+            std::ranges::move(there, std::back_inserter(equilibria));
+        }
+        const auto sizes = coordinate_sizes(model_, p, equilibria);
         InfinityCurveTracer tracer(model_, {x_number(), y_number()}, locus_.parameters, w, sizes, run_);
         for (const int axis : {0, 1}) {
             const auto& lines = seeds_.lines(axis);

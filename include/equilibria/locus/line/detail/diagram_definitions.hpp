@@ -12,6 +12,7 @@
 
 #include <equilibria/continuation/branch_stepper.hpp>
 #include <equilibria/core/eigen_copies.hpp>
+#include <equilibria/locus/line/coordinate_sizes.hpp>
 #include <equilibria/locus/line/diagram.hpp>
 #include <equilibria/locus/line/model_problem.hpp>
 #include <equilibria/model/torus.hpp>
@@ -107,21 +108,14 @@ private:
         return p;
     }
     void find_sizes() {
-        const int angles = model_.sizes().angles;
-        sizes_.assign(static_cast<std::size_t>(model_.unknowns()), 0);
+        std::vector<RuntimeArray<double>> equilibria;
         for (const auto* all : {&first_, &second_})
             for (const Equilibria& there : *all)
-                for (const auto& e : there)
-                    for (std::size_t i = 0; i < sizes_.size(); ++i)
-                        sizes_[i] = std::max(sizes_[i], std::abs(e.q[static_cast<int>(i)]));
-        double largest = 0;
-        for (std::size_t i = static_cast<std::size_t>(angles); i < sizes_.size(); ++i)
-            largest = std::max(largest, sizes_[i]);
-        for (std::size_t i = 0; i < sizes_.size(); ++i)
-            if (static_cast<int>(i) < angles)
-                sizes_[i] = 1;
-            else if (!(sizes_[i] > 1e-6 * largest))
-                sizes_[i] = largest > 0 ? largest : 1;
+                for (const auto& e : there) equilibria.push_back(e.q);
+        sizes_.assign(static_cast<std::size_t>(model_.sizes().angles), 1);
+        if (model_.sizes().coordinates == 0) return;
+        const auto sizes = coordinate_sizes(model_, at(range_.low + 0.5 * range_.width()), equilibria);
+        sizes_.insert(sizes_.end(), sizes.begin(), sizes.end());
     }
 
     void add_piece(Stepper& stepper, const EventGap& gap, const Equilibrium<RuntimeUnknowns>& e, double from) {

@@ -118,6 +118,12 @@ private:
         auto begin = solve_equations(system(first), sizes, grouping, run);
         found.start = begin.start;
         found.paths = begin.paths;
+        // a singular point of a generic u cannot be followed
+        for (const auto& root : begin.roots)
+            if (root.status == PathStatus::singular) {
+                const auto paths = static_cast<std::uint64_t>(root.paths);
+                found.paths.singular -= paths, found.paths.failed += paths;
+            }
         std::erase_if(begin.roots,
                       [](const auto& root) { return root.status != PathStatus::finite || root.paths != 1; });
         if (begin.roots.empty()) return;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <complex>
 #include <cstdint>
+#include <iterator>
 #include <limits>
 #include <sstream>
 #include <string>
@@ -17,6 +18,7 @@
 #include <equilibria/continuation/critical_point.hpp>
 #include <equilibria/core/dense_solvers.hpp>
 #include <equilibria/core/eigen_copies.hpp>
+#include <equilibria/locus/line/coordinate_sizes.hpp>
 #include <equilibria/locus/line/detail/describe_event.hpp>
 #include <equilibria/locus/line/infinity_search.hpp>
 #include <equilibria/locus/line/line_events.hpp>
@@ -281,15 +283,14 @@ private:
 
     /// What comes from infinity, and goes there.
     void add_from_infinity() {
-        const int angles = model_.sizes().angles;
         if (model_.sizes().coordinates == 0) return;
-        std::vector<double> sizes(static_cast<std::size_t>(model_.sizes().coordinates), 0);
-        for (const double part : {first_part, second_part})
-            for (const auto& q : model_.count(at(found_.range.low + part * found_.range.width()), run_).at)
-                for (std::size_t j = 0; j < sizes.size(); ++j)
-                    sizes[j] = std::max(sizes[j], std::abs(q[angles + static_cast<int>(j)]));
-        const double largest = *std::max_element(sizes.begin(), sizes.end());
-        for (double& size : sizes) size = size > 1e-6 * largest ? size : largest > 0 ? largest : 1;
+        std::vector<RuntimeArray<double>> equilibria;
+        for (const double part : {first_part, second_part}) {
+            auto there = model_.count(at(found_.range.low + part * found_.range.width()), run_).at;
+            std::ranges::move(there, std::back_inserter(equilibria));
+        }
+        const auto sizes =
+            coordinate_sizes(model_, at(found_.range.low + first_part * found_.range.width()), equilibria);
         const auto search = search_infinity(model_, p_, active_, found_.range, sizes, run_);
         found_.infinity_paths = search.paths;
         found_.infinity_values = search.solutions;

@@ -149,6 +149,15 @@ TEST_CASE("a coordinate that is 0 but for rounding at all equilibria that are co
     }
 }
 
+TEST_CASE("a diagram whose middle loses its equation has both halves") {
+    const auto model =
+        by_potential(0, 1, [](const auto&, const auto& x, const auto& a) { return a * (0.5 * x[0] * x[0] - x[0]); });
+    const auto diagram = diagram_of(model, {-1, 1});
+    REQUIRE(diagram.pieces.size() == 2);
+    for (const auto& piece : diagram.pieces)
+        for (const auto& point : piece.points) CHECK(point.q[0] == Approx(1).epsilon(1e-12));
+}
+
 TEST_CASE("a Hessian with a zero diagonal: the branch of a saddle is followed from end to end") {
     const auto model =
         by_potential(0, 2, [](const auto&, const auto& x, const auto& a) { return x[0] * x[1] + a * x[0]; });

@@ -13,7 +13,7 @@ namespace equilibria {
 
 /// The largest absolute value of each coordinate at these equilibria of a model with coordinates, each angles first.
 /// One that is below 1e-6 of the unit that the equations' coefficients at p suggest (unit_scaling) is 0 but for
-/// rounding: that unit takes its place.
+/// rounding: that unit takes its place, or 1 where an equation loses its unknowns at p.
 std::vector<double> coordinate_sizes(const SearchedModel& model, const RuntimeArray<double>& p,
                                      std::span<const RuntimeArray<double>> equilibria);
 

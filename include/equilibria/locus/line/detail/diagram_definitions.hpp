@@ -108,14 +108,15 @@ private:
         return p;
     }
     void find_sizes() {
+        const auto& intervals = diagram_.search.intervals;
+        sizes_.assign(static_cast<std::size_t>(model_.unknowns()), 1);
+        if (model_.sizes().coordinates == 0 || intervals.empty()) return;
         std::vector<RuntimeArray<double>> equilibria;
         for (const auto* all : {&first_, &second_})
             for (const Equilibria& there : *all)
                 for (const auto& e : there) equilibria.push_back(e.q);
-        sizes_.assign(static_cast<std::size_t>(model_.sizes().angles), 1);
-        if (model_.sizes().coordinates == 0) return;
-        const auto sizes = coordinate_sizes(model_, at(range_.low + 0.5 * range_.width()), equilibria);
-        sizes_.insert(sizes_.end(), sizes.begin(), sizes.end());
+        std::ranges::copy(coordinate_sizes(model_, at(intervals.front().at), equilibria),
+                          sizes_.begin() + model_.sizes().angles);
     }
 
     void add_piece(Stepper& stepper, const EventGap& gap, const Equilibrium<RuntimeUnknowns>& e, double from) {

@@ -121,7 +121,7 @@ private:
         // a singular point of a generic u cannot be followed
         for (const auto& root : begin.roots)
             if (root.status == PathStatus::singular) {
-                const auto paths = static_cast<std::uint64_t>(root.paths);
+                const auto paths = std::min(found.paths.singular, static_cast<std::uint64_t>(root.paths));
                 found.paths.singular -= paths, found.paths.failed += paths;
             }
         std::erase_if(begin.roots,

@@ -13,9 +13,9 @@
 namespace equilibria {
 
 /// The solution of the target (`to` of the columns) that steps of least length with 31 digits lead to from z, rounded
-/// to doubles; angles as exp(i t). They may move no unknown by more than `most` of its size; coordinates below `small`
-/// begin at 0. On a curve of solutions it is one of them, to its rounding; nothing where there is none: a near miss is
-/// none.
+/// to doubles; angles as exp(i t). On a curve of solutions it is one of them, to its rounding. Coordinates below
+/// `small` begin at 0. Nothing where the steps do not converge, or move the unknowns by more than `most` of their sizes
+/// in sum.
 std::optional<std::vector<std::complex<double>>> nearby_solution(const RuntimeSizes& sizes,
                                                                  const std::vector<LaurentColumn>& columns,
                                                                  const std::vector<std::complex<double>>& z,

@@ -8,6 +8,7 @@
 #include <equilibria/core/compiled.hpp>
 #include <equilibria/core/sized_array.hpp>
 #include <equilibria/locus/line/searched_model.hpp>
+#include <equilibria/run/run_options.hpp>
 
 namespace equilibria {
 
@@ -16,6 +17,10 @@ namespace equilibria {
 /// rounding: that unit takes its place, or 1 where an equation loses its unknowns at p.
 std::vector<double> coordinate_sizes(const SearchedModel& model, const RuntimeArray<double>& p,
                                      std::span<const RuntimeArray<double>> equilibria);
+
+/// The sizes at the equilibria that the model counts at these points of the parameter space, one or more.
+std::vector<double> coordinate_sizes(const SearchedModel& model, std::span<const RuntimeArray<double>> points,
+                                     const RunOptions& run);
 
 }  // namespace equilibria
 

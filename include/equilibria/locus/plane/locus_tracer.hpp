@@ -3,9 +3,9 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
-#include <iterator>
 #include <limits>
 #include <numbers>
 #include <optional>
@@ -267,15 +267,13 @@ private:
     void trace_from_infinity() {
         if (model_.sizes().coordinates == 0) return;
         const Window& w = locus_.window;
-        std::vector<RuntimeArray<double>> equilibria;
-        RuntimeArray<double> p = locus_.parameters;
-        for (const double part : {0.21, 0.79}) {
+        const auto inside = [&](double part) {
+            RuntimeArray<double> p = locus_.parameters;
             p[x_number()] = w.x.low + part * w.width();
             p[y_number()] = w.y.low + part * w.height();
-            auto there = model_.count(p, run_).at;
-            std::ranges::move(there, std::back_inserter(equilibria));
-        }
-        const auto sizes = coordinate_sizes(model_, p, equilibria);
+            return p;
+        };
+        const auto sizes = coordinate_sizes(model_, std::array{inside(0.21), inside(0.79)}, run_);
         InfinityCurveTracer tracer(model_, {x_number(), y_number()}, locus_.parameters, w, sizes, run_);
         for (const int axis : {0, 1}) {
             const auto& lines = seeds_.lines(axis);

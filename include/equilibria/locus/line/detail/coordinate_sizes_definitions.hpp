@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 
 #include <equilibria/locus/line/coordinate_sizes.hpp>
 #include <equilibria/system/unit_scaling.hpp>
@@ -27,6 +28,14 @@ EQUILIBRIA_INLINE std::vector<double> coordinate_sizes(const SearchedModel& mode
         y.push_back(largest > 1e-6 * unit ? largest : unit);
     }
     return y;
+}
+
+EQUILIBRIA_INLINE std::vector<double> coordinate_sizes(const SearchedModel& model,
+                                                       std::span<const RuntimeArray<double>> points,
+                                                       const RunOptions& run) {
+    std::vector<RuntimeArray<double>> equilibria;
+    for (const auto& p : points) std::ranges::move(model.count(p, run).at, std::back_inserter(equilibria));
+    return coordinate_sizes(model, points.front(), equilibria);
 }
 
 }  // namespace equilibria

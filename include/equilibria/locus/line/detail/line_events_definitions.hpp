@@ -3,10 +3,10 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <complex>
 #include <cstdint>
-#include <iterator>
 #include <limits>
 #include <sstream>
 #include <string>
@@ -284,13 +284,8 @@ private:
     /// What comes from infinity, and goes there.
     void add_from_infinity() {
         if (model_.sizes().coordinates == 0) return;
-        std::vector<RuntimeArray<double>> equilibria;
-        for (const double part : {first_part, second_part}) {
-            auto there = model_.count(at(found_.range.low + part * found_.range.width()), run_).at;
-            std::ranges::move(there, std::back_inserter(equilibria));
-        }
-        const auto sizes =
-            coordinate_sizes(model_, at(found_.range.low + first_part * found_.range.width()), equilibria);
+        const auto inside = [&](double part) { return at(found_.range.low + part * found_.range.width()); };
+        const auto sizes = coordinate_sizes(model_, std::array{inside(first_part), inside(second_part)}, run_);
         const auto search = search_infinity(model_, p_, active_, found_.range, sizes, run_);
         found_.infinity_paths = search.paths;
         found_.infinity_values = search.solutions;

@@ -6,6 +6,7 @@
 #include <array>
 #include <atomic>
 #include <chrono>
+#include <cmath>
 #include <cstdint>
 #include <numeric>
 #include <optional>
@@ -122,29 +123,40 @@ private:
         EndpointStore& ends = paths.ends();
         std::atomic<std::int64_t> tracking = 0, working = 0;
         const auto now = [] { return std::chrono::steady_clock::now().time_since_epoch().count(); };
-        const auto track_from = [&](std::size_t first, std::size_t last, std::vector<Endpoint>& block) {
+        const auto track_all = [&](std::size_t first, std::size_t last) {
             const auto started = now();
             std::vector<std::uint64_t> numbers(last - first);
             std::iota(numbers.begin(), numbers.end(), first);
-            block.resize(numbers.size());
-            track_block(numbers, block);
+            std::vector<Endpoint> tracked(numbers.size());
+            track_block(numbers, tracked);
             tracking += now() - started;
+            working += now() - started;
+            return tracked;
+        };
+        const auto end_block = [&](std::span<Endpoint> block, std::size_t first) {
+            const auto started = now();
             polish(block);
             const std::uint64_t retracked = finish(block, first);
             working += now() - started;
             return retracked;
         };
+        const auto track_from = [&](std::size_t first, std::size_t last, std::vector<Endpoint>& block) {
+            block = track_all(first, last);
+            return end_block(block, first);
+        };
         report(ends.finished(), ends.size());
         if (run_->ranks.several()) {
             share_blocks(ends, track_from);
         } else {
-            run_->executor.for_blocks(ends.size(), ends.block(), [&](std::size_t first, std::size_t last) {
-                const std::uint64_t which = first / ends.block();
-                if (ends.has_block(which) || run_->cancelled()) return;
-                std::vector<Endpoint> block;
-                const std::uint64_t retracked = track_from(first, last, block);
-                ends.put(which, block, retracked);
-                report(last - first, ends.size());
+            const std::size_t length = ends.block();
+            run_->executor.for_blocks(ends.size(), together(ends), [&](std::size_t first, std::size_t last) {
+                if (ends.has_block(first / length) || run_->cancelled()) return;
+                std::vector<Endpoint> tracked = track_all(first, last);
+                for (std::size_t at = first; at < last && !run_->cancelled(); at += length) {
+                    const auto block = std::span(tracked).subspan(at - first, std::min(length, last - at));
+                    ends.put(at / length, block, end_block(block, at));
+                    report(block.size(), ends.size());
+                }
             });
         }
         // the trackers' share, polishing and endgames left out
@@ -199,6 +211,18 @@ private:
         if (run_->cancel || run_->is_told_apart()) return shared_block(size);
         if (run_->executor.workers() == 1) return 4096;
         return std::clamp<std::size_t>(size / (8 * run_->executor.workers()), 8 * native_lanes, 4096);
+    }
+    /// How many paths are tracked at once, a multiple of the block: all of a block; or, where a run may be cancelled
+    /// and blocks are small, so many blocks that lanes stay filled and their tracking takes about a tenth of a second.
+    /// What factorisations cost grows with the cube of the unknowns.
+    std::size_t together(const EndpointStore& ends) const {
+        const std::size_t block = ends.block();
+        if (!run_->cancel || run_->is_told_apart()) return block;
+        constexpr double paths_of_one_unknown = 2e6, most = 1024;
+        const double paths = std::min(paths_of_one_unknown / std::pow(homotopy_->sizes().unknowns, 3), most);
+        const std::size_t workers = run_->executor.workers();
+        const auto fair = workers == 1 ? paths : std::min(paths, static_cast<double>(ends.size() / (8 * workers)));
+        return block * std::max<std::size_t>(static_cast<std::size_t>(fair) / block, 1);
     }
     void report(std::uint64_t more, std::uint64_t all) {
         if (!run_->progress || !run_->ranks.first()) return;

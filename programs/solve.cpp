@@ -12,6 +12,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <exception>
+#include <map>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -179,9 +180,17 @@ void print_verdicts(const Json& r) {
         std::printf("%llu distinct roots proved, %llu real, %llu non-real, %llu undecided\n",
                     count(r["proved_distinct"]), count(r["proved_real"]), count(r["proved_non_real"]),
                     count(r["undecided"]));
-    for (const auto& family : r["families"])
-        std::printf("beside them: %s%s\n", family["kind"].get<std::string>().c_str(),
-                    family["degree"].is_null() ? "" : (", degree " + std::to_string(count(family["degree"]))).c_str());
+    std::map<std::string, std::uint64_t> without_degree;  // no walk joined them: they may be one
+    for (const auto& family : r["families"]) {
+        const auto kind = family["kind"].get<std::string>();
+        if (family["degree"].is_null())
+            ++without_degree[kind];
+        else
+            std::printf("beside them: %s, degree %llu\n", kind.c_str(), count(family["degree"]));
+    }
+    for (const auto& [kind, times] : without_degree)
+        std::printf("beside them: %s%s\n", times == 1 ? "" : ("at most " + std::to_string(times) + " times ").c_str(),
+                    kind.c_str());
     for (const auto& away : r["directions_at_infinity"])
         std::printf("to infinity: %llu paths along %s, to roots of its face system (residual %.0e)\n",
                     count(away["paths"]), away["direction"].get<std::string>().c_str(), away["residual"].get<double>());

@@ -127,10 +127,11 @@ Json document(const Command& c, const solve::Input& input, const equilibria::Eve
 
 unsigned long long count(const Json& value) { return value.get<unsigned long long>(); }
 
-std::string shown(const Json& z) {
+/// An unknown of a root; its imaginary part unless the root is real or it is rounding beside the real part.
+std::string shown(const Json& z, bool real) {
     const double re = z[0], im = z[1];
     char text[64];
-    if (std::abs(im) < 5e-9)
+    if (real || std::abs(im) <= 5e-9 * std::abs(re))
         std::snprintf(text, sizeof text, "%.8g", re);
     else
         std::snprintf(text, sizeof text, "%.8g%+.8gi", re, im);
@@ -141,14 +142,15 @@ void print_roots(const Json& r) {
     std::vector<std::size_t> width;
     for (const std::string name : r["unknowns"]) {
         std::size_t most = name.size();
-        for (const auto& root : r["roots"]) most = std::max(most, shown(root["unknowns"][name]).size());
+        for (const auto& root : r["roots"]) most = std::max(most, shown(root["unknowns"][name], root["real"]).size());
         width.push_back(most);
         std::printf(" %*s ", static_cast<int>(most), name.c_str());
     }
     std::printf(" residual  condition\n");
     for (const auto& root : r["roots"]) {
         std::size_t u = 0;
-        for (const auto& z : root["unknowns"]) std::printf(" %*s ", static_cast<int>(width[u++]), shown(z).c_str());
+        for (const auto& z : root["unknowns"])
+            std::printf(" %*s ", static_cast<int>(width[u++]), shown(z, root["real"]).c_str());
         std::printf(" %-8.1e  %.1e", root["residual"].get<double>(), root["condition"].get<double>());
         if (root["singular"])
             std::printf("  %s, multiplicity %d", root["multiplicity_proved"] ? "singular" : "singular, UNDECIDED",

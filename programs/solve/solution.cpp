@@ -39,6 +39,7 @@ equilibria::EveryRoot solve(const Input& input, std::optional<equilibria::StartK
         const auto units = equilibria::unit_scaling(input.system);
         y.found = equilibria::solve_from_start(scaled(input.system, units), y.start, run, {}, equilibria::more_digits);
         y.tracking_seconds = seconds_since(tracking);
+        y.seems_real = equilibria::seem_real(y.found.roots, 0);
         for (auto& root : y.found.roots) units.undo({root.q.begin(), root.q.end()});
         y.confirmed.assign(y.found.roots.size(), 0);
         y.verdict.sentence = "nothing was proved: --no-proof was given";

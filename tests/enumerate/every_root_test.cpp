@@ -102,6 +102,25 @@ TEST_CASE("roots come back in the units of the system", "[every_root]") {
     CHECK(y.proof.certificates[0].radius < 1e-12);
 }
 
+TEST_CASE("multiple roots are real in the units of the system alone", "[every_root]") {
+    const auto seem_real = [](const char* text) {
+        const auto system = sparse_system(parse_phcpack(text));
+        const auto y = every_root(system, fewest_paths(start_bounds(system, {}, true)));
+        CHECK(y.verdict.completeness != Completeness::open);
+        return std::count(y.seems_real.begin(), y.seems_real.end(), 1);
+    };
+    // double roots at x = (4.5 +- 4.9i) 1e-9, y = 0
+    CHECK(seem_real("2\n-3.777893186295716e+23*x^3-15393162788864*x^2*y+3377699720527872*x^2+64*x*y^2-16777216*x"
+                    "+5.587935447692871e-09*y^3-2.384185791015625e-06*y^2-0.00048828125*y;\n"
+                    "-335544320*x^2-0.00390625*x*y+3*x+1.7053025658242404e-13*y^2-8.731149137020111e-11*y"
+                    "-1.4901161193847656e-08;\n") == 0);
+    CHECK(seem_real("1\n(x^2+2^-66)^2;\n") == 0);
+    CHECK(seem_real("1\n(x^2-2^-66)^2;\n") == 2);
+    // in doubles the constant loses 2^-60: u^2 (u^2 + 2^-29), u = x - 3
+    CHECK(seem_real("1\n((x-3)^2+2^-30)^2;\n") == 1);
+    CHECK(seem_real("1\n(x-3)^2*(x-4);\n") == 2);
+}
+
 TEST_CASE("curves beside isolated roots have their dimension and degree", "[every_root]") {
     const EveryRoot circles =
         solved("4\n-2*L*x+2*x*y^2*z^2;\n-2*L*y+2*x^2*y*z^2;\n-2*L*z+2*x^2*y^2*z;\nx^2+y^2+z^2-1;\n");

@@ -1,7 +1,7 @@
 """Generated systems, solved by the programs and held against exact algebra.
 
   scripts/exact [N] [--seeds K] [--classes a,b] [--first-seed S] [--programs DIR]
-  scripts/exact --scale N        the same systems in other units: counts must be the same
+  scripts/exact --scale N [--files DIR]    the same systems in other units: counts must be the same
 
 N systems (default 400), as many of each class as of any other, each solved with K seeds of the programs (default 1). What they say
 is compared with what Singular and PARI/gp compute. A system of which something false is said, with the truth, what was said and a
@@ -166,6 +166,7 @@ def main():
     p.add_argument("--oracle-time", type=float, default=20, help="seconds that an exact computation may take")
     p.add_argument("--allow", type=int, default=0, metavar="W", help="so many wrong answers are no failure")
     p.add_argument("--scale", action="store_true", help="compare systems with themselves in other units")
+    p.add_argument("--files", default="", metavar="DIR", help="with --scale: systems in PHCpack's format as well")
     o = p.parse_args()
     for tool in ("Singular", "gp"):
         if not shutil.which(tool):

@@ -1,16 +1,20 @@
-"""Systems of the literature and the models of examples/ in other units: what is counted must not change.
+"""Systems of the literature, of known.py, of files, and the models of examples/ in other units: what is counted must not change.
 
 Unknowns and equations are multiplied by powers of ten from 1e-9 to 1e9, in rational numbers that are rounded to doubles only at the end.
+Rounding would take multiple roots and roots close together apart: the systems of known.py are multiplied by powers of two, exactly.
 """
 
+import ast
 import json
 import random
+import re
 import time
 from fractions import Fraction
 from math import prod
 from pathlib import Path
 
 import compare
+import known
 import systems
 from polynomials import add, constant, scaled, times, variable
 
@@ -69,17 +73,39 @@ FAMILIES = {
 }
 
 
-def powers(r, n):
-    return [Fraction(10) ** r.randint(-9, 9) for _ in range(n)]
+def powers(r, n, base):
+    return [Fraction(base) ** r.randint(*((-9, 9) if base == 10 else (-30, 30))) for _ in range(n)]
 
 
-def polynomials_text(equations, r):
+def in_units(equations, r, base=10):
+    """Polynomials with each unknown and each equation in another unit."""
     n = len(equations)
-    unknowns, factors = (powers(r, n), powers(r, n)) if r else ([1] * n, [1] * n)
+    unknowns, factors = (powers(r, n, base), powers(r, n, base)) if r else ([1] * n, [1] * n)
     changed = []
     for f, factor in zip(equations, factors):
         changed.append({e: c * factor / prod(s**k for s, k in zip(unknowns, e)) for e, c in f.items()})
     return systems.polynomials(changed, n, most=10**9)
+
+
+def sums_in_units(system, r):
+    """A model of known.py with each coordinate and its potential, or each equation, in another unit."""
+
+    def changed(f):
+        factor = powers(r, 1, 2)[0] if r else 1
+        return {(kind, k, e): c * factor / prod(s**m for s, m in zip(unknowns, e)) for (kind, k, e), c in f.items()}
+
+    unknowns = powers(r, system.n_coordinates, 2) if r else [1] * system.n_coordinates
+    if system.potential is not None:
+        return systems.model(system.n_angles, system.n_coordinates, potential=changed(system.potential))
+    return systems.model(system.n_angles, system.n_coordinates, equations=[changed(f) for f in system.equations])
+
+
+def read(path):
+    """The equations of a file in PHCpack's format, of sums of products."""
+    body = path.read_text().split("\n", 1)[1]
+    unknowns = list(dict.fromkeys(re.findall(r"(?<![\w.])[A-Za-z_]\w*", body)))
+    texts = [" ".join(t.split()).replace("^", "**") for t in body.split(";") if t.strip()]
+    return [known._value(ast.parse(t, mode="eval").body, len(unknowns), unknowns) for t in texts]
 
 
 def model_text(path, r):
@@ -120,8 +146,49 @@ def ask(o, path, angles, unknowns):
     return compare.said_of_model(o.equilibria, path, 1, o.time, o.command, angles)
 
 
+def all_systems(o):
+    """Name to what makes the system's text in the units that a random.Random chooses: text, suffix, angles, unknowns, by index."""
+    y = {}
+
+    def put_polynomials(name, equations, base):
+        def make(r):
+            system = in_units(equations, r, base)
+            return system.text(), "txt", 0, system.coordinates, False
+
+        y[name] = make
+
+    def put_known(name, system):
+        def make(r):
+            changed = sums_in_units(system, r)
+            return changed.text(), "json", system.n_angles, None, system.potential is not None
+
+        y[name] = make
+
+    def put_model(path):
+        def make(r):
+            text, angles, by_index = model_text(path, r)
+            return text, "json", angles, None, by_index
+
+        y[path.stem] = make
+
+    for name, equations in FAMILIES.items():
+        put_polynomials(name, equations, 10)
+    for path in sorted(MODELS.glob("*.json")):
+        put_model(path)
+    for k in range(len(known.POLYNOMIALS) + len(known.MODELS)):
+        system = known.known(k)
+        if system.model:
+            put_known(f"known-{k}", system)
+        else:
+            put_polynomials(f"known-{k}", system.equations, 2)
+    for path in sorted(Path(o.files).glob("*")) if o.files else []:
+        put_polynomials(path.stem, read(path), 10)
+    return y
+
+
 def main(o, folder):
-    names = [*FAMILIES, *(p.stem for p in sorted(MODELS.glob("*.json")))]
+    makers = all_systems(o)
+    names = list(makers)
     results = {name: [] for name in names}
     first = {}
     begin = time.monotonic()
@@ -129,13 +196,8 @@ def main(o, folder):
     for j in range(o.systems + len(names)):
         name, k = names[j % len(names)], j // len(names)
         r = random.Random(f"{o.first_seed}/{name}/{k}") if k else None  # the first time in its own units
-        angles, unknowns, by_index = 0, None, False
-        if name in FAMILIES:
-            system = polynomials_text(FAMILIES[name], r)
-            path, text, unknowns = Path(folder) / f"{name}-{k}.txt", system.text(), system.coordinates
-        else:
-            path = Path(folder) / f"{name}-{k}.json"
-            text, angles, by_index = model_text(MODELS / f"{name}.json", r)
+        text, suffix, angles, unknowns, by_index = makers[name](r)
+        path = Path(folder) / f"{name}-{k}.{suffix}"
         path.write_text(text)
         said = ask(o, path, angles, unknowns)
         now = counts(said, by_index)

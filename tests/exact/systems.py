@@ -58,12 +58,12 @@ def names(words):
 
 def polynomials(equations, n, scale=None, most=80):
     """A system for solve, or None if a program would be right to refuse it, or if it has an unknown that no equation has."""
+    if any(abs(c) > 1e250 or abs(c) < 1e-250 for f in equations for c in f.values()):
+        return None
     equations = [rounded(f) for f in equations]
     if any(degree(f) < 1 for f in equations) or len(equations) != n:
         return None
     if any(all(e[k] == 0 for f in equations for e in f) for k in range(n)):
-        return None
-    if any(abs(c) > 1e250 or abs(c) < 1e-250 for f in equations for c in f.values()):
         return None
     if prod(degree(f) for f in equations) > most:
         return None

@@ -13,6 +13,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include <equilibria/core/compiled.hpp>
@@ -33,7 +34,10 @@ struct EveryRoot {
     StartChoice start;            ///< from which `found` comes
     ComplexRoots<> found;         ///< the account of the paths, and the roots, regular ones first
     std::vector<char> confirmed;  ///< of each root that is singular: its multiplicity, `paths`, was confirmed
-    ProofOfRoots proof;           ///< of the regular ones
+    /// Of each root: no imaginary part is 1e-8 or more, in units in which coefficients are about 1, and no other root
+    /// is its conjugate. What is proved of regular roots is in `proof`.
+    std::vector<char> seems_real;
+    ProofOfRoots proof;                             ///< of the regular ones
     std::vector<Family<RuntimeUnknowns>> families;  ///< curves and surfaces of solutions
     std::vector<DivergingPaths> at_infinity;        ///< explained paths, by their direction
     RootsVerdict verdict;                           ///< what is known of others
@@ -44,6 +48,10 @@ struct EveryRoot {
     /// Isolated roots, each counted once; and real ones among them, of which that is proved.
     std::uint64_t distinct() const;
 };
+
+/// Of each root whether it seems real, as EveryRoot has it. roots: in units in which coefficients are about 1. angles:
+/// how many unknowns are angles, in radians.
+std::vector<char> seem_real(std::span<const Root<RuntimeUnknowns>> roots, int angles);
 
 /// Every isolated root of the system. choice: the start to begin with; a polyhedral one follows where it leaves
 /// something open. Of a cancelled run the verdict is open, and what was not followed is counted. Throws InvalidArgument

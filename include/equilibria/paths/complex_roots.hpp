@@ -5,10 +5,13 @@
 /// and their users know what a real root means.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <complex>
 #include <concepts>
+#include <cstddef>
 #include <cstdint>
+#include <numbers>
 #include <span>
 #include <string>
 #include <utility>
@@ -93,6 +96,25 @@ bool is_real(const Root<M>& root) {
     for (const std::complex<double>& x : root.q)
         if (!(std::abs(x.imag()) < 1e-8 * (1 + std::abs(x)))) return false;
     return true;
+}
+
+/// Whether another root is nearer to root k's complex conjugate than root k is: then it is not real, however small its
+/// imaginary parts are. angles: how many unknowns are angles, in radians.
+template <class M>
+bool conjugate_is_another(std::span<const Root<M>> roots, std::size_t k, int angles) {
+    const auto& q = roots[k].q;
+    double imaginary = 0;
+    for (const std::complex<double>& z : q) imaginary = std::max(imaginary, std::abs(z.imag()));
+    for (std::size_t j = 0; j < roots.size(); ++j) {
+        double apart = 0;
+        for (int u = 0; u < q.size() && apart < imaginary; ++u) {
+            std::complex<double> d = roots[j].q[u] - std::conj(q[u]);
+            if (u < angles) d.real(std::remainder(d.real(), 2 * std::numbers::pi));
+            apart = std::max(apart, std::abs(d));
+        }
+        if (j != k && apart < imaginary) return true;
+    }
+    return false;
 }
 
 /// Start systems are a choice: where one leaves paths undecided, another may not. The first attempt has the seed

@@ -187,7 +187,11 @@ EQUILIBRIA_INLINE EveryEquilibrium equilibria_of(const SparseSystem& system, con
         const Certificate& c = y.proof.certificates[k];
         const double imaginary = largest_imaginary(root);
         RuntimeArray<double> q(n);
-        bool real = c.exists ? c.reality == Reality::real : classifier.is_real(view(root), {q.begin(), q.end()});
+        const bool real = c.exists ? c.reality == Reality::real
+                                   : classifier.is_real(view(root), {q.begin(), q.end()}) &&
+                                         !(root.status == PathStatus::singular &&
+                                           conjugate_is_another(std::span<const Root<RuntimeUnknowns>>(set.roots), k,
+                                                                system.sizes().angles));
         if (c.exists && real)
             for (int u = 0; u < n; ++u) q[u] = root.q[u].real();
         if (!real) {

@@ -9,6 +9,7 @@
 #include <map>
 #include <numbers>
 #include <set>
+#include <span>
 #include <utility>
 
 #include <equilibria/enumerate/detail/explained_paths.hpp>
@@ -120,6 +121,7 @@ EQUILIBRIA_INLINE void undo(const UnitScaling& units, EveryRoot& y) {
         const auto at = static_cast<std::ptrdiff_t>(k);
         y.found.roots.erase(y.found.roots.begin() + at);
         y.confirmed.erase(y.confirmed.begin() + at);
+        y.seems_real.erase(y.seems_real.begin() + at);
         if (k < y.proof.certificates.size()) y.proof.certificates.erase(y.proof.certificates.begin() + at);
     }
     if (too_large > 0) {
@@ -185,6 +187,14 @@ EQUILIBRIA_INLINE void find_all_families(const SparseSystem& system, const RunOp
 EQUILIBRIA_INLINE std::uint64_t EveryRoot::distinct() const {
     std::uint64_t y = proof.distinct;
     for (const char c : confirmed) y += c != 0;
+    return y;
+}
+
+EQUILIBRIA_INLINE std::vector<char> seem_real(std::span<const Root<RuntimeUnknowns>> roots, int angles) {
+    std::vector<char> y;
+    for (std::size_t k = 0; k < roots.size(); ++k)
+        y.push_back(is_real(roots[k]) &&
+                    !(roots[k].status == PathStatus::singular && conjugate_is_another(roots, k, angles)));
     return y;
 }
 
@@ -266,6 +276,7 @@ EQUILIBRIA_INLINE EveryRoot every_root(const SparseSystem& system, const StartCh
     y.families = std::move(best->families);
     y.at_infinity = std::move(best->at_infinity);
     y.verdict = std::move(verdict);
+    y.seems_real = seem_real(y.found.roots, system.sizes().angles);
     detail::undo(units, y);
     y.proof.complete = y.verdict.completeness == Completeness::complete;
     y.proof.reason = y.verdict.sentence;

@@ -42,14 +42,18 @@ inline Json json_of(const EveryRoot& s, std::span<const std::string> names) {
     Json out = json_of(s.found, names);
     const bool proved = !s.proof.certificates.empty() || s.found.roots.empty();
     std::size_t k = 0;
+    std::uint64_t real = 0;
     for (auto& root : out["roots"]) {
+        if (k < s.seems_real.size()) root["real"] = s.seems_real[k] != 0;
         root["multiplicity_proved"] = s.confirmed[k] != 0;
         if (proved && !root["singular"] && k < s.proof.certificates.size()) {
             root["certificate"] = json_of(s.proof.certificates[k]);
             root["real"] = s.proof.certificates[k].reality == Reality::real;
         }
+        real += !root["singular"] && root["real"];
         ++k;
     }
+    out["real"] = real;
     if (proved) {
         out["real"] = s.proof.real;
         add_proof(out, s.proof);

@@ -1,7 +1,8 @@
 """Systems of the literature, of known.py, of files, and the models of examples/ in other units: what is counted must not change.
 
 Unknowns and equations are multiplied by powers of ten from 1e-9 to 1e9, in rational numbers that are rounded to doubles only at the end.
-Rounding would take multiple roots and roots close together apart: the systems of known.py are multiplied by powers of two, exactly.
+Rounding would take multiple roots, roots close together and roots at infinity apart: the systems of known.py and of files are multiplied
+by powers of two, exactly.
 """
 
 import ast
@@ -182,7 +183,7 @@ def all_systems(o):
         else:
             put_polynomials(f"known-{k}", system.equations, 2)
     for path in sorted(Path(o.files).glob("*")) if o.files else []:
-        put_polynomials(path.stem, read(path), 10)
+        put_polynomials(path.stem, read(path), 2)
     return y
 
 

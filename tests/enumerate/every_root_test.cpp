@@ -5,6 +5,7 @@
 #include <cmath>
 #include <complex>
 #include <cstdint>
+#include <numbers>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -119,6 +120,24 @@ TEST_CASE("multiple roots are real in the units of the system alone", "[every_ro
     // in doubles the constant loses 2^-60: u^2 (u^2 + 2^-29), u = x - 3
     CHECK(seem_real("1\n((x-3)^2+2^-30)^2;\n") == 1);
     CHECK(seem_real("1\n(x-3)^2*(x-4);\n") == 2);
+}
+
+TEST_CASE("a root whose conjugate is another root does not seem real, regular or not", "[every_root]") {
+    const auto at = [](std::complex<double> z, PathStatus status) {
+        Root<RuntimeUnknowns> root;
+        root.q = {z};
+        root.status = status;
+        return root;
+    };
+    const double two_pi = 2 * std::numbers::pi;
+    for (const auto status : {PathStatus::finite, PathStatus::singular}) {
+        const std::vector pair{at({1, 1e-9}, status), at({1, -1e-9}, status), at({1 + 1e-8, 1e-17}, status)};
+        CHECK(seem_real(pair, 0) == std::vector<char>{0, 0, 1});
+        const std::vector turned{at({1, 1e-9}, status), at({1 - two_pi, -1e-9}, status)};
+        CHECK(seem_real(turned, 0) == std::vector<char>{1, 1});
+        CHECK(seem_real(turned, 1) == std::vector<char>{0, 0});
+        CHECK(seem_real(std::vector{at({1, 1e-9}, status)}, 0) == std::vector<char>{1});
+    }
 }
 
 TEST_CASE("curves beside isolated roots have their dimension and degree", "[every_root]") {

@@ -34,8 +34,8 @@ struct EveryRoot {
     StartChoice start;            ///< from which `found` comes
     ComplexRoots<> found;         ///< the account of the paths, and the roots, regular ones first
     std::vector<char> confirmed;  ///< of each root that is singular: its multiplicity, `paths`, was confirmed
-    /// Of each root: no imaginary part is 1e-8 or more, in units in which coefficients are about 1, and no other root
-    /// is its conjugate. What is proved of regular roots is in `proof`.
+    /// A mark for each root: no imaginary part is 1e-8 (1 + |x|) or more, in units in which coefficients are about 1,
+    /// and no other root is nearer to its conjugate than itself. What is proved of regular roots is in `proof`.
     std::vector<char> seems_real;
     ProofOfRoots proof;                             ///< of the regular ones
     std::vector<Family<RuntimeUnknowns>> families;  ///< curves and surfaces of solutions
@@ -49,8 +49,8 @@ struct EveryRoot {
     std::uint64_t distinct() const;
 };
 
-/// Of each root whether it seems real, as EveryRoot has it. roots: in units in which coefficients are about 1. angles:
-/// how many unknowns are angles, in radians.
+/// Marks of the roots that seem real, one for each root, as EveryRoot::seems_real has them. roots: in units in which
+/// coefficients are about 1. angles: how many unknowns, the first ones, are angles, in radians.
 std::vector<char> seem_real(std::span<const Root<RuntimeUnknowns>> roots, int angles);
 
 /// Every isolated root of the system. choice: the start to begin with; a polyhedral one follows where it leaves

@@ -193,8 +193,7 @@ EQUILIBRIA_INLINE std::uint64_t EveryRoot::distinct() const {
 EQUILIBRIA_INLINE std::vector<char> seem_real(std::span<const Root<RuntimeUnknowns>> roots, int angles) {
     std::vector<char> y;
     for (std::size_t k = 0; k < roots.size(); ++k)
-        y.push_back(is_real(roots[k]) &&
-                    !(roots[k].status == PathStatus::singular && conjugate_is_another(roots, k, angles)));
+        y.push_back(is_real(roots[k]) && !conjugate_is_another(roots, k, angles));
     return y;
 }
 

@@ -239,6 +239,48 @@ TEST_CASE("curves on which equilibria come from infinity are traced: a line, a c
     CHECK(cross.evidence.from_infinity == 0);
 }
 
+TEST_CASE("a fold curve whose equilibrium goes to infinity ends on the curve of these, with growing steps") {
+    // a^2 x^2 - b x + 1/20 = 0: folds on b^2 = a^2 / 5, at x = b / (2 a^2)
+    const auto locus =
+        in_plane(0, 1, {{-1, 1}, {-1, 1.1}}, [](const auto&, const auto& x, const auto& a, const auto& b) {
+            return a * a * x[0] * x[0] * x[0] / 3.0 - b * x[0] * x[0] / 2.0 + x[0] / 20.0;
+        });
+    INFO(locus.evidence.argument());
+    CHECK(locus.evidence.complete());
+    CHECK(counts(locus) == Counts{0, 0, 2, 2, 2, 2});
+    REQUIRE(locus.curves.size() == 4);
+    for (const auto& curve : locus.curves) {
+        CHECK(curve.points.size() < 8000);
+        const bool first = curve.ends[0] == CurveEnd::infinity;
+        CHECK(curve.ends[first ? 0 : 1] == CurveEnd::infinity);
+        CHECK(curve.ends[first ? 1 : 0] == CurveEnd::border);
+        const auto& end = first ? curve.points.front() : curve.points.back();
+        CHECK(std::hypot(end.x(), end.y()) < 2e-3);
+        for (const auto& at : curve.points)
+            if (&at != &end) CHECK(std::abs(at.y() * at.y() - at.x() * at.x() / 5) < 1e-9);
+    }
+}
+
+TEST_CASE("fold curves end at a point of the plane at which every state is an equilibrium") {
+    const auto locus = in_plane(0, 1, {{-2, 2}, {0, 4}}, [](const auto&, const auto& x, const auto& a, const auto& b) {
+        const auto square = x[0] * x[0];
+        return 4.0 * square * square * a + (5.0 * b - 9.0) * square + 3.5 * x[0] * a * a;
+    });
+    INFO(locus.evidence.argument());
+    CHECK(locus.evidence.complete());
+    CHECK(locus.points.empty());
+    CHECK(counts(locus) == Counts{1, 1, 3, 3});
+    REQUIRE(locus.curves.size() == 2);
+    for (const auto& curve : locus.curves) {
+        CHECK(curve.points.size() < 2000);
+        const bool first = curve.ends[0] == CurveEnd::continuum;
+        CHECK(curve.ends[first ? 0 : 1] == CurveEnd::continuum);
+        const auto& end = first ? curve.points.front() : curve.points.back();
+        CHECK(std::abs(end.x()) < 1e-6);
+        CHECK(std::abs(end.y() - 1.8) < 1e-6);
+    }
+}
+
 TEST_CASE("a parameter that enters by its square has the same locus on both sides of 0") {
     // the cusp catastrophe over a^2 - 1: the fold curves from both cusps meet at a = 0
     const auto mirrored_cusp =

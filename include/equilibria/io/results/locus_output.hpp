@@ -17,15 +17,7 @@
 namespace equilibria {
 
 /// The word for it in JSON and CSV.
-constexpr std::string_view end_name(CurveEnd end) {
-    switch (end) {
-        case CurveEnd::border: return "window";
-        case CurveEnd::closed: return "closed";
-        case CurveEnd::symmetric: return "symmetric";
-        case CurveEnd::step: return "step";
-        default: return "length";
-    }
-}
+constexpr std::string_view end_name(CurveEnd end) { return end == CurveEnd::border ? "window" : to_string(end); }
 
 /// "kind", "points" ([x, y] each) and "ends": why the curve has its first and its last point.
 template <class M>

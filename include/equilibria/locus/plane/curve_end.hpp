@@ -10,6 +10,8 @@ enum class CurveEnd {
     closed,      ///< where it began
     symmetric,   ///< on a symmetric branch, where it meets its mirror image
     degenerate,  ///< next to the border where the step control gave up: the model is degenerate on it (in space alone)
+    infinity,    ///< a coordinate goes to infinity, at a curve on which equilibria do
+    continuum,   ///< at a point of the plane at which equilibria are not isolated
     step,        ///< the step control gave up elsewhere
     length       ///< too many points
 };
@@ -21,6 +23,8 @@ constexpr const char* to_string(CurveEnd end) {
         case CurveEnd::closed: return "closed";
         case CurveEnd::symmetric: return "symmetric";
         case CurveEnd::degenerate: return "degenerate";
+        case CurveEnd::infinity: return "infinity";
+        case CurveEnd::continuum: return "continuum";
         case CurveEnd::step: return "step";
         case CurveEnd::length: return "length";
     }

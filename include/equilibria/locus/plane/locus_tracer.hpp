@@ -23,6 +23,7 @@
 #include <equilibria/locus/plane/locus_seeds.hpp>
 #include <equilibria/locus/plane/pitchfork_curve.hpp>
 #include <equilibria/locus/plane/region_counts.hpp>
+#include <equilibria/locus/plane/scaled_folds.hpp>
 #include <equilibria/model/torus.hpp>
 #include <equilibria/run/elapsed.hpp>
 #include <equilibria/singularity/null_vector.hpp>
@@ -40,7 +41,8 @@ public:
     LocusTracer(const SearchedModel& model, std::span<const int> active, const RuntimeArray<double>& p,
                 const Window& window, const RunOptions& run, const LocusOptions& options)
         : model_(model), functions_(*model.functions), n_(model.unknowns()), system_(*model.polynomials, active),
-          run_(run), options_(options), seeds_(model, system_, p, window, options.lines, run) {
+          run_(run), options_(options), seeds_(model, system_, p, window, options.lines, run),
+          sizes_(Eigen::VectorXd::Ones(n_)) {
         locus_.window = window;
         locus_.parameters = p;
     }
@@ -79,7 +81,7 @@ private:
             kind, system_.active(), runtime_array(at.q), p,
             tangent.allFinite() ? null_vector(runtime_matrix(tangent)) : RuntimeArray<double>(n_));
     }
-    PlaneProblems problems() const { return {&functions_, &system_, locus_.parameters}; }
+    PlaneProblems problems() const { return {&functions_, &system_, locus_.parameters, sizes_}; }
     int x_number() const { return system_.active()[0]; }
     int y_number() const { return system_.active()[1]; }
 
@@ -159,28 +161,57 @@ private:
         constexpr bool folds = std::is_same_v<Curve, Folds>;
         const BranchPoint<Curve> first = points.front();
         BranchPoint<Curve> last = first;
+        ScaledFolds scaled(problems(), model_.sizes().angles, locus_.window, stepper.options());
+        BranchStepper<Curve>* used = &stepper;
+        double standing = 0;  // how far the unknowns alone have moved
+        int points_there = 0;
         while (static_cast<int>(points.size()) < options_.most_points) {
-            auto next = stepper.advance(last);
+            bool near = true;
+            if constexpr (folds) {
+                used = &scaled.stepper_at(last, stepper, *used);
+                near = used == &stepper;
+                if (scaled.may_be_infinite(last))
+                    if (const auto end = scaled.limit(last, locus_.from_infinity)) {
+                        last.q.p = end->x;
+                        last.p = end->y;
+                        points.push_back(last);
+                        return CurveEnd::infinity;
+                    }
+                if (scaled.is_lost(last)) return CurveEnd::step;
+            }
+            auto next = used->advance(last);
             if (!next) return CurveEnd::step;
             const bool leaves = !locus_.window.contains(next->q.p, next->p);
-            if constexpr (folds) {
-                const RuntimeArray<double> v = point_of(last.q, last.p, SingularityKind::fold).v;
-                const EventFunction<Curve> third{"third derivative",
-                                                 [&](const BranchPoint<Curve>& at) { return third_at(at, v); }};
-                std::optional<BranchPoint<Curve>> cusp;
-                if (std::signbit(third.value(last)) != std::signbit(third.value(*next)))
-                    cusp = zero_between(stepper, third, last, *next);
-                if (cusp && put_into_window(*cusp) && !(leaves && is_family(*cusp))) {
-                    points.push_back(*cusp);
-                    if (note_cusp(*cusp)) return CurveEnd::symmetric;
-                    if (leaves && on_border(*cusp)) return CurveEnd::border;
-                }
+            if (stands(last, *next)) {
+                standing += next->step;
+                ++points_there;
+            } else {
+                standing = points_there = 0;
             }
+            if (standing > 0.1) {  // a continuum of equilibria
+                points.erase(points.end() + 1 - points_there, points.end());
+                drop_points_at(points.back());
+                return CurveEnd::continuum;
+            }
+            if constexpr (folds)
+                if (near && standing == 0) {
+                    const RuntimeArray<double> v = point_of(last.q, last.p, SingularityKind::fold).v;
+                    const EventFunction<Curve> third{"third derivative",
+                                                     [&](const BranchPoint<Curve>& at) { return third_at(at, v); }};
+                    std::optional<BranchPoint<Curve>> cusp;
+                    if (std::signbit(third.value(last)) != std::signbit(third.value(*next)))
+                        cusp = zero_between(stepper, third, last, *next);
+                    if (cusp && put_into_window(*cusp) && !(leaves && is_family(*cusp))) {
+                        points.push_back(*cusp);
+                        if (note_cusp(*cusp)) return CurveEnd::symmetric;
+                        if (leaves && on_border(*cusp)) return CurveEnd::border;
+                    }
+                }
             if (leaves) {
-                points.push_back(at_border(stepper, points.back(), *next));
+                points.push_back(at_border(*used, points.back(), *next));
                 return CurveEnd::border;
             }
-            if (points.size() > 2 && closes(stepper, first, last, *next)) {
+            if (points.size() > 2 && closes(*used, first, last, *next)) {
                 points.push_back(first);
                 return CurveEnd::closed;
             }
@@ -190,6 +221,21 @@ private:
         return CurveEnd::length;
     }
 
+    /// Whether a step, not a tiny one, moves the unknowns alone.
+    template <class Point>
+    bool stands(const Point& last, const Point& next) const {
+        const Window& w = locus_.window;
+        return next.step > 1e-4 && std::abs(next.q.p - last.q.p) < 1e-11 * w.width() &&
+               std::abs(next.p - last.p) < 1e-11 * w.height();
+    }
+    /// Where equilibria are not isolated the signs of derivatives are those of rounding.
+    template <class Point>
+    void drop_points_at(const Point& end) {
+        std::erase_if(locus_.points, [&](const RuntimeSingularity<>& at) {
+            return std::abs(at.x() - end.q.p) < 1e-9 * locus_.window.width() &&
+                   std::abs(at.y() - end.p) < 1e-9 * locus_.window.height();
+        });
+    }
     /// Whether the first point of a curve is the seed, and not one that Newton's method went to from there.
     template <class Point>
     bool is_next_to(const Point& start, const Seed& seed) const {
@@ -274,6 +320,7 @@ private:
             return p;
         };
         const auto sizes = coordinate_sizes(model_, std::array{inside(0.21), inside(0.79)}, run_);
+        std::ranges::copy(sizes, sizes_.data() + model_.sizes().angles);
         InfinityCurveTracer tracer(model_, {x_number(), y_number()}, locus_.parameters, w, sizes, run_);
         for (const int axis : {0, 1}) {
             const auto& lines = seeds_.lines(axis);
@@ -316,7 +363,8 @@ private:
         if (!(part > 0 && part <= 1)) return false;
         away.q -= part * step.q;
         away.p -= part * step.p;
-        return stepper.length(away) < 0.25 * stepper.length(step) && stepper.dot(first.tangent, now.tangent) > 0.5;
+        return stepper.length(away) < 0.25 * stepper.length(step) &&
+               stepper.dot(first.tangent, now.tangent) > 0.5 * stepper.length(first.tangent);
     }
 
     /// The point of the curve near `from` (+) chord at which x (axis 0) or y (axis 1) is that of the chord's end.
@@ -425,6 +473,14 @@ private:
                 if (cusp.kind == SingularityKind::cusp && at.q.p == cusp.x() && at.p == cusp.y()) return true;
             return false;
         };
+        // their tangents are of other lengths
+        const ScaledFolds scaled(problems(), model_.sizes().angles, locus_.window, stepper.options());
+        const auto is_far = [&]([[maybe_unused]] const BranchPoint<Curve>& at) {
+            if constexpr (std::is_same_v<Curve, Folds>)
+                return scaled.is_far(at);
+            else
+                return false;
+        };
         for (std::size_t i = 0; i + 1 < curve.size(); ++i) {
             const auto &a = curve[i], &b = curve[i + 1];
             // along a line parallel to an axis the other parameter has rounding for a slope
@@ -433,7 +489,7 @@ private:
             };
             const bool turns[] = {turn(a.tangent.q(0), b.tangent.q(0), locus_.window.width()),
                                   turn(a.tangent.p, b.tangent.p, locus_.window.height())};
-            if (turns[0] == turns[1] || is_cusp(a) || is_cusp(b)) continue;
+            if (turns[0] == turns[1] || is_cusp(a) || is_cusp(b) || is_far(a) || is_far(b)) continue;
             const auto point = zero_between(stepper, slopes[turns[0] ? 0 : 1], a, b);
             if (!point || !locus_.window.contains(point->q.p, point->p)) continue;
             auto at = point_of(point->q, point->p, kind);
@@ -517,6 +573,7 @@ private:
     RunOptions run_;
     LocusOptions options_;
     LocusSeeds seeds_;
+    Eigen::VectorXd sizes_;  ///< of the unknowns: 1 for angles
     Locus<RuntimeUnknowns> locus_;
 };
 

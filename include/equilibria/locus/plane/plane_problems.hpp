@@ -24,9 +24,11 @@ public:
     using Matrix = Eigen::MatrixXd;           ///< n x n, dense
     static constexpr bool symmetric = false;  ///< the division of its rows leaves K unsymmetric
 
-    /// parameters: the entry of x is not read. system: of the plane, has to outlive it.
-    PlaneProblem(const ModelDerivatives<>& model, const CriticalSystem& system, RuntimeArray<double> parameters)
-        : model_(&model), system_(&system), parameters_(std::move(parameters)) {}
+    /// parameters: the entry of x is not read. system: of the plane, has to outlive it. sizes: of the unknowns, in
+    /// lengths; empty: 1.
+    PlaneProblem(const ModelDerivatives<>& model, const CriticalSystem& system, RuntimeArray<double> parameters,
+                 Vector sizes = {})
+        : model_(&model), system_(&system), parameters_(std::move(parameters)), sizes_(std::move(sizes)) {}
 
     /// A function of a continuation problem (continuation/problem.hpp), exact.
     /// \{
@@ -40,6 +42,9 @@ public:
     }
     Vector parameter_derivative_along(const Vector& q, double x, const Vector& v) const {
         return tangent_by_parameter(0, q, x, v);
+    }
+    Vector weights(const Vector& q) const {
+        return sizes_.size() == 0 ? Vector::Ones(q.size()) : Vector(sizes_.cwiseAbs2().cwiseInverse());
     }
     /// \}
     /// dg/dx (axis 0) or dg/dy (axis 1).
@@ -85,6 +90,7 @@ private:
     const ModelDerivatives<>* model_;
     const CriticalSystem* system_;
     RuntimeArray<double> parameters_;
+    Vector sizes_;
 };
 
 /// The same for each value of y.
@@ -92,11 +98,12 @@ struct PlaneProblems {
     const ModelDerivatives<>* model;  ///< with its derivatives
     const CriticalSystem* system;     ///< of the plane; knows the powers that are divided by
     RuntimeArray<double> parameters;  ///< the entries of x and y are not read
+    Eigen::VectorXd sizes{};          ///< of the unknowns, in lengths; empty: 1
     /// The problem in x at this y.
     PlaneProblem operator()(double y) const {
         RuntimeArray<double> p = parameters;
         p[system->active()[1]] = y;
-        return PlaneProblem(*model, *system, std::move(p));
+        return PlaneProblem(*model, *system, std::move(p), sizes);
     }
     /// What changes with y: dg/dy, and (dK/dy) v.
     MemberDerivatives member_derivatives(const Eigen::VectorXd& q, double x, double y, const Eigen::VectorXd& v) const {

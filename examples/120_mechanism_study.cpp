@@ -59,7 +59,7 @@ int main() {
 // clang-format off
 /* Output:
 16 paths: 6 finite, 10 at infinity, 0 singular, 0 failed; 6 distinct roots, 4 real: index 0: 1, 1: 2, 2: 1; Morse relations hold
-6 roots are proved to be distinct, as many as the Laurent mixed volume 6 allows: by Bernstein's theorem there is no other
+6 roots are proved to be distinct, as many as the Laurent mixed volume 6 allows: by Bernstein's theorem there is no other that is isolated
 
 q  1.465440 -0.256309  minors  576.559  167162.7
   s^4 +6.01551 s^3 +38.30231 s^2 +149.28018 s +305.99180

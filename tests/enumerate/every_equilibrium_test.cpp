@@ -3,7 +3,9 @@
 #include <array>
 #include <atomic>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
+#include <string>
 
 #include <equilibria/enumerate/every_equilibrium.hpp>
 #include <equilibria/model/runtime_model.hpp>
@@ -40,6 +42,22 @@ struct Difference {
     int parameters() const { return 0; }
     auto potential(const auto& theta, const auto&, const auto&) const {
         return 4.0 * cos(theta[0] - theta[1]) + 9.0 * sin(theta[0] - theta[1]) - cos(2 * theta[0] - 2 * theta[1]);
+    }
+};
+
+/// n angles, each coupled with each: nothing changes when all turn together.
+struct Coupled {
+    int n;
+    int angles() const { return n; }
+    int coordinates() const { return 0; }
+    int parameters() const { return 0; }
+    auto potential(const auto& theta, const auto&, const auto&) const {
+        auto v = 0.0 * cos(theta[0]);
+        for (int i = 0; i < n; ++i)
+            for (int j = 0; j < i; ++j)
+                v = v + (1 + 0.3 * i + 0.1 * j) *
+                            cos(theta[static_cast<std::size_t>(i)] - theta[static_cast<std::size_t>(j)]);
+        return v;
     }
 };
 
@@ -111,6 +129,22 @@ struct Product {
 };
 
 }  // namespace
+
+TEST_CASE("circles of equilibria are found, or it is said that they were not looked for", "[every_equilibrium]") {
+    // a function on a torus has critical points; those of one that turns with all angles are circles
+    const auto searched = every_equilibrium<Polyhedral>(Coupled{3}, {});
+    CHECK(searched.set.real() == 0);
+    CHECK(!searched.set.families.empty());
+    for (const int n : {6, 8}) {
+        CAPTURE(n);
+        const auto y = every_equilibrium(Coupled{n}, {});
+        CHECK(y.set.roots.empty());
+        CHECK(!y.proof.complete);
+        CHECK(y.set.completeness.completeness == Completeness::open);
+        CHECK(y.set.completeness.missing_at_most == 0);
+        CHECK(y.set.completeness.sentence.find("curves of equilibria") != std::string::npos);
+    }
+}
 
 TEST_CASE("models that are types are proved as those at run time are", "[every_equilibrium]") {
     const auto small = every_equilibrium<QuarticType>({{1 + 1e-15, 1.0}});

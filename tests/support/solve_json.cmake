@@ -54,7 +54,7 @@ expect(ON complete)
 expect_length(3 roots)
 expect(real roots 2 certificate reality)
 
-# systems of the literature: all roots are found and proved, and by Bezout's or Bernstein's theorem there is no other
+# systems of the literature: all roots are found and proved, and by Bezout's or Bernstein's theorem there is no other that is isolated
 file(WRITE ${systems}/cyclic5.txt "5
 a + b + c + d + f;
 a*b + b*c + c*d + d*f + f*a;

@@ -21,6 +21,13 @@ struct ProvedBound {
     std::uint64_t value;  ///< the bound
     std::string name;     ///< of the theorem's number
     std::string theorem;  ///< that it is a bound
+    /// Whether solutions on curves and surfaces count too, so that there are none where as many isolated roots are
+    /// known: by the total degree alone.
+    bool counts_curves() const { return name == "total degree"; }
+    /// What as many proved roots mean.
+    std::string no_other() const {
+        return "by " + theorem + " theorem there is no other" + (counts_curves() ? "" : " that is isolated");
+    }
 };
 
 /// The total degree of the equations in (cos, sin) with the circle equations: by Bezout's theorem the number of roots

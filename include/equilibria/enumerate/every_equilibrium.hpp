@@ -52,6 +52,10 @@ struct ModelToSolve {
 RootsVerdict verdict_of(const ProofOfRoots& proof);
 /// The verdict on a cancelled run.
 void say_stopped(RootsVerdict& verdict, const PathCounts& paths);
+/// The paths of a start that finds curves, up to which it is tracked for their sake.
+inline constexpr std::uint64_t most_paths_for_curves = 2048;
+/// The verdict on a set whose curves were not looked for, as so many paths would have been needed.
+void say_curves_not_searched(RootsVerdict& verdict, ProofOfRoots& proof, const std::optional<ProvedBound>& paths);
 /// What is proved replaces what was measured: indices, and that an equilibrium is not degenerate.
 template <class M>
 void take_proved_indices(RootSet<M>& set, const ProofOfRoots& proof) {
@@ -74,6 +78,21 @@ EveryEquilibriumOf<M> with_verdict(RootSet<M> set, ProofOfRoots proof) {
     take_proved_indices(y.set, y.proof);
     if (y.set.cancelled()) say_stopped(y.set.completeness, y.set.paths);
     return y;
+}
+/// Whether a set is returned as it is. One that is complete by a bound of isolated roots alone may have curves of
+/// equilibria beside it: where it has no root at all, and where the Morse relations, which isolated
+/// equilibria satisfy, do not hold. They are looked for by another start if that has few paths; else it is said.
+template <class M>
+bool is_final(EveryEquilibriumOf<M>& y, const ExactTerms& exact) {
+    if (!y.proof.complete) return false;
+    const auto verdict = y.set.verdict();
+    const bool curves_may_exist = !y.proof.bound->counts_curves() && y.set.families.empty() &&
+                                  (y.proof.bound->value == 0 || (verdict.morse_applies() && !verdict.morse()));
+    if (!curves_may_exist) return true;
+    const auto paths = total_degree_bound(exact);
+    if (paths && paths->value <= most_paths_for_curves) return false;
+    say_curves_not_searched(y.set.completeness, y.proof, paths);
+    return true;
 }
 /// Exact equations in double: what is exactly 0 is no term; nothing where an equation vanishes.
 std::optional<SparseSystem> system_of_exact(const ExactTerms& exact);
@@ -100,7 +119,7 @@ EveryEquilibrium every_equilibrium(const T& model, const RuntimeArray<double>& p
         auto set = enumerate_from<StartSystem>(model, p, run);
         auto proof = prove(model, set, whole);
         y = detail::with_verdict(std::move(set), std::move(proof));
-        if (y.proof.complete || !system || y.set.cancelled()) {
+        if (detail::is_final(y, problem.exact) || !system || y.set.cancelled()) {
             y.set.seconds = clock.seconds();
             return y;
         }
@@ -131,7 +150,7 @@ template <Model M, class StartSystem = LeastCost>
         auto set = enumerate<M, StartSystem>(p, run);
         auto proof = prove(set, whole);
         y = detail::with_verdict(std::move(set), std::move(proof));
-        if (y.proof.complete || !system || y.set.cancelled()) {
+        if (detail::is_final(y, exact) || !system || y.set.cancelled()) {
             y.set.seconds = clock.seconds();
             return y;
         }

@@ -27,8 +27,8 @@ constexpr std::string_view to_string(Completeness completeness) {
 /// The verdict on a set of roots.
 struct RootsVerdict {
     Completeness completeness = Completeness::open;  ///< what is known
-    /// How many isolated roots may be missing, each counted with its multiplicity; 0 unless it is open. Nothing: no
-    /// bound is known.
+    /// How many isolated roots may be missing, each counted with its multiplicity; 0 unless it is open, and where
+    /// curves alone may be missing. Nothing: no bound is known.
     std::optional<std::uint64_t> missing_at_most;
     std::string sentence = "nothing was proved";  ///< the evidence, or what is left, in words
 };
@@ -40,6 +40,7 @@ inline std::string in_words(const RootsVerdict& v) {
         case Completeness::explained: return "COMPLETE BUT FOR WHAT IS EXPLAINED: " + v.sentence + ".";
         case Completeness::open: break;
     }
+    if (v.missing_at_most == 0) return "CURVES MAY BE MISSING: " + v.sentence + ".";
     return (v.missing_at_most ? "AT MOST " + std::to_string(*v.missing_at_most) + " ROOTS MAY BE MISSING: "
                               : std::string("ROOTS MAY BE MISSING: ")) +
            v.sentence + ".";

@@ -112,6 +112,16 @@ EQUILIBRIA_INLINE void say_stopped(RootsVerdict& verdict, const PathCounts& path
         "; " + std::to_string(paths.cancelled) + " paths were not followed to their ends, since the run was stopped";
 }
 
+EQUILIBRIA_INLINE void say_curves_not_searched(RootsVerdict& verdict, ProofOfRoots& proof,
+                                               const std::optional<ProvedBound>& paths) {
+    verdict.completeness = Completeness::open;
+    verdict.sentence += "; curves of equilibria, which it does not count, were not looked for: " +
+                        (paths ? std::to_string(paths->value) + " paths" : "more paths than can be counted") +
+                        " would find them; where nothing changes when angles turn together, fix one of them";
+    proof.complete = false;
+    proof.reason = verdict.sentence;
+}
+
 EQUILIBRIA_INLINE std::optional<SparseSystem> system_of_exact(const ExactTerms& exact) {
     std::vector<SparseTerm> terms;
     for (const auto& t : exact.terms) {

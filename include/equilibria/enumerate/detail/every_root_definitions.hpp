@@ -86,8 +86,8 @@ EQUILIBRIA_INLINE RootsVerdict verdict_of(const RootAttempt& y, const std::vecto
     if (bound && counted == bound->value) {
         v.completeness = Completeness::complete;
         v.missing_at_most = 0;
-        v.sentence = roots + ": as many as the " + bound->name + " " + count(bound->value) + " allows, by " +
-                     bound->theorem + " theorem there is no other";
+        v.sentence =
+            roots + ": as many as the " + bound->name + " " + count(bound->value) + " allows, " + bound->no_other();
         return v;
     }
     if (polyhedral && y.unexplained == 0) {
@@ -228,7 +228,8 @@ EQUILIBRIA_INLINE EveryRoot every_root(const SparseSystem& system, const StartCh
             (polyhedral && of.completeness == verdict.completeness && attempt.counted() == best->counted());
         if (better) best.emplace(std::move(attempt)), verdict = std::move(of);
     };
-    if (choice.kind != StartKind::polyhedral || !may_explain) {
+    const bool has_no_paths = choice.bounds.mixed_volume && *choice.bounds.mixed_volume == 0;
+    if (choice.kind != StartKind::polyhedral || !may_explain || has_no_paths) {
         const auto resort = may_explain ? &detail::track_with_more_digits_but_ends : more_digits;
         take(detail::plain_attempt(in_units, choice, bounds, run, options, resort), false);
         best->start = choice;
@@ -237,7 +238,7 @@ EQUILIBRIA_INLINE EveryRoot every_root(const SparseSystem& system, const StartCh
     const bool stopped_first = best && run.cancelled_anywhere();
     for (int k = 0; k < options.seeds && may_explain && !stopped_first && verdict.completeness == Completeness::open;
          ++k) {
-        if (*choice.bounds.mixed_volume == 0 || (best && best->hidden > 0 && best->hidden == best->unexplained)) break;
+        if (has_no_paths || (best && best->hidden > 0 && best->hidden == best->unexplained)) break;
         const RunOptions again = run.with_seed(run.seed + 0x9e3779b97f4a7c15 * static_cast<std::uint64_t>(k));
         auto attempt = detail::ExplainedPaths(in_units, bounds, again, options).run();
         // what another seed leaves open for the same reasons, the next one does as well
@@ -260,8 +261,7 @@ EQUILIBRIA_INLINE EveryRoot every_root(const SparseSystem& system, const StartCh
             best->found.failures.clear();
         }
     }
-    if (verdict.completeness != Completeness::complete ||
-        (choice.bounds.mixed_volume && *choice.bounds.mixed_volume == 0))
+    if (verdict.completeness != Completeness::complete || has_no_paths)
         if (choice.kind != StartKind::monodromy && !run.cancelled_anywhere())
             detail::find_all_families(in_units, run, options, *best);
     if (run.cancelled_anywhere() && verdict.completeness == Completeness::open) {

@@ -374,7 +374,7 @@ private:
         proof_.complete = proof_.distinct == proof_.bound->value;
         if (proof_.complete)
             proof_.reason = count(proof_.distinct) + " roots are proved to be distinct, as many as " + bound +
-                            " allows: by " + proof_.bound->theorem + " theorem there is no other";
+                            " allows: " + proof_.bound->no_other();
         else if (proof_.distinct == set_.roots.size())
             proof_.reason = "all " + count(proof_.distinct) + " roots found are proved, but the best bound known, " +
                             bound + ", allows more";

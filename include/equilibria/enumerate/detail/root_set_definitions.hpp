@@ -21,7 +21,7 @@ EQUILIBRIA_INLINE std::ostream& write(std::ostream& out, const RootSetSummary& s
     }
     if (verdict.degenerate > 0) out << ", degenerate: " << verdict.degenerate;
     if (verdict.morse_applies())
-        out << (verdict.morse() ? "; Morse relations hold" : "; MORSE RELATIONS VIOLATED: roots are missing");
+        out << (verdict.morse() ? "; Morse relations hold" : "; MORSE RELATIONS VIOLATED: equilibria are missing");
     if (!families.empty()) out << "; NOT ISOLATED: " << families;
     if (paths.singular > on_families) out << "; SINGULAR: equilibria coincide";
     if (verdict.cancelled()) out << "; CANCELLED: " << paths.cancelled << " paths are not finished";

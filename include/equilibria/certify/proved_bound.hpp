@@ -21,12 +21,12 @@ struct ProvedBound {
     std::uint64_t value;  ///< the bound
     std::string name;     ///< of the theorem's number
     std::string theorem;  ///< that it is a bound
-    /// Whether solutions on curves and surfaces count too, so that there are none where as many isolated roots are
-    /// known: by the total degree alone.
-    bool counts_curves() const { return name == "total degree"; }
-    /// What as many proved roots mean.
+    /// Solutions on curves and surfaces count too: there are none where as many isolated roots are known.
+    bool counts_curves = false;
+
+    /// What as many proved roots mean, in words.
     std::string no_other() const {
-        return "by " + theorem + " theorem there is no other" + (counts_curves() ? "" : " that is isolated");
+        return "by " + theorem + " theorem there is no other" + (counts_curves ? "" : " that is isolated");
     }
 };
 
@@ -42,7 +42,7 @@ inline std::optional<ProvedBound> total_degree_bound(const ExactTerms& system) {
         bound = bound * PathCount{static_cast<std::int64_t>(degree) * (i < system.sizes.angles ? 2 : 1), false};
     }
     if (bound.saturated) return {};
-    return ProvedBound{static_cast<std::uint64_t>(bound.value), "total degree", "Bezout's"};
+    return ProvedBound{static_cast<std::uint64_t>(bound.value), "total degree", "Bezout's", true};
 }
 
 /// Of a model's system.

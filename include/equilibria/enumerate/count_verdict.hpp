@@ -18,13 +18,15 @@ struct CountVerdict {
     std::uint64_t distinct;              ///< roots
     std::uint64_t degenerate;            ///< real ones whose Hessian is singular
     std::vector<std::int64_t> by_index;  ///< nondegenerate equilibria of each index 0 .. n
-    bool potential_on_torus;             ///< angles alone, a potential, and no curve was found
+    bool potential_on_torus;             ///< the unknowns are angles alone, and there is a potential
+    bool curves = false;                 ///< curves of solutions were found
 
     bool cancelled() const { return paths->cancelled > 0; }  ///< some paths were not tracked
     /// Whether the Morse relations of the n-torus apply: only angles, a potential, no curve, nothing degenerate, a
-    /// finished run.
-    /// (Singular endpoints that are not real may lie on curves of equilibria.)
-    bool morse_applies() const { return potential_on_torus && degenerate == 0 && paths->singular == 0 && !cancelled(); }
+    /// finished run. (Singular endpoints that are not real may lie on curves of equilibria.)
+    bool morse_applies() const {
+        return potential_on_torus && !curves && degenerate == 0 && paths->singular == 0 && !cancelled();
+    }
     /// The Morse relations hold. False where they do not apply.
     bool morse() const { return morse_applies() && morse_relations(by_index).all(); }
     /// Nothing speaks against the count: the run was not cancelled, no path failed, every root is regular and reached

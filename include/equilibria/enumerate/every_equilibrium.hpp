@@ -86,7 +86,7 @@ template <class M>
 bool is_final(EveryEquilibriumOf<M>& y, const ExactTerms& exact) {
     if (!y.proof.complete) return false;
     const auto verdict = y.set.verdict();
-    const bool curves_may_exist = !y.proof.bound->counts_curves() && y.set.families.empty() &&
+    const bool curves_may_exist = !y.proof.bound->counts_curves && y.set.families.empty() &&
                                   (y.proof.bound->value == 0 || (verdict.morse_applies() && !verdict.morse()));
     if (!curves_may_exist) return true;
     const auto paths = total_degree_bound(exact);

@@ -95,8 +95,9 @@ struct RootSet {
     bool cancelled() const { return paths.cancelled > 0; }
     /// What is to be said of the count of equilibria.
     CountVerdict verdict() const {
-        return {&paths,       &alarms,    distinct(),
-                degenerate(), by_index(), model.sizes.coordinates == 0 && model.has_potential && families.empty()};
+        return {&paths,           &alarms,    distinct(),
+                degenerate(),     by_index(), model.sizes.coordinates == 0 && model.has_potential,
+                !families.empty()};
     }
     /// Whether nothing speaks against the count of equilibria, see CountVerdict.
     bool clean() const { return verdict().clean(); }

@@ -38,7 +38,7 @@ namespace detail {
 EQUILIBRIA_INLINE std::vector<ProvedBound> bounds_of(const StartBounds& bounds, const SparseSystem& system) {
     std::vector<ProvedBound> y;
     if (!bounds.total_degree.saturated)
-        y.push_back({static_cast<std::uint64_t>(bounds.total_degree.value), "total degree", "Bezout's"});
+        y.push_back({static_cast<std::uint64_t>(bounds.total_degree.value), "total degree", "Bezout's", true});
     if (!bounds.multihomogeneous.saturated && bounds.multihomogeneous < bounds.total_degree)
         y.push_back(
             {static_cast<std::uint64_t>(bounds.multihomogeneous.value), "multihomogeneous Bezout number", "Bezout's"});

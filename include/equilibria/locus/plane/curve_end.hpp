@@ -10,8 +10,8 @@ enum class CurveEnd {
     closed,      ///< where it began
     symmetric,   ///< on a symmetric branch, where it meets its mirror image
     degenerate,  ///< next to the border where the step control gave up: the model is degenerate on it (in space alone)
-    infinity,    ///< a coordinate goes to infinity, at a curve on which equilibria do
-    continuum,   ///< at a point of the plane at which equilibria are not isolated
+    infinity,    ///< a coordinate is a million times its usual size, 1e-3 of the window from a curve at infinity
+    continuum,   ///< the unknowns move by .1, the parameters do not: equilibria are not isolated at this point
     step,        ///< the step control gave up elsewhere
     length       ///< too many points
 };

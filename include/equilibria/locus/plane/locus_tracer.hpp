@@ -17,6 +17,7 @@
 #include <equilibria/core/eigen_copies.hpp>
 #include <equilibria/locus/line/coordinate_sizes.hpp>
 #include <equilibria/locus/plane/curve_copies.hpp>
+#include <equilibria/locus/plane/curve_steps.hpp>
 #include <equilibria/locus/plane/infinity_curves.hpp>
 #include <equilibria/locus/plane/locus_options.hpp>
 #include <equilibria/locus/plane/locus_result.hpp>
@@ -42,7 +43,7 @@ public:
                 const Window& window, const RunOptions& run, const LocusOptions& options)
         : model_(model), functions_(*model.functions), n_(model.unknowns()), system_(*model.polynomials, active),
           run_(run), options_(options), seeds_(model, system_, p, window, options.lines, run),
-          sizes_(Eigen::VectorXd::Ones(n_)) {
+          steps_(window, model.sizes().angles), sizes_(Eigen::VectorXd::Ones(n_)) {
         locus_.window = window;
         locus_.parameters = p;
     }
@@ -134,7 +135,7 @@ private:
                                                 std::abs(other.at.y() - seed.at.y()) < 1e-9 * locus_.window.height());
             return;
         }
-        if (extent < 1e-4 && curve.ends[0] != CurveEnd::closed && on_border(*start)) {
+        if (extent < 1e-4 && curve.ends[0] != CurveEnd::closed && steps_.on_border(*start)) {
             claim_near(stepper, whole, curve.kind);  // it touches the window with a cusp
             return;
         }
@@ -182,7 +183,7 @@ private:
             auto next = used->advance(last);
             if (!next) return CurveEnd::step;
             const bool leaves = !locus_.window.contains(next->q.p, next->p);
-            if (stands(last, *next)) {
+            if (steps_.stands(last, *next)) {
                 standing += next->step;
                 ++points_there;
             } else {
@@ -201,17 +202,17 @@ private:
                     std::optional<BranchPoint<Curve>> cusp;
                     if (std::signbit(third.value(last)) != std::signbit(third.value(*next)))
                         cusp = zero_between(stepper, third, last, *next);
-                    if (cusp && put_into_window(*cusp) && !(leaves && is_family(*cusp))) {
+                    if (cusp && steps_.put_into_window(*cusp) && !(leaves && is_family(*cusp))) {
                         points.push_back(*cusp);
                         if (note_cusp(*cusp)) return CurveEnd::symmetric;
-                        if (leaves && on_border(*cusp)) return CurveEnd::border;
+                        if (leaves && steps_.on_border(*cusp)) return CurveEnd::border;
                     }
                 }
             if (leaves) {
-                points.push_back(at_border(*used, points.back(), *next));
+                points.push_back(steps_.at_border(*used, points.back(), *next));
                 return CurveEnd::border;
             }
-            if (points.size() > 2 && closes(*used, first, last, *next)) {
+            if (points.size() > 2 && steps_.closes(*used, first, last, *next)) {
                 points.push_back(first);
                 return CurveEnd::closed;
             }
@@ -221,14 +222,8 @@ private:
         return CurveEnd::length;
     }
 
-    /// Whether a step, not a tiny one, moves the unknowns alone.
-    template <class Point>
-    bool stands(const Point& last, const Point& next) const {
-        const Window& w = locus_.window;
-        return next.step > 1e-4 && std::abs(next.q.p - last.q.p) < 1e-11 * w.width() &&
-               std::abs(next.p - last.p) < 1e-11 * w.height();
-    }
-    /// Where equilibria are not isolated the signs of derivatives are those of rounding.
+    /// Drops the special points at the end of a curve: where equilibria are not isolated, signs of derivatives are
+    /// those of rounding.
     template <class Point>
     void drop_points_at(const Point& end) {
         std::erase_if(locus_.points, [&](const RuntimeSingularity<>& at) {
@@ -247,24 +242,6 @@ private:
     template <class Point>
     bool is_family(const Point& at) const {
         return seeds_.is_family(at.q.p, at.p);
-    }
-    /// Moves a point that is outside by rounding to the border; false where it is further outside.
-    template <class Point>
-    bool put_into_window(Point& at) const {
-        const Window& w = locus_.window;
-        const double x = std::clamp(at.q.p, w.x.low, w.x.high), y = std::clamp(at.p, w.y.low, w.y.high);
-        if (std::abs(x - at.q.p) > 1e-10 * w.width() || std::abs(y - at.p) > 1e-10 * w.height()) return false;
-        at.q.p = x;
-        at.p = y;
-        return true;
-    }
-    template <class Point>
-    bool on_border(const Point& at) const {
-        const Window& w = locus_.window;
-        const auto near = [](double value, const Interval& range) {
-            return std::min(value - range.low, range.high - value) < 1e-9 * range.width();
-        };
-        return near(at.q.p, w.x) || near(at.p, w.y);
     }
     /// How far a curve goes from its first point, in parts of the window.
     double extent_of(const LocusCurve<RuntimeUnknowns>& curve) const {
@@ -349,90 +326,6 @@ private:
         return dot(point.v, before) < 0 ? -third : third;
     }
 
-    /// Whether the step from `last` to `now` passes the first point, in its direction; angles modulo 2 pi.
-    template <class Curve>
-    bool closes(const BranchStepper<Curve>& stepper, const BranchPoint<Curve>& first, const BranchPoint<Curve>& last,
-                const BranchPoint<Curve>& now) const {
-        const auto to = [&](const BranchPoint<Curve>& point) {
-            Direction d = stepper.difference(last, point.q, point.p);
-            for (int i = 0; i + 1 < d.q.size() && i < model_.sizes().angles; ++i) d.q(i + 1) = wrap(d.q(i + 1));
-            return d;
-        };
-        Direction step = to(now), away = to(first);
-        const double part = stepper.dot(away, step) / stepper.dot(step, step);
-        if (!(part > 0 && part <= 1)) return false;
-        away.q -= part * step.q;
-        away.p -= part * step.p;
-        return stepper.length(away) < 0.25 * stepper.length(step) &&
-               stepper.dot(first.tangent, now.tangent) > 0.5 * stepper.length(first.tangent);
-    }
-
-    /// The point of the curve near `from` (+) chord at which x (axis 0) or y (axis 1) is that of the chord's end.
-    template <class Curve>
-    std::optional<BranchPoint<Curve>> where(BranchStepper<Curve>& stepper, const BranchPoint<Curve>& from,
-                                            const Direction& chord, int axis) const {
-        Direction normal{Eigen::VectorXd::Zero(chord.q.size()), axis == 1 ? 1.0 : 0.0};
-        if (axis == 0) normal.q(0) = 1;
-        return stepper.onto(from.q, from.p, chord, normal, from.tangent);
-    }
-    static double& entry(Direction& d, int axis) { return axis == 0 ? d.q(0) : d.p; }
-
-    /// Where the segment from a (inside) to b (outside) leaves the window: on the curve if Newton's method finds it
-    /// there, else on the chord.
-    template <class Curve>
-    BranchPoint<Curve> at_border(BranchStepper<Curve>& stepper, const BranchPoint<Curve>& a,
-                                 const BranchPoint<Curve>& b) const {
-        const Window& w = locus_.window;
-        const double from[] = {a.q.p, a.p}, to[] = {b.q.p, b.p};
-        double part = 1;
-        int axis = 0;
-        double value = to[0];
-        const auto clip = [&](int k, double bound) {
-            if ((from[k] - bound) * (to[k] - bound) < 0 || to[k] == bound) {
-                const double s = (bound - from[k]) / (to[k] - from[k]);
-                if (s < part) part = s, axis = k, value = bound;
-            }
-        };
-        clip(0, w.x.low);
-        clip(0, w.x.high);
-        clip(1, w.y.low);
-        clip(1, w.y.high);
-        Direction chord = stepper.difference(a, b.q, b.p);
-        BranchStepper<Curve>::scale(chord, part);
-        entry(chord, axis) = value - from[axis];
-        const auto exactly = [&](BranchPoint<Curve> point) {
-            (axis == 0 ? point.q.p : point.p) = value;
-            return point;
-        };
-        const auto near = [&](const std::optional<BranchPoint<Curve>>& point) {
-            if (!point) return false;
-            Direction d = stepper.difference(a, point->q, point->p);
-            d.q -= chord.q;
-            d.p -= chord.p;
-            return stepper.length(d) < 0.1;
-        };
-        if (const auto point = where(stepper, a, chord, axis); near(point)) return exactly(*point);
-        // the border itself may be degenerate (a massless link): close to it in quarters of the way, then along the
-        // tangent
-        BranchPoint<Curve> y = a;
-        const double size = axis == 0 ? w.width() : w.height();
-        const auto at = [&](const BranchPoint<Curve>& point) { return axis == 0 ? point.q.p : point.p; };
-        const auto ahead = [&](double share) {
-            Direction d = y.tangent;
-            BranchStepper<Curve>::scale(d, share * (value - at(y)) / entry(d, axis));
-            return d;
-        };
-        while (std::abs(at(y) - value) > 1e-6 * size) {
-            auto closer = where(stepper, y, ahead(0.75), axis);
-            if (!near(closer)) break;
-            y = std::move(*closer);
-        }
-        const Direction end = entry(y.tangent, axis) != 0 ? ahead(1) : chord;
-        y.q = retract(stepper.problem(), y.q, end.q);
-        y.p += end.p;
-        return exactly(std::move(y));
-    }
-
     /// A zero of the third derivative; true if it is a symmetric point, where the curve turns into its mirror image.
     bool note_cusp(const BranchPoint<Folds>& cusp) {
         auto at = point_of(cusp.q, cusp.p, SingularityKind::cusp);
@@ -474,10 +367,9 @@ private:
             return false;
         };
         // their tangents are of other lengths
-        const ScaledFolds scaled(problems(), model_.sizes().angles, locus_.window, stepper.options());
         const auto is_far = [&]([[maybe_unused]] const BranchPoint<Curve>& at) {
             if constexpr (std::is_same_v<Curve, Folds>)
-                return scaled.is_far(at);
+                return ScaledFolds::is_far(at, sizes_, model_.sizes().angles);
             else
                 return false;
         };
@@ -551,8 +443,8 @@ private:
                     if (!(before * after < 0) && before != 0) continue;
                     Direction chord = stepper.difference(curve[i], curve[i + 1].q, curve[i + 1].p);
                     BranchStepper<Curve>::scale(chord, before == 0 ? 0 : before / (before - after));
-                    entry(chord, axis) = -before;
-                    const auto point = where(stepper, curve[i], chord, axis);
+                    CurveSteps::entry(chord, axis) = -before;
+                    const auto point = steps_.where(stepper, curve[i], chord, axis);
                     if (!point || !w.contains(point->q.p, point->p)) continue;
                     const auto at = point_of(point->q, point->p, kind);
                     bool known = false;
@@ -573,6 +465,7 @@ private:
     RunOptions run_;
     LocusOptions options_;
     LocusSeeds seeds_;
+    CurveSteps steps_;
     Eigen::VectorXd sizes_;  ///< of the unknowns: 1 for angles
     Locus<RuntimeUnknowns> locus_;
 };

@@ -32,15 +32,10 @@ public:
         options_.largest_step = 0.05;
     }
 
-    /// The largest coordinate over its size at equilibria of the window; 0 without coordinates.
-    double ratio(const Point& at) const {
-        double y = 0;
-        for (Eigen::Index k = angles_; k < at.q.q.size(); ++k)
-            y = std::max(y, std::abs(at.q.q(k)) / problems_.sizes(k));
-        return y;
+    /// Whether a coordinate is much larger than its size at equilibria of the window. sizes: of all unknowns.
+    static bool is_far(const Point& at, const Eigen::VectorXd& sizes, int angles) {
+        return ratio(at, sizes, angles) > farther;
     }
-    /// Whether that is much larger than 1.
-    bool is_far(const Point& at) const { return ratio(at) > farther; }
     /// Whether it is so large that the equilibrium may be on its way to infinity.
     bool may_be_infinite(const Point& at) const { return ratio(at) > infinite; }
     /// Whether it is larger than any number that double precision tells from infinity here.
@@ -59,9 +54,10 @@ public:
         for (Eigen::Index k = angles_; k < problems.sizes.size(); ++k)
             problems.sizes(k) = std::max(problems.sizes(k), std::abs(at.q.q(k)));
         const double y = at.p;
-        curves_.push_back(std::make_unique<Folds>(std::move(problems), y, window_.width()));
-        steppers_.push_back(std::make_unique<Stepper>(*curves_.back(), options_));
-        return measured(at, *steppers_.back());
+        auto curve = std::make_unique<Folds>(std::move(problems), y, window_.width());
+        stepper_ = std::make_unique<Stepper>(*curve, options_);
+        curve_ = std::move(curve);
+        return measured(at, *stepper_);
     }
 
     /// The point of the plane to which a curve goes whose coordinates grow: on the nearest of the curves on which
@@ -90,6 +86,14 @@ public:
 private:
     static constexpr double farther = 16, infinite = 1e6;
 
+    /// The largest coordinate over its size; 0 without coordinates.
+    static double ratio(const Point& at, const Eigen::VectorXd& sizes, int angles) {
+        double y = 0;
+        for (Eigen::Index k = angles; k < at.q.q.size(); ++k) y = std::max(y, std::abs(at.q.q(k)) / sizes(k));
+        return y;
+    }
+    double ratio(const Point& at) const { return ratio(at, problems_.sizes, angles_); }
+
     /// The stepper, the point having its tangent by it.
     static Stepper& measured(Point& at, Stepper& by) {
         if (auto again = by.assess(at.q, at.p, at.tangent)) {
@@ -104,8 +108,8 @@ private:
     Window window_;
     BranchOptions options_;
     double scale_ = 1;
-    std::vector<std::unique_ptr<Folds>> curves_;
-    std::vector<std::unique_ptr<Stepper>> steppers_;
+    std::unique_ptr<Folds> curve_;  ///< of the stepper
+    std::unique_ptr<Stepper> stepper_;
 };
 
 }  // namespace equilibria::detail

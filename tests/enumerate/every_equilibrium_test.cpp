@@ -128,7 +128,33 @@ struct Product {
     }
 };
 
+/// Three angles of which two differences count, and one of twice an angle: nothing changes when they turn by t (1, 2,
+/// -1).
+struct WeightedDifferences {
+    int angles() const { return 3; }
+    int coordinates() const { return 0; }
+    int parameters() const { return 0; }
+    auto potential(const auto& t, const auto&, const auto&) const {
+        return -0.5 * sin(2 * t[0] - t[1]) - 6.0 * cos(t[0] + t[2]) + 9.0 * cos(t[0] - t[1] - t[2]);
+    }
+};
+
 }  // namespace
+
+TEST_CASE("a singular point of curves is no root where no root is isolated", "[every_equilibrium]") {
+    for (const std::uint64_t seed : {1U, 2U, 3U}) {
+        CAPTURE(seed);
+        const auto y = every_equilibrium(WeightedDifferences{}, {}, {.seed = seed});
+        CHECK(y.proof.complete);
+        CHECK(y.set.roots.empty());
+        CHECK(y.set.equilibria.empty());
+        CHECK(y.proof.certificates.empty());
+        CHECK(y.proof.undecided == 0);
+        CHECK(y.confirmed.empty());
+        CHECK(!y.set.families.empty());
+        CHECK(!y.set.alarms.raised());
+    }
+}
 
 TEST_CASE("circles of equilibria are found, or it is said that they were not looked for", "[every_equilibrium]") {
     // a function on a torus has critical points; those of one that turns with all angles are circles

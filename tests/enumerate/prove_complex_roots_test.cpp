@@ -88,6 +88,30 @@ TEST_CASE("a larger bound than the number of roots does not prove that none is m
     CHECK(proof.reason == "all 7 roots found are proved, but the best bound known, the total degree 8, allows more");
 }
 
+TEST_CASE("points that cannot be roots, since a bound is reached without them, take no more digits") {
+    const auto system = sparse_system(families::katsura(3));
+    auto found = solve_total_degree(system);
+    found.roots.push_back(found.roots.front());
+    for (auto& z : found.roots.back().q) z += 0.1;
+    CHECK(prove(system, found, {{9, "a number", "somebody's"}}).more_digits == 1);
+    auto proof = prove(system, found, bezout_bounds(system));
+    CHECK(proof.complete);
+    CHECK(proof.more_digits == 0);
+    CHECK(proof.undecided == 1);
+    proof.forget(8);
+    CHECK(proof.undecided == 0);
+    CHECK(proof.certificates.size() == 8);
+    const auto real = proof.real, path = proof.certificates[1].path;
+    const bool is_real = proof.certificates[0].reality == Reality::real;
+    proof.forget(0);
+    CHECK(proof.distinct == 7);
+    CHECK(proof.real == real - is_real);
+    CHECK(proof.real + proof.non_real == 7);
+    CHECK(proof.certificates[0].path == path);
+    proof.forget(7);
+    CHECK(proof.distinct == 7);
+}
+
 TEST_CASE("an equation that is a constant has no total-degree start") {
     const PolynomialSystem<double> system{{"x", "y"}, {{{1, {1, 0}}}, {{1, {0, 0}}}}};
     CHECK_THROWS_WITH(solve_total_degree(sparse_system(system)), "degree of equation 1 = 0: must be at least 1");

@@ -229,6 +229,12 @@ def wrong(system, truth, said):
             y.append(f"families of dimension {d} have degree {k} in sum: true is {truth.families[d]}")
     if said.complete and truth.families and not said.families and "families" in said.document and not system.model:
         y.append("complete, and families of solutions are not named")
+    if system.model:
+        named = said.document.get("families", [])
+        if named and not truth.families and not truth.turns:
+            y.append(f"families are named that do not exist: {named[0]}")
+        if claimed and (truth.families or truth.turns) and not named and "isolated" not in said.reason:
+            y.append(f"{claim}: families of solutions are neither named nor excepted")
 
     for r in said.roots:
         k, d, multiplicities = places.near(r["point"])

@@ -22,7 +22,7 @@ from pathlib import Path
 import compare
 import parameters
 import systems
-from oracle import Oracle, Slow, trigonometric_system
+from oracle import Oracle, Slow, trigonometric_system, turning_truth
 
 CLASSES = [*systems.CLASSES, *parameters.CLASSES]
 ROOT = Path(__file__).resolve().parents[2]
@@ -31,11 +31,14 @@ ROOT = Path(__file__).resolve().parents[2]
 def truth_of(oracle, system):
     if not system.model:
         y = oracle.truth(system.equations, system.n_coordinates, system.scale)
+    elif system.turns and system.n_angles > 2:
+        y = turning_truth()
     else:
         n = 2 * system.n_angles + system.n_coordinates
         scale = [1] * (2 * system.n_angles) + system.scale if system.scale else None
         y = oracle.truth(trigonometric_system(system.sums(), system.n_angles, system.n_coordinates), n, scale)
-    oracle.find_places(y)
+    if not y.turns:
+        oracle.find_places(y)
     return y
 
 

@@ -131,11 +131,13 @@ class Truth:
     """What is true of a system.
 
     roots: (multiplicity, number of roots, number of real ones), of isolated roots; families: {dimension: degree}; places: the
-    value of the form at each isolated root, as (multiplicity, real part, imaginary part) in decimals.
+    value of the form at each isolated root, as (multiplicity, real part, imaginary part) in decimals. turns: every solution
+    is one of a curve, and the families are not known.
     """
 
     def __init__(self):
         self.dimension, self.roots, self.families, self.form, self.places = -1, [], {}, [], []
+        self.turns = False
 
     @property
     def distinct(self):
@@ -251,3 +253,10 @@ def trigonometric_system(sums, n_angles, n_coordinates):
         s = tuple(2 * int(j == 2 * a + 1) for j in range(n))
         equations.append({c: Fraction(1), s: Fraction(1), (0,) * n: Fraction(-1)})
     return equations
+
+
+def turning_truth():
+    """What is true of every model that does not change when angles turn together: no root is isolated. Its curves are not known."""
+    y = Truth()
+    y.turns, y.dimension, y.form = True, 1, [1] * 99
+    return y

@@ -16,10 +16,11 @@ class System:
         self.potential = None  # of a model
         self.model = False
         self.scale = None  # sizes of coordinates that the oracle divides by
+        self.turns = False  # nothing changes when its angles turn together: each solution is one of a curve
 
     @property
     def angles(self):
-        return ["t1", "t2", "t3"][: self.n_angles]
+        return [f"t{k + 1}" for k in range(self.n_angles)]
 
     @property
     def coordinates(self):
@@ -441,6 +442,55 @@ def units(r):
     return model(base.n_angles, base.n_coordinates, potential=f, scale=scale)
 
 
+def orthogonal(r, w):
+    """Harmonics that do not change when the angles turn by multiples of w."""
+    while True:
+        k = [r.choice([-1, 0, 0, 1, 1]) for _ in w]
+        if r.random() < 0.3:
+            k[r.randrange(len(w))] = r.choice([-2, 2])
+        if any(k) and sum(a * b for a, b in zip(k, w)) == 0:
+            return tuple(k)
+
+
+def turning(r):
+    """Models that do not change when all angles, or some, turn together: all of them, some, or with weights."""
+    n = r.choice([2, 2, 3, 3, 3, 4, 4, 5])
+    while True:
+        w = [1] * n if r.random() < 0.6 else [r.choice([-1, 0, 1, 1, 2]) for _ in range(n)]
+        if any(w) and not (n == 2 and 0 in w):
+            break
+    coordinates = r.choice([0, 0, 0, 1]) if n < 4 else 0
+
+    def put_terms(f, terms):
+        for _ in range(terms):
+            e = tuple(r.choice([0, 1]) for _ in range(coordinates))
+            put(f, r.choice(["cos", "cos", "sin"]), orthogonal(r, w), e, coefficient(r))
+
+    def put_powers(f):
+        for k in range(coordinates):
+            put(f, "cos", (0,) * n, tuple(r.choice([2, 2, 4]) if j == k else 0 for j in range(coordinates)), coefficient(r))
+
+    if r.random() < 0.75:
+        f = {}
+        put_terms(f, r.randint(n - 1, n + 2))
+        put_powers(f)
+        y = model(n, coordinates, potential=f)
+    else:
+        equations = []
+        for k in range(n + coordinates):
+            g = {}
+            put_terms(g, r.randint(1, 2))
+            if k >= n:
+                put_powers(g)
+            elif r.random() < 0.3:
+                put(g, "cos", (0,) * n, (0,) * coordinates, coefficient(r))
+            equations.append(g)
+        y = model(n, coordinates, equations=equations)
+    if y:
+        y.turns = True
+    return y
+
+
 CLASSES = {
     "sparse": sparse,
     "dense": dense,
@@ -457,6 +507,7 @@ CLASSES = {
     "symmetric": symmetric,
     "harmonics": harmonics,
     "angles": angles,
+    "turning": turning,
     "potentials": coordinate_potential,
     "mixed": mixed_potential,
     "units": units,

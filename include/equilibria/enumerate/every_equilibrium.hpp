@@ -7,8 +7,10 @@
 /// in the units of that search. Real, not real, and the index are what is proved, where it is.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <unordered_map>
@@ -19,6 +21,7 @@
 #include <equilibria/certify/proved_bound.hpp>
 #include <equilibria/core/compiled.hpp>
 #include <equilibria/core/sorted_order.hpp>
+#include <equilibria/enumerate/alarms.hpp>
 #include <equilibria/enumerate/enumerate.hpp>
 #include <equilibria/enumerate/enumerate_at_run_time.hpp>
 #include <equilibria/enumerate/every_root.hpp>
@@ -69,12 +72,29 @@ void take_proved_indices(RootSet<M>& set, const ProofOfRoots& proof) {
     }
     set.equilibria = in_order(sorted_order(keys), std::move(set.equilibria));
 }
+/// Leaves out the roots that are not proved, where all are known: they are not isolated.
+template <class M>
+void leave_out_unproved(EveryEquilibriumOf<M>& y, const RunOptions& run) {
+    std::uint64_t paths = 0;
+    for (std::size_t k = y.set.roots.size(); k-- > 0;) {
+        if (y.proof.certificates[k].exists) continue;
+        const auto path = y.set.roots[k].path;
+        paths += static_cast<std::uint64_t>(y.set.roots[k].paths);
+        y.set.roots.erase(y.set.roots.begin() + static_cast<std::ptrdiff_t>(k));
+        std::erase_if(y.set.equilibria, [path](const auto& e) { return e.path == path; });
+        y.proof.forget(k);
+    }
+    if (paths == 0) return;
+    y.proof.reason = y.set.completeness.sentence += not_isolated(paths);
+    y.set.alarms = check_alarms(y.set, run.executor, run.ranks);
+}
 /// What a set and its proof say.
 template <class M>
-EveryEquilibriumOf<M> with_verdict(RootSet<M> set, ProofOfRoots proof) {
+EveryEquilibriumOf<M> with_verdict(RootSet<M> set, ProofOfRoots proof, const RunOptions& run) {
     EveryEquilibriumOf<M> y{std::move(set), std::move(proof), {}, {}};
-    y.confirmed.assign(y.set.roots.size(), 0);
     y.set.completeness = verdict_of(y.proof);
+    if (y.proof.complete) leave_out_unproved(y, run);
+    y.confirmed.assign(y.set.roots.size(), 0);
     take_proved_indices(y.set, y.proof);
     if (y.set.cancelled()) say_stopped(y.set.completeness, y.set.paths);
     return y;
@@ -118,7 +138,7 @@ EveryEquilibrium every_equilibrium(const T& model, const RuntimeArray<double>& p
     if (sizes.coordinates == 0 || !system || asked) {
         auto set = enumerate_from<StartSystem>(model, p, run);
         auto proof = prove(model, set, whole);
-        y = detail::with_verdict(std::move(set), std::move(proof));
+        y = detail::with_verdict(std::move(set), std::move(proof), whole);
         if (detail::is_final(y, problem.exact) || !system || y.set.cancelled()) {
             y.set.seconds = clock.seconds();
             return y;
@@ -149,7 +169,7 @@ template <Model M, class StartSystem = LeastCost>
     if (n_coordinates<M> == 0 || !system || asked) {
         auto set = enumerate<M, StartSystem>(p, run);
         auto proof = prove(set, whole);
-        y = detail::with_verdict(std::move(set), std::move(proof));
+        y = detail::with_verdict(std::move(set), std::move(proof), whole);
         if (detail::is_final(y, exact) || !system || y.set.cancelled()) {
             y.set.seconds = clock.seconds();
             return y;

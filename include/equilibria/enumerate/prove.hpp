@@ -64,6 +64,10 @@ struct ProofOfRoots {
     bool complete = false;               ///< no root is missing: `distinct` is the bound
     std::string reason;                  ///< why, or why not, in words
     double seconds = 0;                  ///< of the whole proof
+
+    /// Leaves out the root with the number k, which was taken from the set: its certificate, and what was counted of
+    /// it.
+    void forget(std::size_t k);
 };
 /// The counts and the reason, in words.
 std::ostream& operator<<(std::ostream& out, const ProofOfRoots& p);

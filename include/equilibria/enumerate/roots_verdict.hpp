@@ -33,6 +33,15 @@ struct RootsVerdict {
     std::string sentence = "nothing was proved";  ///< the evidence, or what is left, in words
 };
 
+namespace detail {
+/// What a complete verdict adds where so many paths ended at points that are not proved.
+inline std::string not_isolated(std::uint64_t paths) {
+    return "; " + std::to_string(paths) +
+           (paths == 1 ? " path ends at a singular point, which is therefore not isolated"
+                       : " paths end at singular points, which are therefore not isolated");
+}
+}  // namespace detail
+
 /// The verdict in a sentence: what is said last of a set of roots.
 inline std::string in_words(const RootsVerdict& v) {
     switch (v.completeness) {

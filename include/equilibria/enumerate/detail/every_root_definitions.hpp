@@ -122,10 +122,9 @@ EQUILIBRIA_INLINE void undo(const UnitScaling& units, EveryRoot& y) {
         y.found.roots.erase(y.found.roots.begin() + at);
         y.confirmed.erase(y.confirmed.begin() + at);
         y.seems_real.erase(y.seems_real.begin() + at);
-        if (k < y.proof.certificates.size()) y.proof.certificates.erase(y.proof.certificates.begin() + at);
+        y.proof.forget(k);
     }
     if (too_large > 0) {
-        y.proof.distinct -= std::min(y.proof.distinct, too_large);
         y.verdict = {Completeness::open, too_large,
                      std::to_string(too_large) + " roots are too large for double precision, and not shown"};
     }
@@ -175,11 +174,22 @@ EQUILIBRIA_INLINE void find_all_families(const SparseSystem& system, const RunOp
         const auto at = static_cast<std::ptrdiff_t>(numbers[m]);
         y.found.roots.erase(y.found.roots.begin() + at);
         y.confirmed.erase(y.confirmed.begin() + at);
-        if (numbers[m] < y.proof.certificates.size()) {
-            y.proof.certificates.erase(y.proof.certificates.begin() + at);
-            --y.proof.undecided;
-        }
+        y.proof.forget(numbers[m]);
     }
+}
+
+/// Leaves out the roots that are not proved, where a theorem says that there is no other: they are not isolated.
+EQUILIBRIA_INLINE void leave_out_unproved(RootAttempt& y, RootsVerdict& verdict) {
+    std::uint64_t paths = 0;
+    for (std::size_t k = y.found.roots.size(); k-- > 0;) {
+        if (y.confirmed[k] || k >= y.proof.certificates.size() || y.proof.certificates[k].exists) continue;
+        const auto at = static_cast<std::ptrdiff_t>(k);
+        paths += static_cast<std::uint64_t>(y.found.roots[k].paths);
+        y.found.roots.erase(y.found.roots.begin() + at);
+        y.confirmed.erase(y.confirmed.begin() + at);
+        y.proof.forget(k);
+    }
+    if (paths > 0) verdict.sentence += not_isolated(paths);
 }
 
 }  // namespace detail
@@ -264,6 +274,7 @@ EQUILIBRIA_INLINE EveryRoot every_root(const SparseSystem& system, const StartCh
     if (verdict.completeness != Completeness::complete || has_no_paths)
         if (choice.kind != StartKind::monodromy && !run.cancelled_anywhere())
             detail::find_all_families(in_units, run, options, *best);
+    if (verdict.completeness == Completeness::complete) detail::leave_out_unproved(*best, verdict);
     if (run.cancelled_anywhere() && verdict.completeness == Completeness::open) {
         for (auto& family : best->families) family.degree = 0;  // not all slices were followed
         if (best->found.paths.cancelled == 0) verdict.sentence += "; the run was stopped before more was tried";

@@ -11,7 +11,6 @@
 #include <map>
 #include <numbers>
 #include <optional>
-#include <ostream>
 #include <span>
 #include <string>
 #include <type_traits>
@@ -25,6 +24,7 @@
 #include <equilibria/certify/proved_index.hpp>
 #include <equilibria/core/multiprecision.hpp>
 #include <equilibria/enumerate/detail/mirror_images.hpp>
+#include <equilibria/enumerate/detail/proof_of_roots_definitions.hpp>
 #include <equilibria/enumerate/prove.hpp>
 #include <equilibria/evaluation/point_of.hpp>
 #include <equilibria/run/elapsed.hpp>
@@ -33,12 +33,6 @@
 #include <equilibria/storage/endpoint_bytes.hpp>
 
 namespace equilibria {
-
-EQUILIBRIA_INLINE std::ostream& operator<<(std::ostream& out, const ProofOfRoots& p) {
-    return out << p.distinct << " distinct roots proved, " << p.real << " real, " << p.non_real << " non-real, "
-               << p.undecided << " undecided, " << p.index << " with their index; "
-               << (p.complete ? "complete: " : "not proved complete: ") << p.reason;
-}
 
 namespace detail {
 
@@ -75,12 +69,13 @@ public:
         std::vector<std::size_t> hard;
         for (std::size_t k = 0; k < size; ++k)
             if (!set_.roots[k].singular && !is_image(k) && !settled(k)) hard.push_back(k);
+        if (!others_may_exist(hard)) std::erase_if(hard, [this](std::size_t k) { return !exists(k); });
         with_more_digits(hard);
         certify_images();
         tell_apart();
         std::ranges::sort(proof_.moved, {}, &MovedRoot::root);
         count();
-        conclude();
+        conclude_proof(proof_, size, set_.bound, [this] { return best_bound(); });
         proof_.seconds = begin.seconds();
         return std::move(proof_);
     }
@@ -94,6 +89,7 @@ private:
     bool has_index() const { return set_.equations.symmetric; }
     bool is_image(std::size_t k) const { return mirror_ && mirror_->is_image[k]; }
     bool has_image(std::size_t k) const { return mirror_ && mirror_->image[k] != MirrorImages::none; }
+    bool exists(std::size_t k) const { return proof_.certificates[k].exists; }
     /// Nothing is left that more digits could decide.
     bool settled(std::size_t k) const {
         const Certificate& c = proof_.certificates[k];
@@ -191,6 +187,23 @@ private:
         enclosures_.insert_or_assign(k, std::move(enclosure));
     }
 
+    std::optional<ProvedBound> best_bound() {
+        if (!best_) best_.emplace(set_.smallest_bound());
+        return *best_;
+    }
+    /// Whether roots may exist beside those proved. Where as many are proved as the best bound allows, what is left
+    /// over cannot be one, and more digits would not prove it. hard: the members that more digits are wanted for.
+    bool others_may_exist(const std::vector<std::size_t>& hard) {
+        if (!set_.bound || std::ranges::all_of(hard, [this](std::size_t k) { return exists(k); })) return true;
+        std::uint64_t proved = 0;
+        for (std::size_t k = 0; k < set_.roots.size(); ++k)
+            proved += is_image(k) ? 0U : static_cast<unsigned>(exists(k)) * (has_image(k) ? 2U : 1U);
+        const auto reached = [&](const std::optional<ProvedBound>& bound) {
+            return bound && proved == bound->value && meeting(intervals_).empty();
+        };
+        // the best bound takes its time: it is asked for where it will be needed in any case
+        return !reached(set_.bound) && (proved + 2 * hard.size() >= set_.bound->value || !reached(best_bound()));
+    }
     void with_more_digits(const std::vector<std::size_t>& members) {
         if (members.empty() || options_.most_digits < 34) return;
         const BallSystem<Multiprecision<34>> twice(set_.equations);
@@ -362,27 +375,6 @@ private:
         }
     }
 
-    void conclude() {
-        const auto count = [](std::uint64_t k) { return std::to_string(k); };
-        proof_.bound = set_.bound;
-        if (!proof_.bound) {
-            proof_.reason = "an equation vanishes at these parameters, or the bound is too large to count";
-            return;
-        }
-        if (proof_.distinct < proof_.bound->value) proof_.bound = set_.smallest_bound();
-        const std::string bound = "the " + proof_.bound->name + " " + count(proof_.bound->value);
-        proof_.complete = proof_.distinct == proof_.bound->value;
-        if (proof_.complete)
-            proof_.reason = count(proof_.distinct) + " roots are proved to be distinct, as many as " + bound +
-                            " allows: " + proof_.bound->no_other();
-        else if (proof_.distinct == set_.roots.size())
-            proof_.reason = "all " + count(proof_.distinct) + " roots found are proved, but the best bound known, " +
-                            bound + ", allows more";
-        else
-            proof_.reason = count(proof_.distinct) + " of " + count(set_.roots.size()) +
-                            " roots are proved to be distinct, and " + bound + " allows more";
-    }
-
     const RootsToProve& set_;
     RuntimeSizes sizes_;
     RunOptions run_;
@@ -391,6 +383,7 @@ private:
     EnclosureForm form_;
     std::optional<MirrorImages> mirror_;
     ProofOfRoots proof_;
+    std::optional<std::optional<ProvedBound>> best_;  // once it was asked for
     std::vector<EnclosureInterval> intervals_;
     std::map<std::size_t, Enclosure<double>> enclosures_;  // of those that may be others, or took more digits
     std::map<std::size_t, Enclosure<Most>> sharp_;         // those that took the most digits

@@ -134,8 +134,9 @@ EveryEquilibrium with_proof(const FormulaModel& model, Set set, const RunOptions
         y.set = std::move(set);
         return y;
     }
-    auto proof = prove(model, set, {.seed = run.seed, .executor = run.executor});
-    return detail::with_verdict(std::move(set), std::move(proof));
+    const RunOptions whole{.seed = run.seed, .executor = run.executor};
+    auto proof = prove(model, set, whole);
+    return detail::with_verdict(std::move(set), std::move(proof), whole);
 }
 
 /// The set as the library has it, and as Python shows it; and its proof, or None.

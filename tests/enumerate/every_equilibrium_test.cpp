@@ -128,8 +128,7 @@ struct Product {
     }
 };
 
-/// Three angles of which two differences count, and one of twice an angle: nothing changes when they turn by t (1, 2,
-/// -1).
+/// Three combinations of three angles, which do not change when the angles turn by t (1, 2, -1).
 struct WeightedDifferences {
     int angles() const { return 3; }
     int coordinates() const { return 0; }

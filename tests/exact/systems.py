@@ -453,7 +453,7 @@ def orthogonal(r, w):
 
 
 def turning(r):
-    """Models that do not change when all angles, or some, turn together: all of them, some, or with weights."""
+    """Models that do not change when all angles, or some, turn together, each by its own multiple of an angle."""
     n = r.choice([2, 2, 3, 3, 3, 4, 4, 5])
     while True:
         w = [1] * n if r.random() < 0.6 else [r.choice([-1, 0, 1, 1, 2]) for _ in range(n)]

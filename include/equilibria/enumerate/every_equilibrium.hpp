@@ -7,7 +7,6 @@
 /// in the units of that search. Real, not real, and the index are what is proved, where it is.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -72,7 +71,7 @@ void take_proved_indices(RootSet<M>& set, const ProofOfRoots& proof) {
     }
     set.equilibria = in_order(sorted_order(keys), std::move(set.equilibria));
 }
-/// Leaves out the roots that are not proved, where all are known: they are not isolated.
+/// Leaves out the roots that are not proved, where a theorem says that there is no further isolated one.
 template <class M>
 void leave_out_unproved(EveryEquilibriumOf<M>& y, const RunOptions& run) {
     std::uint64_t paths = 0;
@@ -85,7 +84,7 @@ void leave_out_unproved(EveryEquilibriumOf<M>& y, const RunOptions& run) {
         y.proof.forget(k);
     }
     if (paths == 0) return;
-    y.proof.reason = y.set.completeness.sentence += not_isolated(paths);
+    y.proof.reason = y.set.completeness.sentence += no_further_roots(paths);
     y.set.alarms = check_alarms(y.set, run.executor, run.ranks);
 }
 /// What a set and its proof say.

@@ -65,8 +65,8 @@ struct ProofOfRoots {
     std::string reason;                  ///< why, or why not, in words
     double seconds = 0;                  ///< of the whole proof
 
-    /// Leaves out the root with the number k, which was taken from the set: its certificate, and what was counted of
-    /// it.
+    /// Leaves out the certificate of the root with the number k, which was taken from the set, and what was counted of
+    /// it; nothing where it has none.
     void forget(std::size_t k);
 };
 /// The counts and the reason, in words.

@@ -35,10 +35,10 @@ struct RootsVerdict {
 
 namespace detail {
 /// What a complete verdict adds where so many paths ended at points that are not proved.
-inline std::string not_isolated(std::uint64_t paths) {
-    return "; " + std::to_string(paths) +
-           (paths == 1 ? " path ends at a singular point, which is therefore not isolated"
-                       : " paths end at singular points, which are therefore not isolated");
+inline std::string no_further_roots(std::uint64_t paths) {
+    return paths == 1
+               ? "; so the point where 1 more path ends is no further isolated root"
+               : "; so the points where " + std::to_string(paths) + " more paths end are no further isolated roots";
 }
 }  // namespace detail
 

@@ -169,27 +169,19 @@ EQUILIBRIA_INLINE void find_all_families(const SparseSystem& system, const RunOp
         }
     auto found = name_families(system, suspects, run, options.tracker, options.most_explained);
     y.families = std::move(found.families);
-    for (std::size_t m = roots; m-- > 0;) {
-        if (!found.on_one[m]) continue;
-        const auto at = static_cast<std::ptrdiff_t>(numbers[m]);
-        y.found.roots.erase(y.found.roots.begin() + at);
-        y.confirmed.erase(y.confirmed.begin() + at);
-        y.proof.forget(numbers[m]);
-    }
+    for (std::size_t m = roots; m-- > 0;)
+        if (found.on_one[m]) y.leave_out(numbers[m]);
 }
 
-/// Leaves out the roots that are not proved, where a theorem says that there is no other: they are not isolated.
+/// Leaves out the roots that are not proved, where a theorem says that there is no further isolated one.
 EQUILIBRIA_INLINE void leave_out_unproved(RootAttempt& y, RootsVerdict& verdict) {
     std::uint64_t paths = 0;
     for (std::size_t k = y.found.roots.size(); k-- > 0;) {
         if (y.confirmed[k] || k >= y.proof.certificates.size() || y.proof.certificates[k].exists) continue;
-        const auto at = static_cast<std::ptrdiff_t>(k);
         paths += static_cast<std::uint64_t>(y.found.roots[k].paths);
-        y.found.roots.erase(y.found.roots.begin() + at);
-        y.confirmed.erase(y.confirmed.begin() + at);
-        y.proof.forget(k);
+        y.leave_out(k);
     }
-    if (paths > 0) verdict.sentence += not_isolated(paths);
+    if (paths > 0) verdict.sentence += no_further_roots(paths);
 }
 
 }  // namespace detail

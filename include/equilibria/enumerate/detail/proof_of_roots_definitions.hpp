@@ -2,7 +2,6 @@
 /// What a proof says in the end, and of a set from which roots were taken. See enumerate/prove.hpp.
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <functional>

@@ -33,6 +33,13 @@ struct RootAttempt {
     std::string left;               ///< what they are, in words
     double tracking_seconds = 0;
 
+    /// Takes the root with the number k out of the set, and out of its proof.
+    void leave_out(std::size_t k) {
+        const auto at = static_cast<std::ptrdiff_t>(k);
+        found.roots.erase(found.roots.begin() + at);
+        confirmed.erase(confirmed.begin() + at);
+        proof.forget(k);
+    }
     /// Proved regular roots, and confirmed multiple ones by their multiplicities.
     std::uint64_t counted() const {
         std::uint64_t y = proof.distinct;

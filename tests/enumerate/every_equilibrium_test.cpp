@@ -54,9 +54,7 @@ struct Coupled {
     auto potential(const auto& theta, const auto&, const auto&) const {
         auto v = 0.0 * cos(theta[0]);
         for (int i = 0; i < n; ++i)
-            for (int j = 0; j < i; ++j)
-                v = v + (1 + 0.3 * i + 0.1 * j) *
-                            cos(theta[static_cast<std::size_t>(i)] - theta[static_cast<std::size_t>(j)]);
+            for (int j = 0; j < i; ++j) v = v + (1 + 0.3 * i + 0.1 * j) * cos(theta[i] - theta[j]);
         return v;
     }
 };

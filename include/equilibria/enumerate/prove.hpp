@@ -100,6 +100,11 @@ struct RootsToProve {
 };
 ProofOfRoots prove_roots(const RootsToProve& set, const RunOptions& run, const ProveOptions& options);
 
+/// Whether nothing is missing, by the best bound known, and why. found: how many roots the set has. best: that bound,
+/// asked for where the first one is not reached.
+void conclude_proof(ProofOfRoots& proof, std::size_t found, const std::optional<ProvedBound>& bound,
+                    const std::function<std::optional<ProvedBound>()>& best);
+
 /// equations: those of the model at the parameters of the set.
 template <class M>
 [[gnu::cold]] ProofOfRoots prove_set(const RootSet<M>& set, const ExactTerms& equations,

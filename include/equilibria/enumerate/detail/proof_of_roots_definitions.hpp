@@ -39,8 +39,6 @@ EQUILIBRIA_INLINE void ProofOfRoots::forget(std::size_t k) {
 
 namespace detail {
 
-/// Whether nothing is missing, by the best bound known, and why. found: how many roots the set has. best: that bound,
-/// asked for where the first one is not reached.
 EQUILIBRIA_INLINE void conclude_proof(ProofOfRoots& proof, std::size_t found, const std::optional<ProvedBound>& bound,
                                       const std::function<std::optional<ProvedBound>()>& best) {
     const auto count = [](std::uint64_t k) { return std::to_string(k); };

@@ -177,33 +177,35 @@ TEST_CASE("polynomials known for ill-conditioned roots are solved and proved", "
         }
         return text + ";\n";
     };
+    const auto all_proved = [&](const std::vector<double>& c, std::uint64_t real) {
+        const EveryRoot y = solved(polynomial(c));
+        CHECK(y.proof.distinct == c.size() - 1);
+        CHECK(y.proof.real == real);
+        CHECK(y.verdict.completeness == Completeness::complete);
+    };
     // Wilkinson's: the product of x - k
     std::vector<double> w{1};
-    for (int k = 1; k <= 15; ++k) {
+    for (std::uint64_t k = 1; k <= 20; ++k) {
         std::vector<double> next(w.size() + 1);
-        for (std::size_t i = 0; i < w.size(); ++i) next[i + 1] += w[i], next[i] -= k * w[i];
+        for (std::size_t i = 0; i < w.size(); ++i) next[i + 1] += w[i], next[i] -= static_cast<double>(k) * w[i];
         w = next;
+        if (k % 5 == 0) all_proved(w, k);
     }
-    const EveryRoot wilkinson = solved(polynomial(w));
-    CHECK(wilkinson.proof.real == 15);
-    CHECK(wilkinson.verdict.completeness == Completeness::complete);
     // Chebyshev's: 2 x T_k - T_(k-1)
     std::vector<double> before{1}, t{0, 1};
-    for (int k = 2; k <= 20; ++k) {
+    for (std::uint64_t k = 2; k <= 50; ++k) {
         std::vector<double> next(t.size() + 1);
         for (std::size_t i = 0; i < t.size(); ++i) next[i + 1] += 2 * t[i];
         for (std::size_t i = 0; i < before.size(); ++i) next[i] -= before[i];
         before = t, t = next;
+        if (k % 10 == 0) all_proved(t, k);
     }
-    const EveryRoot chebyshev = solved(polynomial(t));
-    CHECK(chebyshev.proof.real == 20);
-    CHECK(chebyshev.verdict.completeness == Completeness::complete);
-    // Mignotte's: x^8 - 2 (100 x - 1)^2, two real roots 1e-10 apart
-    std::vector<double> m(9);
-    m[8] = 1, m[2] = -20000, m[1] = 400, m[0] = -2;
-    const EveryRoot mignotte = solved(polynomial(m));
-    CHECK(mignotte.proof.real == 4);
-    CHECK(mignotte.verdict.completeness == Completeness::complete);
+    // Mignotte's: x^n - 2 (a x - 1)^2, two real roots 2^(1/2) a^-(n/2 + 1) apart
+    for (const auto& [a, n] : {std::pair<double, std::size_t>{10, 3}, {10, 14}, {10, 25}, {100, 8}, {100, 13}}) {
+        std::vector<double> m(n + 1);
+        m[n] = 1, m[2] -= 2 * a * a, m[1] = 4 * a, m[0] = -2;
+        all_proved(m, n % 2 == 0 ? 4 : 3);
+    }
 }
 
 TEST_CASE("units of unknowns and equations change neither counts nor claims", "[every_root]") {

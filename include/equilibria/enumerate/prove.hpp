@@ -153,5 +153,6 @@ ProofOfRoots prove(const T& model, const RootSet<RuntimeUnknowns>& set, const Ru
 }  // namespace equilibria
 
 #ifndef EQUILIBRIA_COMPILED
+#include <equilibria/enumerate/detail/proof_of_roots_definitions.hpp>
 #include <equilibria/enumerate/detail/prove_definitions.hpp>
 #endif

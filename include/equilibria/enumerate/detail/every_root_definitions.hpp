@@ -82,7 +82,10 @@ EQUILIBRIA_INLINE RootsVerdict verdict_of(const RootAttempt& y, const std::vecto
     RootsVerdict v;
     const std::string roots =
         count(y.proof.distinct) + " regular roots are proved" +
-        (multiple > 0 ? ", " + count(multiple) + " more are counted in confirmed multiple roots" : "");
+        (multiple > 0
+             ? ", " + count(multiple) +
+                   " more are counted in multiple roots or clusters narrower than 1e-12, confirmed with 64 digits"
+             : "");
     if (bound && counted == bound->value) {
         v.completeness = Completeness::complete;
         v.missing_at_most = 0;

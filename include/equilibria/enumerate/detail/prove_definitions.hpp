@@ -24,7 +24,6 @@
 #include <equilibria/certify/proved_index.hpp>
 #include <equilibria/core/multiprecision.hpp>
 #include <equilibria/enumerate/detail/mirror_images.hpp>
-#include <equilibria/enumerate/detail/proof_of_roots_definitions.hpp>
 #include <equilibria/enumerate/prove.hpp>
 #include <equilibria/evaluation/point_of.hpp>
 #include <equilibria/run/elapsed.hpp>

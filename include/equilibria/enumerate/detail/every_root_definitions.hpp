@@ -82,10 +82,9 @@ EQUILIBRIA_INLINE RootsVerdict verdict_of(const RootAttempt& y, const std::vecto
     RootsVerdict v;
     const std::string roots =
         count(y.proof.distinct) + " regular roots are proved" +
-        (multiple > 0
-             ? ", " + count(multiple) +
-                   " more are counted in multiple roots or clusters narrower than 1e-12, confirmed with 64 digits"
-             : "");
+        (multiple > 0 ? ", " + count(multiple) +
+                            " more are counted in multiple roots (to 64 digits; values below 1e-26 count as 0)"
+                      : "");
     if (bound && counted == bound->value) {
         v.completeness = Completeness::complete;
         v.missing_at_most = 0;

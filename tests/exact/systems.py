@@ -178,6 +178,21 @@ def clusters(r):
     return polynomials(equations, 2)
 
 
+def narrow(r):
+    """Roots nearer to each other than doubles show, or one multiple root: about 0 in one unknown, elsewhere in the other."""
+    m = r.choice([2, 2, 2, 3, 4])
+    f = power(variable(1, 0), m, 1)
+    if r.random() < 0.7:
+        by = Fraction(1, 2 ** r.randint(40, 300))
+        f = add(f, scaled(dense_polynomial(r, 1, r.randint(0, m - 1), 5), by))
+    for _ in range(r.randint(0, 2)):
+        f = times(f, add(variable(1, 0), constant(1, nonzero(r))))
+    g = {(0, e[0]): c for e, c in f.items()}
+    h = {(0, e[0]): -c for e, c in dense_polynomial(r, 1, r.randint(1, 2), 3).items()}
+    h = add(add(h, variable(2, 0)), constant(2, nonzero(r)))
+    return polynomials([g, h] if r.random() < 0.4 else turned(r, [g, h]), 2)
+
+
 def multiple(r):
     kind = r.randint(0, 4)
     if kind == 0:  # a square
@@ -496,6 +511,7 @@ CLASSES = {
     "dense": dense,
     "univariate": univariate,
     "clusters": clusters,
+    "narrow": narrow,
     "multiple": multiple,
     "curves": curves,
     "infinity": infinity,

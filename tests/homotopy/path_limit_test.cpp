@@ -64,6 +64,26 @@ TEST_CASE("roots 1e-10 apart are two limits, and a double root is one of multipl
     // of the near roots, whose mean is taken, the value betrays that they are two
     std::vector<PathLimit> false_ones = limits;
     CHECK(local_multiplicity(one, near, {&false_ones[0], &false_ones[1]}, 0, 2).largest_dropped > 1e-17);
+    CHECK(local.confirmed);
+}
+
+TEST_CASE("two roots nearer than 1e-18 are no double root, though no value there is above 1e-26", "[path_limit]") {
+    // (x - 3)^2 (x + 3) x^2 - 2.25e-20 (x - 3), its coefficients rounded
+    const auto columns = polynomial(std::vector<Number>(6, 1.0), {6.75e-20, -2.25e-20, 27, -9, -3, 1});
+    PathLimit limit;
+    limit.kind = LimitKind::singular;
+    limit.z = {3.0};
+    limit.points = {{1e-44, {{std::vector<double>{3, 2.25e-20 / 108}, {0.0}}}}};
+    auto y = local_multiplicity(one, columns, {&limit, &limit}, 0, 2);
+    CHECK(y.multiplicity == 2);
+    CHECK(y.largest_dropped < 1e-26);
+    CHECK_FALSE(y.confirmed);
+    // without the small terms it is one, and the mean of points that are 1e-15 off is moved there
+    const auto twice = polynomial(std::vector<Number>(6, 1.0), {0, 0, 27, -9, -3, 1});
+    limit.points[0].z[0][0] = {3, 1e-28};
+    y = local_multiplicity(one, twice, {&limit, &limit}, 0, 2);
+    CHECK(y.multiplicity == 2);
+    CHECK(y.confirmed);
 }
 
 TEST_CASE("a path whose leading coefficient vanishes goes to infinity, in its direction", "[path_limit]") {

@@ -6,7 +6,9 @@
 /// to the multiplicity of an isolated root, and for ever at a root that is not isolated. Source: B. H. Dayton, Z. Zeng,
 /// Computing the multiplicity structure in solving polynomial systems, Proceedings of ISSAC 2005, 116-123.
 ///
-/// Ranks are decided with 64 digits: the root has to be known to about 30 of them.
+/// Ranks are decided with 64 digits: the root has to be known to about 30 of them. The mean of the roots that this
+/// finds next to the point is then computed to 150 digits, by the traces of their multiplication matrices, and the
+/// ranks are decided again there: simple roots near to each other are no multiple root.
 #pragma once
 
 #include <cstddef>
@@ -21,11 +23,14 @@ namespace equilibria {
 
 /// What the local dual space says of a point.
 struct LocalMultiplicity {
-    int multiplicity = 0;        ///< its dimension; 0: not decided
-    int order = 0;               ///< the order of the series at which the dimension was last seen to grow
+    static constexpr int digits = 150;      ///< with which a multiplicity is confirmed
+    static constexpr double zero = 1e-100;  ///< what counts as 0 then, against the terms of an equation
+    int multiplicity = 0;                   ///< its dimension; 0: not decided
+    int order = 0;                          ///< the order of the series at which the dimension was last seen to grow
     bool grows = false;          ///< the dimension was above `most`, or grew at every order that was looked at
     double smallest_kept = 1;    ///< the smallest pivot that counted, against the terms of an equation
     double largest_dropped = 0;  ///< the largest that did not, or the largest value of an equation at the point
+    bool confirmed = false;      ///< the multiplicity is the same with all digits at the mean of the roots
 };
 
 /// Multiplicity of the target system (`to` of the columns) at the mean of the points number `level` of these singular

@@ -83,7 +83,7 @@ EQUILIBRIA_INLINE RootsVerdict verdict_of(const RootAttempt& y, const std::vecto
     const std::string roots =
         count(y.proof.distinct) + " regular roots are proved" +
         (multiple > 0 ? ", " + count(multiple) +
-                            " more are counted in multiple roots (to 64 digits; values below 1e-26 count as 0)"
+                            " more are counted in multiple roots (to 150 digits; values below 1e-100 count as 0)"
                       : "");
     if (bound && counted == bound->value) {
         v.completeness = Completeness::complete;

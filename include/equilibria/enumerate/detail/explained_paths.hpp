@@ -317,9 +317,7 @@ private:
         }
         const auto paths = static_cast<int>(group.size());
         const LocalMultiplicity local = local_multiplicity(sizes_, columns_, of_group, level, paths);
-        // a gap between what counted as 0 and what did not
-        if (local.multiplicity != paths || !(local.smallest_kept > 1e-13) || !(local.largest_dropped < 1e-27))
-            return false;
+        if (local.multiplicity != paths || !local.confirmed) return false;
         auto root = root_at(mean(of_group), open[group.front()]);
         root.status = PathStatus::singular;
         root.paths = paths;

@@ -317,7 +317,7 @@ std::string truncated_branches(BeamStrain strain) {
             q(M::multiplier) = b[Names::inertia_3];
             return q;
         };
-        BranchStepper<Problem> stepper(problem, options.branch);
+        BranchStepper<Problem> stepper(problem, options.stepping());
         const auto before = stepper.start(spin(momentum - 0.01), momentum - 0.01, 1);
         CriticalPointSolver<Problem> solver(problem);
         const auto point = solver.solve(spin(momentum), momentum);

@@ -183,7 +183,10 @@ Json document(const support::Tracing<P>& t, const Run& run) {
     out["branch"] = Json::array();
     for (std::size_t b = 0; b < t.branches.size(); ++b)
         for (const auto& point : t.branches[b].points) {
-            Json row{{"branch", b}, {"parameter", point.parameter}, {"tip", point.measures}, {"stable", point.stable}};
+            Json row{{"branch", b},
+                     {"parameter", point.parameter},
+                     {"tip", point.measures},
+                     {"stable", equilibria::json_or_null(point.stable)}};
             if (!point.at.empty()) row["at"] = point.at;
             out["branch"].push_back(std::move(row));
         }
@@ -271,7 +274,7 @@ struct Setup {
     std::vector<support::CasePoint> points;
     equilibria::ContinuationOptions options;
     double amplitude;
-    bool both_ways;
+    bool up, down;  ///< where the parameter goes from 0
 };
 
 template <class S>
@@ -336,7 +339,11 @@ void follow(const Command& c, const S& structure, Setup setup) {
     if (c.pictures.asked())
         setup.options.branch.largest_step =
             std::max(setup.options.branch.first_step, 0.3 * setup.options.branch.largest_step);
-    if (c.window) setup.options.range.low = c.window->low, setup.options.range.high = c.window->high;
+    if (c.window) {
+        setup.options.range = {c.window->low, c.window->high};
+        setup.up = c.window->high > 0;
+        setup.down = c.window->low < 0;
+    }
     auto t = tracing_of<S>(setup);
     Run run = run_of(structure);
     if (!c.vtk.empty() || c.pictures.asked())
@@ -346,7 +353,7 @@ void follow(const Command& c, const S& structure, Setup setup) {
         };
     const auto begin = std::chrono::steady_clock::now();
     equilibria::check_derivatives(structure, structure.initial(), 0.0);
-    trace(t, structure, {structure.initial(), setup.options, setup.amplitude, setup.both_ways, !c.first});
+    trace(t, structure, {structure.initial(), setup.options, setup.amplitude, setup.up, setup.down, !c.first});
     run.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 
     if (c.pictures.asked()) c.pictures.draw({1200, 560}, plotted(t, structure, run), plots::buckling);
@@ -358,7 +365,8 @@ void follow(const Command& c, const S& structure, Setup setup) {
 
 void follow_case(const Command& c) {
     const support::BucklingCase s = c.entry->make(c.data);
-    follow(c, s.structure, {c.entry->name, s.parameter, s.value, s.tip, s.points, s.options, s.amplitude, s.both_ways});
+    follow(c, s.structure,
+           {c.entry->name, s.parameter, s.value, s.tip, s.points, s.options, s.amplitude, true, s.both_ways});
 }
 
 void follow_model(const Command& c) {
@@ -368,13 +376,10 @@ void follow_model(const Command& c) {
                 .value = [](const StructureState&, double p) { return p; },
                 .tip = input.measured,
                 .points = {},
-                .options = {},
+                .options = continuation_options(input),
                 .amplitude = 0.02,
-                .both_ways = false};
-    setup.options.range.low = input.low;
-    setup.options.range.high = input.high;
-    setup.options.branch.first_step = input.first_step.value_or(0.01);
-    setup.options.branch.largest_step = input.largest_step.value_or(0.1);
+                .up = input.up,
+                .down = input.down};
     const auto run = [&](const auto& structure) {
         if (const auto loose = equilibria::fem::loose_motion(structure, structure.initial(), 0))
             throw std::runtime_error("the structure moves without a force: " + name_of(input, loose->node) + ", " +

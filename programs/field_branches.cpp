@@ -119,7 +119,7 @@ template <class P>
 Graphs<P> diagrams(const P& problem, const std::vector<VectorXd>& solutions, double start,
                    const equilibria::DiagramOptions& options) {
     Graphs<P> y;
-    equilibria::BranchStepper<P> stepper(problem, options.continuation.branch);
+    equilibria::BranchStepper<P> stepper(problem, options.continuation.stepping());
     for (const VectorXd& q : solutions) {
         const auto point = stepper.start(q, start, 1);
         const bool known = point && std::any_of(y.begin(), y.end(), [&](const auto& graph) {
@@ -145,7 +145,7 @@ void draw(const Command& c, const Field<M>& field, const equilibria::BranchMeasu
             const auto samples =
                 samples_of(edge.branch, how, {}, edge.parent ? &graph.nodes[*edge.parent].point : nullptr);
             for (std::size_t k = 0; k + 1 < samples.size(); ++k) {
-                std::ostringstream& s = samples[k + 1].stable ? stable : unstable;
+                std::ostringstream& s = samples[k + 1].stable.value_or(false) ? stable : unstable;
                 least = std::min(least, samples[k].parameter);
                 most = std::max(most, samples[k].parameter);
                 for (const std::size_t end : {k, k + 1})

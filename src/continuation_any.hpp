@@ -10,6 +10,7 @@
 #include <equilibria/continuation/detail/critical_point_definitions.hpp>
 #include <equilibria/continuation/detail/event_function_definitions.hpp>
 #include <equilibria/continuation/detail/events_definitions.hpp>
+#include <equilibria/continuation/detail/step_correction_definitions.hpp>
 #include <equilibria/continuation/diagrams/detail/branch_graph_definitions.hpp>
 #include <equilibria/continuation/diagrams/detail/deflation_definitions.hpp>
 

@@ -55,7 +55,7 @@ std::string structure_document(Structure which) {
                                                            .value = buckling.value}};
     equilibria::ContinuationOptions options = buckling.options;
     options.branch.largest_step = std::max(options.branch.first_step, 0.3 * options.branch.largest_step);
-    trace(t, structure, {structure.initial(), options, buckling.amplitude, buckling.both_ways});
+    trace(t, structure, {structure.initial(), options, buckling.amplitude, true, buckling.both_ways});
 
     // of the dome how far the apex comes down, of the frame how far the loaded end leaves its plane
     const std::size_t watched = 3 * static_cast<std::size_t>(buckling.tip) + 2;
@@ -70,7 +70,7 @@ std::string structure_document(Structure which) {
         for (const auto& point : branch.points)
             points.push_back({{"load", equilibria::json_of(point.parameter)},
                               {"displacement", displacement(point.measures)},
-                              {"stable", point.stable},
+                              {"stable", equilibria::json_or_null(point.stable)},
                               {"shape", drawn(point.measures)}});
         branches.push_back({{"parent", equilibria::json_or_null(branch.parent)},
                             {"end", branch.end},

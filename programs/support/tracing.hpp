@@ -43,7 +43,8 @@ struct Tracing {
     std::vector<CriticalRow> critical_points{};
     std::vector<BranchRow> branches{};
     std::vector<std::string> unexplained{};
-    std::vector<std::string> families{};  ///< points from which branches leave in all directions: one is followed
+    std::vector<std::string> not_switched{};  ///< bifurcations from which no other branch was found
+    std::vector<std::string> families{};      ///< points from which branches leave in all directions: one is followed
 };
 
 /// Where tracing begins and how far it goes.
@@ -52,7 +53,8 @@ struct TracingStart {
     equilibria::Configuration<P> q;
     equilibria::ContinuationOptions options;
     double amplitude;
-    bool both_ways = false;
+    bool up = true;     ///< towards larger parameters
+    bool down = false;  ///< towards smaller ones
     bool sides = true;  ///< also branches that leave
 };
 
@@ -62,7 +64,7 @@ template <equilibria::ContinuationProblem P>
 class Tracer {
 public:
     Tracer(Tracing<P>& out, const P& problem, const TracingStart<P>& start)
-        : out_(out), start_(start), stepper_(problem, start.options.branch) {}
+        : out_(out), start_(start), stepper_(problem, start.options.stepping()) {}
 
     void run(int direction) {
         const auto first = stepper_.start(start_.q, 0, direction);
@@ -87,8 +89,9 @@ private:
         const equilibria::Branch<P>& branch = branches_.back();
         const std::size_t number = out_.branches.size();
         if (out_.observe)
-            for_each_point(branch, out_.functions, parent,
-                           [&](const auto& q, double p, bool, const std::string&) { out_.observe(number, q, p); });
+            for_each_point(
+                branch, out_.functions, parent,
+                [&](const auto& q, double p, std::optional<bool>, const std::string&) { out_.observe(number, q, p); });
         out_.branches.push_back(
             {samples_of(branch, out_.how, out_.functions, parent), parent_number, to_string(branch.end)});
         for (const auto& found : branch.events) {
@@ -107,6 +110,9 @@ private:
             out_.families.push_back("at " + equilibria::to_text(out_.how.value(point.q, point.p)));
             return;
         }
+        if (starts.empty() && point.kind != equilibria::CriticalKind::isola_center)
+            out_.not_switched.push_back(std::string(to_string(point.kind)) + " at " +
+                                        equilibria::to_text(out_.how.value(point.q, point.p)));
         for (const auto& from : starts) {
             const bool known = std::any_of(branches_.begin(), branches_.end(),
                                            [&](const auto& branch) { return lies_on(stepper_, branch, from); });
@@ -129,18 +135,18 @@ private:
 
 }  // namespace detail
 
-/// Follows the branch from the equilibrium near the start without load, towards larger parameters and, if `both_ways`,
-/// smaller ones, and, if `sides`, all branches that leave it. Throws std::runtime_error where there is no such
-/// equilibrium.
+/// Follows the branch from the equilibrium near the start without load, towards larger parameters if `up`, towards
+/// smaller ones if `down`, and, if `sides`, all branches that leave it. Throws std::runtime_error where there is no
+/// such equilibrium.
 template <equilibria::ContinuationProblem P>
 void trace(Tracing<P>& out, const P& problem, const TracingStart<P>& start) {
     detail::Tracer<P> tracer(out, problem, start);
-    tracer.run(1);
-    if (start.both_ways) tracer.run(-1);
+    if (start.up) tracer.run(1);
+    if (start.down) tracer.run(-1);
 }
 
 /// "parameter", "measures", "critical_points", "branches" (points, stable, parent: a critical point or null, end),
-/// "families", "unexplained_steps".
+/// "not_switched" (bifurcations from which no other branch was found), "families", "unexplained_steps".
 template <class P>
 Json json_of(const Tracing<P>& t) {
     Json points = Json::array(), branches = Json::array();
@@ -155,6 +161,7 @@ Json json_of(const Tracing<P>& t) {
             {"measures", t.how.names},
             {"critical_points", std::move(points)},
             {"branches", std::move(branches)},
+            {"not_switched", t.not_switched},
             {"families", t.families},
             {"unexplained_steps", t.unexplained}};
 }
@@ -173,7 +180,7 @@ void add_branches(equilibria::GnuplotData& data, const Tracing<P>& t, std::size_
     for (const auto& b : t.branches)
         for (std::size_t k = 0; k + 1 < b.points.size(); ++k) {
             // up to a critical point, or from one, at which the stability may change
-            std::ostringstream& s = b.points[k + 1].stable ? stable : unstable;
+            std::ostringstream& s = b.points[k + 1].stable.value_or(false) ? stable : unstable;
             for (const std::size_t end : {k, k + 1})
                 s << b.points[end].measures[x] << ' ' << b.points[end].parameter << '\n';
             s << "\n";
@@ -195,7 +202,12 @@ void print(const Tracing<P>& t) {
                     c["parameter"].template get<double>(), c["nullity"].template get<int>(),
                     inertia(c["inertia_before"]), inertia(c["inertia_after"]), c["iterations"].template get<int>(),
                     c["branch"].template get<std::size_t>());
-    std::printf("%zu branches, %zu unexplained steps\n", t.branches.size(), t.unexplained.size());
+    std::printf("%zu branches, %zu unexplained steps", t.branches.size(), t.unexplained.size());
+    if (t.not_switched.empty())
+        std::puts("");
+    else
+        std::printf(", %zu bifurcations not left\n", t.not_switched.size());
+    for (const std::string& point : t.not_switched) std::printf("NOT LEFT: %s\n", point.c_str());
     for (const std::string& reason : t.unexplained) std::printf("UNEXPLAINED: %s\n", reason.c_str());
     for (const std::string& family : t.families)
         std::printf("Branches leave in every direction %s, turns of one: not followed.\n", family.c_str());

@@ -189,4 +189,5 @@ def continue_branch(
     most_steps: int,
     first_step: float,
     largest_step: float,
+    parameter_weight: float,
 ) -> Dict[str, Any]: ...

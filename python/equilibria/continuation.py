@@ -77,14 +77,16 @@ def follow(
     most_steps: int = 1000,
     first_step: float = 0.05,
     largest_step: float = 0.2,
+    parameter_weight: float = 0.0,
 ) -> Branch:
     """The branch of residual(q, p) = 0 from the solution near q0 at p0 on, towards larger p (direction 1) or smaller p
-    (-1), through folds, until p leaves low .. high.
+    (-1), through folds, until p leaves low .. high: the last point is on that border.
 
     residual(q, p): an array (n,). jacobian(q, p): its derivatives by q, (n, n), a numpy array or a matrix of
     scipy.sparse, always the same of the two. parameter_derivative(q, p): an array (n,); None: central differences.
     symmetric: whether the Jacobian is, as where the residual is the gradient of an energy; then negative eigenvalues
-    are counted. Steps are lengths in (q, p).
+    are counted. Steps are lengths: of q, in its own units, together with parameter_weight times p. parameter_weight:
+    lengths per unit of p; 0: chosen from the start and the window.
 
     Raises InvalidArgument for options out of range, and for derivatives that differ from differences of the residual
     at the start. What the functions raise passes through, KeyboardInterrupt as well.
@@ -123,6 +125,7 @@ def follow(
         most_steps,
         float(first_step),
         float(largest_step),
+        float(parameter_weight),
     )
     found["events"] = [CriticalPoint(**event) for event in found["events"]]
     if not symmetric:

@@ -105,12 +105,13 @@ void add_continuation(py::module_& m) {
         "continue_branch",
         [](const py::function& residual, const py::function& jacobian, const py::object& parameter_derivative,
            const Eigen::VectorXd& q, double p, double low, double high, int direction, bool symmetric, bool sparse,
-           int most_steps, double first_step, double largest_step) {
+           int most_steps, double first_step, double largest_step, double parameter_weight) {
             ContinuationOptions options;
             options.range = {low, high};
             options.most_steps = most_steps;
             options.branch.first_step = first_step;
             options.branch.largest_step = largest_step;
+            options.branch.parameter_weight = parameter_weight;
             const auto with = [&](auto problem) {
                 problem.residual_function = residual;
                 problem.jacobian_function = jacobian;
@@ -125,7 +126,7 @@ void add_continuation(py::module_& m) {
         },
         py::arg("residual"), py::arg("jacobian"), py::arg("parameter_derivative"), py::arg("q"), py::arg("p"),
         py::arg("low"), py::arg("high"), py::arg("direction"), py::arg("symmetric"), py::arg("sparse"),
-        py::arg("most_steps"), py::arg("first_step"), py::arg("largest_step"));
+        py::arg("most_steps"), py::arg("first_step"), py::arg("largest_step"), py::arg("parameter_weight"));
 }
 
 }  // namespace equilibria::python

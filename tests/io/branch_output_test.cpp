@@ -53,7 +53,7 @@ TEST_CASE("branch: samples in their order, critical points and zeros among them"
     const auto from = samples_of(branch, measures(), functions, &branch.events[0].point);
     CHECK(from.size() == samples.size() + 1);
     CHECK(from[0].parameter == branch.events[0].point.p);
-    CHECK(!from[0].stable);
+    CHECK(from[0].stable == false);
 
     const Json c = json_of(branch.events[1].point, measures());
     CHECK(c["kind"] == "fold");
@@ -76,7 +76,7 @@ TEST_CASE("branch: samples in their order, critical points and zeros among them"
     for (std::size_t k = 0; k < samples.size(); ++k) {
         CHECK(lines[k + 1][0] == "0");
         CHECK(std::strtod(lines[k + 1][1].c_str(), nullptr) == samples[k].parameter);
-        CHECK(lines[k + 1][4] == (samples[k].stable ? "1" : "0"));
+        CHECK(lines[k + 1][4] == (samples[k].stable == true ? "1" : "0"));
         CHECK(lines[k + 1][5] == samples[k].at);
     }
     CHECK(lines.back()[0] == "1");

@@ -299,5 +299,7 @@ TEST_CASE("Of a locked beam two folds vanish in a cusp over the coupling") {
     CHECK((cusp.r > 0.9 && cusp.r < 1));
     // from the cusp the curve comes back to the other fold, at the coupling 1
     const auto& last = curve.branch.points.back();
-    CHECK(last.p > 1);
+    CHECK(last.p == Approx(1));
+    CHECK(last.tangent.p > 0);
+    CHECK(std::abs(last.q.p - branch.events[1].point.p) < 1e-8);
 }

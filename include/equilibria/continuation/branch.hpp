@@ -2,6 +2,7 @@
 /// Branches: followed from point to point with everything that happens in between, and left at bifurcations.
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <iterator>
 #include <limits>
@@ -21,11 +22,20 @@ namespace equilibria {
 struct ContinuationOptions {
     BranchOptions branch{};           ///< steps along the branch
     CriticalPointOptions critical{};  ///< Newton's method at critical points
-    /// Of p, in its own unit: the branch ends at the first point outside.
+    /// Window of p, in its own unit: the branch ends on its border. A start outside is led to it, and nothing noted on
+    /// the way.
     Interval range{-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
     int most_steps = 1000;  ///< the branch ends after as many
     /// The branch ends with the step on which it has as many.
     int most_critical_points = std::numeric_limits<int>::max();
+
+    /// The steps, of a span of p that is the range's width where that is finite and no span is given.
+    BranchOptions stepping() const {
+        BranchOptions y = branch;
+        const double width = range.high - range.low;
+        if (y.parameter_span == 0 && std::isfinite(width)) y.parameter_span = width;
+        return y;
+    }
 
     /// Throws InvalidArgument for an option out of range.
     void validate() const {
@@ -40,7 +50,7 @@ struct ContinuationOptions {
 /// Why a branch ends.
 enum class BranchEnd {
     steps,     ///< as many as allowed
-    window,    ///< p left its range
+    window,    ///< p left its range: the last point is on the range's border
     closed,    ///< back at its first point
     stopped,   ///< the smallest step did not converge
     critical,  ///< as many critical points as allowed

@@ -39,7 +39,12 @@ struct BranchOptions {
     StepConstraint constraint = StepConstraint::normal_plane;  ///< what fixes the length of a step
     Predictor predictor = Predictor::cubic;                    ///< where the corrector starts
     Eigen::Index controlled = 0;                               ///< the unknown of StepConstraint::unknown
-    double parameter_weight = 0;  ///< theta; 0: so that the parameter makes half of the first tangent's square
+    /// Theta, in lengths per unit of p; 0: chosen at the start, where it is the largest of three rates. They are
+    /// |dq/dp|, 1 / parameter_span, and, where the start hardly moves, that at which the weakest eigenvalue changes.
+    double parameter_weight = 0;
+    /// Width of the range of p that is followed, in its unit; 0: not known. Where theta is chosen, no step crosses
+    /// more than its length's share of it: a fifth by the default largest_step.
+    double parameter_span = 0;
     /// From so many times the multiplications of a solution on that a factorisation takes, all corrections but the last
     /// one are made by GMRES with the last factors.
     double iterate_from = 75;
@@ -56,6 +61,7 @@ struct BranchOptions {
         require(most_corrections >= 2, "most_corrections", most_corrections, "must be at least 2");
         require(tolerance > 0, "tolerance", tolerance, "must be positive");
         require(parameter_weight >= 0, "parameter_weight", parameter_weight, "must be 0 (chosen) or positive");
+        require(parameter_span >= 0, "parameter_span", parameter_span, "must be 0 (not known) or positive");
         require(iterate_from >= 0, "iterate_from", iterate_from, "must not be negative");
         require(controlled >= 0, "controlled", controlled, "must be the number of an unknown");
         require(resolution >= smallest_step, "resolution", resolution, "must be at least smallest_step");

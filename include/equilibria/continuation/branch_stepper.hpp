@@ -110,6 +110,9 @@ private:
     std::optional<Point> point_of(const AnyConfiguration& q, double p, const Eigen::VectorXd& g,
                                   const WeakDirection& weak, const BorderedSolution& s,
                                   const std::optional<Direction>& along);
+    /// Chooses theta at a point with the weakest direction `weak` and dq/dp = `slope`.
+    void choose_parameter_weight(const AnyConfiguration& q, double p, const WeakDirection& weak,
+                                 const Eigen::VectorXd& slope);
     /// Whether the last factors are worth more than another factorisation.
     bool iterates() const;
     /// What the solver has factored last, where that is worth more than another factorisation.
@@ -227,4 +230,5 @@ private:
 
 #ifndef EQUILIBRIA_COMPILED
 #include <equilibria/continuation/detail/branch_stepper_definitions.hpp>
+#include <equilibria/continuation/detail/step_correction_definitions.hpp>
 #endif

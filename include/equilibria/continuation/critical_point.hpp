@@ -72,6 +72,7 @@ struct CriticalPointEvidence {
     double b = 0;                            ///< half the coefficient of x y
     double c = 0;                            ///< coefficient of y^2
     double curvature = 0;                    ///< p = p_c + curvature x^2 / 2 along phi: of pitchforks and folds
+    double curvature_error = 0;              ///< how far apart two orders of differences have that of a pitchfork
     std::vector<Direction> tangents;         ///< of the branches through the point, up to their lengths
     std::vector<CriticalIteration> history;  ///< every step of Newton's method
     std::optional<int> negative_before;      ///< eigenvalues below 0 before it, on the branch on which it was met

@@ -97,7 +97,7 @@ std::vector<KnockDownCurve<P>> knock_down_curves(const P& perfect, const Critica
     const FoldCurve<ImperfectProblems<P>> curve(problems, 0.0, detail::scale_of_parameter(problems(0.0), start));
     std::vector<KnockDownCurve<P>> halves;
     for (const double side : {1.0, -1.0}) {
-        BranchStepper<FoldCurve<ImperfectProblems<P>>> stepper(curve, options.branch);
+        BranchStepper<FoldCurve<ImperfectProblems<P>>> stepper(curve, options.stepping());
         Direction along{Eigen::VectorXd::Zero(point.null_vector.size() + 1), 0};
         along.q.tail(point.null_vector.size()) = side * point.null_vector;
         auto first = stepper.assess(start, 0, along);

@@ -5,12 +5,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <initializer_list>
-#include <numbers>
 #include <utility>
 #include <vector>
 
 #include <equilibria/continuation/branch.hpp>
+#include <equilibria/continuation/detail/branch_changes.hpp>
+#include <equilibria/continuation/detail/branch_switch.hpp>
+#include <equilibria/continuation/detail/branch_window.hpp>
 #include <equilibria/core/error.hpp>
 
 namespace equilibria {
@@ -39,17 +40,25 @@ public:
         at_ = step + 1;
         const std::vector<double> before = std::exchange(values_, values_at(next));
         for (std::size_t f = 0; f < functions_.size(); ++f) {
-            if (!(before[f] * values_[f] < 0 || (values_[f] == 0 && before[f] != 0))) continue;
+            if (!changes_sign(before[f], values_[f])) continue;
             if (auto zero = zero_between(stepper_, functions_[f], from, next))
                 branch.crossings.push_back({step, f, std::move(*zero)});
             else
                 branch.unexplained.push_back({step, functions_[f].name + " changes sign, and no zero was found"});
         }
     }
+    /// Whether one of them has a zero between two points, as far as their signs tell.
+    bool any_between(const BranchPoint<Erased>& from, const BranchPoint<Erased>& next) const {
+        const std::vector<double> before = values_at(from), after = values_at(next);
+        for (std::size_t f = 0; f < functions_.size(); ++f)
+            if (changes_sign(before[f], after[f])) return true;
+        return false;
+    }
     /// Points have been replaced.
     void forget() { at_.reset(); }
 
 private:
+    static bool changes_sign(double before, double after) { return before * after < 0 || (after == 0 && before != 0); }
     std::vector<double> values_at(const BranchPoint<Erased>& point) const {
         std::vector<double> y;
         for (const auto& function : functions_) y.push_back(function.value(point));
@@ -62,17 +71,58 @@ private:
     std::vector<double> values_;
 };
 
+/// The first point of a branch inside the range of p, and, if it does not come there, why.
+struct BranchEntry {
+    BranchPoint<Erased> point;
+    std::optional<BranchEnd> end;
+};
+/// `start` itself where it is inside and the branch does not leave at once. steps: those that it took.
+template <class Matrix>
+BranchEntry into_window(AnyBranchStepper<Matrix>& stepper, const BranchPoint<Erased>& start,
+                        BranchWindow<Matrix>& window, int most_steps, int& steps) {
+    if (window.inside(start.p)) {
+        if (window.at_border(start.p, start.tangent.p)) return {start, BranchEnd::window};
+        return {start, {}};
+    }
+    BranchPoint<Erased> from = start;
+    std::optional<BranchPoint<Erased>> before;
+    for (steps = 1; steps <= most_steps; ++steps) {
+        // it leads away from the range
+        if ((window.border_before(from.p) > from.p) != (from.tangent.p > 0)) return {start, BranchEnd::window};
+        auto next = stepper.advance(from, before ? &*before : nullptr);
+        if (!next) return {start, BranchEnd::stopped};
+        const double border = window.border_before(from.p);
+        if ((next->p < border) != (from.p < border)) {
+            auto first = window.on_border(from, *next, border);
+            if (!first) return {start, BranchEnd::stopped};
+            first->proposed_step = next->proposed_step;
+            return {*first, {}};
+        }
+        before = std::exchange(from, std::move(*next));
+    }
+    return {start, BranchEnd::steps};
+}
+
 }  // namespace detail
 
 template <class Matrix>
 Branch<Erased> follow(AnyBranchStepper<Matrix>& stepper, const BranchPoint<Erased>& start,
                       const ContinuationOptions& options, const std::vector<EventFunction<Erased>>& functions) {
     Branch<Erased> branch;
-    branch.points.push_back(start);
+    detail::BranchWindow<Matrix> window(stepper, options.range);
+    int steps = 0;
+    const auto first = detail::into_window(stepper, start, window, options.most_steps, steps);
+    branch.points.push_back(first.point);
+    if (first.end) {
+        branch.end = *first.end;
+        return branch;
+    }
     detail::CrossingFinder<Matrix> crossings(stepper, functions);
     BranchPoint<Erased> before;
+    int shorter = 0;  // steps before `troubled_to` that were made shorter since they were not explained
+    double troubled_to = 0;
     bool gone_back = false;  // by images: at the other end the branch closes
-    for (int k = 0; k < options.most_steps; ++k) {
+    for (int k = 0; k + steps < options.most_steps; ++k) {
         const BranchPoint<Erased> from = branch.points.back();
         auto next = stepper.advance(from, k > 0 ? &before : nullptr);
         if (!next) {
@@ -80,9 +130,36 @@ Branch<Erased> follow(AnyBranchStepper<Matrix>& stepper, const BranchPoint<Erase
             return branch;
         }
         const std::size_t step = branch.points.size() - 1;
-        auto events = events_between(stepper, options.critical, from, *next);
+        auto [left, border, events] = window.between(from, *next, options.critical);
+        // It may have come to another branch near by, where an eigenvalue changes without a fold, or p turns without
+        // one; or its end may be the very point that is ill determined. Not often in one place, which may be one that
+        // no step explains.
+        const double h = next->arc_length - from.arc_length;
+        if (from.arc_length >= troubled_to) shorter = 0;
+        const int changed = detail::changes(from, *next);
+        const bool jumped = changed < 2 && (changed == 1) != detail::folds(from, *next);
+        const bool again = !events.explained && shorter < 6 && !crossings.any_between(from, *next);
+        if (!events.explained) troubled_to = std::max(troubled_to, next->arc_length);
+        bool shortened = false;
+        for (int attempt = 1; again && !shortened && attempt <= (jumped ? 5 : 2); ++attempt) {
+            const double share = jumped ? std::ldexp(1.0, -2 * attempt) : attempt == 1 ? 0.83 : 1.19;
+            auto less = stepper.step(from, share * h, k > 0 ? &before : nullptr);
+            if (!less) continue;
+            auto exit = window.between(from, *less, options.critical);
+            if (!exit.events.explained) continue;
+            less->proposed_step = less->step;
+            next = std::move(less);
+            left = exit.left, border = std::move(exit.last), events = std::move(exit.events);
+            shortened = true;
+        }
+        shorter += shortened;
         for (auto& point : events.points) branch.events.push_back({step, std::move(point)});
         if (!events.explained) branch.unexplained.push_back({step, std::move(events.reason)});
+        if (left && !border) {
+            branch.end = BranchEnd::window;
+            return branch;
+        }
+        if (left) next = std::move(border);
         before = from;
         branch.points.push_back(std::move(*next));
         crossings.add(branch, step);
@@ -91,7 +168,7 @@ Branch<Erased> follow(AnyBranchStepper<Matrix>& stepper, const BranchPoint<Erase
             branch.end = BranchEnd::critical;
             return branch;
         }
-        if (last.p < options.range.low || last.p > options.range.high) {
+        if (left) {
             branch.end = BranchEnd::window;
             return branch;
         }
@@ -103,10 +180,10 @@ Branch<Erased> follow(AnyBranchStepper<Matrix>& stepper, const BranchPoint<Erase
         }
         if (k > 2) {
             // the start lies within the last step, and the branch goes through it in the same direction
-            const Direction back = stepper.difference(last, start.q, start.p);
+            const Direction back = stepper.difference(last, first.point.q, first.point.p);
             const double along = stepper.dot(back, last.tangent);
             if (along <= 0 && -along <= last.step && stepper.length(back) <= 1.1 * last.step &&
-                stepper.dot(last.tangent, start.tangent) > 0.5) {
+                stepper.dot(last.tangent, first.point.tangent) > 0.5) {
                 branch.end = BranchEnd::closed;
                 return branch;
             }
@@ -132,7 +209,7 @@ Branch<Erased> continue_branch(const AnyProblem<Matrix>& problem, const AnyConfi
     options.validate();
     require(direction == 1 || direction == -1, "direction", direction, "must be 1 or -1");
     check_derivatives(problem, q, p, 1e-4);
-    AnyBranchStepper<Matrix> stepper(problem, options.branch);
+    AnyBranchStepper<Matrix> stepper(problem, options.stepping());
     const auto start = stepper.start(q, p, direction);
     if (!start) {
         Branch<Erased> none;
@@ -161,59 +238,7 @@ template <class Matrix>
 std::vector<BranchPoint<Erased>> switch_branch(AnyBranchStepper<Matrix>& stepper, const CriticalPoint<Erased>& point,
                                                const Direction& incoming, double amplitude) {
     require(amplitude > 0 && std::isfinite(amplitude), "amplitude", amplitude, "must be positive and finite");
-    std::vector<BranchPoint<Erased>> found;
-    std::vector<Direction> directions;  // from the critical point to what was found
-    const auto cosine = [&](const Direction& a, const Direction& b) {
-        return stepper.dot(a, b) / (stepper.length(a) * stepper.length(b));
-    };
-    // amplitudes in turn until the corrector converges
-    const auto attempt = [&](Direction t, double p_curvature, std::initializer_list<double> shares) {
-        AnyBranchStepper<Matrix>::scale(t, 1 / stepper.length(t));
-        // the plane's normal has no share of the branch that is left: the corrector cannot fall back onto it
-        Direction normal = incoming;
-        AnyBranchStepper<Matrix>::scale(normal, -stepper.dot(t, incoming) / stepper.dot(incoming, incoming));
-        normal.q += t.q;
-        normal.p += t.p;
-        for (const double sign : {1.0, -1.0})
-            for (const double share : shares) {
-                const double s = share * amplitude;
-                Direction increment = t, along = t;
-                AnyBranchStepper<Matrix>::scale(increment, sign * s);
-                AnyBranchStepper<Matrix>::scale(along, sign);
-                increment.p += p_curvature * s * s / 2;
-                auto start = stepper.onto(point.q, point.p, increment, normal, along);
-                if (!start) continue;
-                BranchPoint<Erased> center;
-                center.q = point.q;
-                center.p = point.p;
-                const Direction to = stepper.difference(center, start->q, start->p);
-                if (std::none_of(directions.begin(), directions.end(),
-                                 [&](const Direction& other) { return cosine(to, other) > 0.995; })) {
-                    directions.push_back(to);
-                    found.push_back(std::move(*start));
-                }
-                break;
-            }
-    };
-    if (point.tangents.size() == 2) {
-        // the other one than the branch that is left
-        const bool first =
-            std::abs(cosine(point.tangents[0], incoming)) < std::abs(cosine(point.tangents[1], incoming));
-        const Direction& t = point.tangents[first ? 0 : 1];
-        const double phi2 = point.null_vector.dot(stepper.metric().cwiseProduct(point.null_vector));
-        attempt(t, point.kind == CriticalKind::pitchfork && t.p == 0 ? point.curvature / phi2 : 0, {1, .5, .25, .125});
-    }
-    if (point.kind == CriticalKind::multiple && point.null_vectors.cols() == 2)
-        for (const double share : {1.0, 2.0, 4.0, 8.0}) {
-            // close to the point all directions between branches are nearly equilibria
-            for (int k = 0; k < 24; ++k) {
-                const double angle = std::numbers::pi * k / 24;
-                attempt({std::cos(angle) * point.null_vectors.col(0) + std::sin(angle) * point.null_vectors.col(1), 0},
-                        0, {share});
-            }
-            if (!found.empty()) break;
-        }
-    return found;
+    return detail::BranchSwitch<Matrix>(stepper, point, incoming, amplitude).run();
 }
 
 }  // namespace equilibria

@@ -70,7 +70,7 @@ public:
                 switches = 2;
                 continue;
             }
-            if (bifurcation && std::abs(gamma) > 1e3 * rounding()) {
+            if (bifurcation && unfolds(point, gamma)) {
                 // not on the branch: an imperfect bifurcation; its folds are limit points
                 bifurcation = false;
                 switches = 2;
@@ -97,6 +97,28 @@ private:
     /// What rounding leaves of g, for unknowns of size 1.
     double rounding() const {
         return 1e3 * std::numeric_limits<double>::epsilon() * (solver_.largest_entry() + largest_entry(dr_));
+    }
+    /// Whether gamma is not 0: above what rounding may leave by the largest entries of K. Parts that are much stiffer
+    /// than what bends make that too much: then a gamma that moves the transcritical point's folds apart, y^2 = a gamma
+    /// / b^2, counts too, if Newton's method from next to the point has it again.
+    bool unfolds(const Point& point, double gamma) {
+        if (std::abs(gamma) > 1e3 * rounding()) return true;
+        const double apart = std::sqrt(std::abs(a_ * gamma)) / std::abs(b_);
+        const double load = std::abs(point.p) > 1e-9 * scale_p_ ? std::abs(point.p) : scale_p_;
+        if (!(apart > 1e-7 * load)) return false;
+        Direction d{generic_vector(g_.size()), 0};
+        d.q.tail(problem_.multipliers()).setZero();
+        d.q *= 1e-10 / std::sqrt(d.q.dot(weights_.cwiseProduct(d.q)));
+        AnyConfiguration q = problem_.retract(point.q, d.q);
+        double p = point.p, noise = 0;
+        for (int k = 0; k < 3; ++k) {
+            if (!evaluate(q, p)) break;
+            const Step step = bifurcation_step();
+            if (k > 0) noise = std::max(noise, std::abs(step.gamma - gamma));
+            q = problem_.retract(q, step.d.q);
+            p += step.d.p;
+        }
+        return evaluate(point.q, point.p) && std::abs(gamma) > 30 * noise;
     }
     /// Whether K has another null vector, left in `second`: K without the border is singular to the digits of a Newton
     /// iteration, and, as stiff structures have soft modes, that eigenvalue too is 0 at a distance along the branch
@@ -162,21 +184,36 @@ private:
     Step combined(double z, double dp) const {
         return {{q0_.x + z * r_.x + dp * s_.x, dp}, q0_.tau + z * r_.tau + dp * s_.tau};
     }
-    /// psi^T g_qqq[v, v, v], by differences of dK along v where that is exact, else by second differences of K.
-    double third(const Eigen::VectorXd& v) const {
+    /// A number by differences, and how far apart two of their orders have it.
+    struct Estimate {
+        double value, error;
+    };
+    /// psi^T g_qqq[v, v, v], by differences of dK along v where that is exact, else by second differences of K. other:
+    /// what is added to it, to whose sum the error counts.
+    Estimate third(const Eigen::VectorXd& v, double other) const {
         const auto at = [&](double by) { return problem_.retract(*q_, Eigen::VectorXd(by * v)); };
         if (problem_.properties().tangent_derivative) {
             const double h = difference_step(problem_.weights(*q_, v.size()), v);
             const auto along = [&](double by) { return left_.x.dot(problem_.tangent_derivative(at(by), p_, v) * v); };
-            return (along(h) - along(-h)) / (2 * h);
-        } else {
-            // of sixth order in h = eps^(1/8): K may have entries that are far larger than what is sought
-            const double move = std::pow(std::numeric_limits<double>::epsilon(), 1. / 8);
-            const double h = difference_step(problem_.weights(*q_, v.size()), v) * move / third_root_of_rounding;
-            const auto along = [&](double by) { return left_.x.dot(problem_.tangent(at(by), p_) * v); };
-            const auto around = [&](double by) { return along(by) + along(-by); };
-            return (270 * around(h) - 27 * around(2 * h) + 2 * around(3 * h) - 490 * along(0)) / (180 * h * h);
+            return {(along(h) - along(-h)) / (2 * h), 0};
         }
+        const auto along = [&](double by) { return left_.x.dot(problem_.tangent(at(by), p_) * v); };
+        const double middle = along(0);
+        // of sixth order in h = eps^(1/8): K may have entries that are far larger than what is sought
+        const double move = std::pow(std::numeric_limits<double>::epsilon(), 1. / 8);
+        const double first = difference_step(problem_.weights(*q_, v.size()), v) * move / third_root_of_rounding;
+        Estimate best{0, std::numeric_limits<double>::infinity()};
+        for (const double share : {1.0, 0.25, 0.0625, 4.0}) {
+            const double h = share * first;
+            const auto around = [&](double by) { return along(by) + along(-by); };
+            const double one = around(h), two = around(2 * h), three = around(3 * h);
+            const double sixth = (270 * one - 27 * two + 2 * three - 490 * middle) / (180 * h * h);
+            const double fourth = (16 * one - two - 30 * middle) / (12 * h * h);
+            const double error = std::abs(sixth - fourth);
+            if (error < best.error) best = {sixth, error};
+            if (error <= 1e-3 * std::abs(sixth + other)) break;
+        }
+        return best;
     }
 
     /// psi^T g_qq[r, v].
@@ -270,8 +307,10 @@ private:
         if (point.kind == CriticalKind::pitchfork) {
             // K z = -g_qq[phi, phi], z_i = 0; d = phi^T (g_qqq[phi, phi, phi] + 3 g_qq[phi, z])
             const Eigen::VectorXd z = solver_.solve(-(dr_ * r_.x), 0).x;
-            const double cubic = third(r_.x) + 3 * second(z);
-            point.curvature = -cubic / (3 * point.b);
+            const double bending = 3 * second(z);
+            const Estimate cubic = third(r_.x, bending);
+            point.curvature = -(cubic.value + bending) / (3 * point.b);
+            point.curvature_error = std::abs(cubic.error / (3 * point.b));
         }
     }
 

@@ -13,6 +13,7 @@
 
 #include <Eigen/Eigenvalues>
 
+#include <equilibria/continuation/detail/branch_changes.hpp>
 #include <equilibria/continuation/detail/multiple_point.hpp>
 #include <equilibria/continuation/detail/predicted_zeros.hpp>
 #include <equilibria/continuation/events.hpp>
@@ -201,10 +202,20 @@ private:
             const Point guess = near ? *near : interpolated(a, b, turned);
             CriticalPointOptions within = options_;
             if (near) within.reach = 10 * stepper_->length(stepper_->difference(a, b.q, b.p));  // others are next to it
-            for (const Point* from : {&guess, first ? &a : &b, first ? &b : &a}) {
+            struct Start {
+                const Point* from;
+                bool fold;
+            };
+            const bool fold = near && turned;
+            const Point *nearer = first ? &a : &b, *farther = first ? &b : &a;
+            std::vector<Start> starts{{&guess, fold}, {nearer, fold}, {farther, fold}};
+            // so near to it the load's work may look like none, though the branch turns and one eigenvalue changes
+            if (turned && count == 1 && !fold && h <= 20 * resolution_)
+                starts.insert(starts.end(), {{&guess, true}, {nearer, true}, {farther, true}});
+            for (const auto& [from, expects_fold] : starts) {
                 auto point = critical_point_near(
                     stepper_->problem(), from->q, from->p, within, from->border, &stepper_->solver(),
-                    near && from == &guess ? near->weak_direction : Eigen::VectorXd(), near && turned);
+                    near && from == &guess ? near->weak_direction : Eigen::VectorXd(), expects_fold);
                 if (!point) continue;
                 const std::optional<double> share = share_of(a, b, *point);
                 if (!share) continue;
@@ -221,24 +232,39 @@ private:
                 return;
             }
         }
+        if (count >= 2 && (separate(a, b, depth, out) || together(a, b, count, depth, out))) return;
         // next to two null vectors the branch is known to few digits
-        if (count <= 1 && h <= 20 * resolution_ && vanishing(a, b) == 2)
-            if (MultiplePoint found = multiple_point(*stepper_, a, b, 2, resolution_); found.sure) {
-                out.points.push_back(std::move(found.point));
-                return;
-            }
-        if (h > resolution_ && depth < 40) {
-            if (count < 2 || !separate(a, b, depth, out)) halve(a, b, depth, out);
-            return;
-        }
-        if (count >= 2) {
-            out.points.push_back(multiple_point(*stepper_, a, b, count, resolution_).point);
+        if (count <= 1 && h <= 20 * resolution_ && vanishing(a, b) == 2 && together(a, b, 2, depth, out)) return;
+        if (h > (count >= 2 ? 1e-3 : 1.0) * resolution_ && depth < 40) {
+            halve(a, b, depth, out);
             return;
         }
         out.explained = false;
         out.reason = std::to_string(count) + " eigenvalues changed sign" + (turned ? ", dp/ds too" : "") +
                      " between p = " + to_text(a.p) + " and " + to_text(b.p) +
                      ", and no critical point was found there";
+    }
+
+    /// Whether so many eigenvalues vanish between a and b at one point, which is noted then.
+    bool together(const Point& a, const Point& b, int count, int depth, Events& out) {
+        const double h = b.arc_length - a.arc_length;
+        Point near = stepper_->between(a, b, 0.5).value_or(a);
+        auto point = multiple_point(*stepper_, a, b, near, count, options_);
+        if (!point) return false;
+        const std::optional<double> share = share_of(a, b, *point);
+        if (!share) return false;
+        const double margin = 0.02;
+        const auto left = *share > 2 * margin ? stepper_->between(a, b, *share - margin) : a;
+        const auto right = *share < 1 - 2 * margin ? stepper_->between(a, b, *share + margin) : b;
+        const bool around = left && right && changes(*left, *right) == changes(a, b) && changes(a, *left) == 0;
+        // close to it the branch is ill determined
+        if (!around && h > 20 * resolution_) return false;
+        point->negative_before = around ? left->negative : a.negative;
+        point->negative_after = around ? right->negative : b.negative;
+        if (around && *share > 2 * margin) locate(a, *left, depth + 1, out);
+        out.points.push_back(std::move(*point));
+        if (around && *share < 1 - 2 * margin) locate(*right, b, depth + 1, out);
+        return true;
     }
 
     /// Searches between points that stand one in each gap between neighbouring zeros of the eigenvalues that change

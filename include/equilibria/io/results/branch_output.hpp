@@ -29,8 +29,10 @@ struct BranchMeasures {
 struct BranchSample {
     double parameter = 0;          ///< in its unit
     std::vector<double> measures;  ///< in the order of their names
-    bool stable = false;           ///< without negative eigenvalue; of a critical point, by the branch before it
-    std::string at;                ///< of a zero of an event function its name, else empty
+    /// Without negative eigenvalue; at a critical point, by the branch before it. Nothing where the inertia is not
+    /// known, as where forces have no potential: an equilibrium may flutter there.
+    std::optional<bool> stable;
+    std::string at;  ///< name of the event function that is 0 there, else empty
 };
 
 /// Calls call(q, p, stable, at) for all points of a branch in their order: the critical point `from` that it leaves,
@@ -38,17 +40,19 @@ struct BranchSample {
 template <class P, class Call>
 void for_each_point(const Branch<P>& branch, const std::vector<EventFunction<P>>& functions,
                     const CriticalPoint<P>* from, const Call& call) {
-    if (from) call(from->q, from->p, false, std::string());
+    const auto none_negative = [](const std::optional<int>& negative) {
+        return negative ? std::optional<bool>(*negative == 0) : std::nullopt;
+    };
+    if (from) call(from->q, from->p, from->negative_before ? std::optional<bool>(false) : std::nullopt, std::string());
     auto event = branch.events.begin();
     for (std::size_t k = 0; k < branch.points.size(); ++k) {
         const auto& point = branch.points[k];
-        call(point.q, point.p, point.stable().value_or(false), std::string());
+        call(point.q, point.p, point.stable(), std::string());
         for (const auto& crossing : branch.crossings)
             if (crossing.step == k)
-                call(crossing.point.q, crossing.point.p, crossing.point.stable().value_or(false),
-                     functions[crossing.function].name);
+                call(crossing.point.q, crossing.point.p, crossing.point.stable(), functions[crossing.function].name);
         for (; event != branch.events.end() && event->step == k; ++event)
-            call(event->point.q, event->point.p, event->point.negative_before == 0, std::string());
+            call(event->point.q, event->point.p, none_negative(event->point.negative_before), std::string());
     }
 }
 
@@ -58,9 +62,10 @@ std::vector<BranchSample> samples_of(const Branch<P>& branch, const BranchMeasur
                                      const std::vector<EventFunction<P>>& functions = {},
                                      const CriticalPoint<P>* from = nullptr) {
     std::vector<BranchSample> samples;
-    for_each_point(branch, functions, from, [&](const auto& q, double p, bool stable, const std::string& at) {
-        samples.push_back({how.value(q, p), how.measure(q), stable, at});
-    });
+    for_each_point(branch, functions, from,
+                   [&](const auto& q, double p, std::optional<bool> stable, const std::string& at) {
+                       samples.push_back({how.value(q, p), how.measure(q), stable, at});
+                   });
     return samples;
 }
 
@@ -78,13 +83,13 @@ Json json_of(const CriticalPoint<P>& c, const BranchMeasures<P>& how) {
             {"inertia_after", json_or_null(c.negative_after)}};
 }
 
-/// "points", [parameter, measures ..] each, and "stable", as many.
+/// "points", [parameter, measures ..] each, and "stable", as many: true, false, or null where it is not known.
 inline Json json_of(const std::vector<BranchSample>& samples) {
     Json points = Json::array(), stable = Json::array();
     for (const auto& s : samples) {
         points.push_back(json_list(s.measures));
         points.back().insert(points.back().begin(), json_of(s.parameter));
-        stable.push_back(s.stable);
+        stable.push_back(json_or_null(s.stable));
     }
     return {{"points", std::move(points)}, {"stable", std::move(stable)}};
 }
@@ -122,8 +127,8 @@ Json json_of(const BranchGraph<P>& graph, const BranchMeasures<P>& how) {
             {"complete", graph.complete()}};
 }
 
-/// A line a point: branch (from 0), parameter, the measures by their names, stable, at (the event function that is 0
-/// there, or empty).
+/// A line a point: branch (from 0), parameter, the measures by their names, stable (empty where it is not known), at
+/// (the event function that is 0 there, or empty).
 inline CsvTable branches_csv(const std::vector<std::vector<BranchSample>>& branches,
                              const std::vector<std::string>& measures) {
     std::vector<std::string> columns{"branch", "parameter"};

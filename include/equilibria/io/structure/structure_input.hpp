@@ -2,11 +2,13 @@
 /// What is read from a structure's text, structure_json.hpp, and how much of a text is taken.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <map>
 #include <optional>
 #include <string>
 
+#include <equilibria/continuation/branch.hpp>
 #include <equilibria/core/error.hpp>
 #include <equilibria/fem/structure_model.hpp>
 
@@ -35,11 +37,26 @@ struct StructureInput {
     std::map<std::string, int> nodes;    ///< their numbers; further nodes of the model are those within beams
     int measured = 0;                    ///< a node
     std::string parameter = "p";         ///< its name
-    double low = 0;                      ///< where the parameter begins
-    double high = 0;                     ///< where it ends
-    std::optional<double> first_step;    ///< of the continuation, where it is given
-    std::optional<double> largest_step;  ///< likewise
-    bool conservative = true;            ///< the model is one for Structure; else for NonconservativeStructure
+    double low = 0;                      ///< lower end of the parameter's window
+    double high = 0;                     ///< upper end
+    bool up = true;                      ///< followed from 0 towards larger parameters
+    bool down = false;                   ///< and towards smaller ones
+    std::optional<double> first_step;    ///< length of the continuation's first step, where it is given
+    std::optional<double> largest_step;  ///< likewise of the largest one
+    /// Theta of BranchOptions, where it is given: lengths per unit of the parameter.
+    std::optional<double> parameter_weight;
+    bool conservative = true;  ///< the model is one for Structure; else for NonconservativeStructure
 };
+
+/// How its branches are followed: within its window, with its steps, or else with a first one of 0.01 and none above
+/// 0.1, in the lengths of Structure's weights: shares of the structure's size.
+inline ContinuationOptions continuation_options(const StructureInput& input) {
+    ContinuationOptions y;
+    y.range = {input.low, input.high};
+    y.branch.first_step = input.first_step.value_or(std::min(0.01, input.largest_step.value_or(0.01)));
+    y.branch.largest_step = input.largest_step.value_or(std::max(0.1, y.branch.first_step));
+    y.branch.parameter_weight = input.parameter_weight.value_or(0);
+    return y;
+}
 
 }  // namespace equilibria::fem

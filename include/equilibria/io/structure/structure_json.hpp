@@ -26,7 +26,8 @@
 ///       "loads": [                                                                          optional
 ///         {"node": "C", "force": [1, 0, 0], "moment": [0, 0, 0], "kind": "proportional"},
 ///         {"node": "C", "type": "follower", "force": [1, 0, 0], "moment": [0, 0, 0]}],
-///       "parameter": {"name": "p", "low": -1, "high": 2, "first_step": 0.02, "largest_step": 0.2},
+///       "parameter": {"name": "p", "low": -1, "high": 2, "direction": "both", "first_step": 0.02,
+///                     "largest_step": 0.2, "parameter_weight": 0.5},
 ///       "measure": "C"                                                                      optional
 ///     }
 ///
@@ -43,7 +44,10 @@
 /// joints: the two nodes of a revolute or spherical one, or of a hinge, which is planar, are at one place. Vectors have
 ///     any length but 0; a displacement or rotation is "rate" p (default 1; 0 holds the node).
 /// loads: dead ones of size p ("proportional", default) or "constant", or follower loads of size p.
-/// parameter: p, called "p" unless it has a name, from low to high; steps are optional.
+/// parameter: p, called "p" unless it has a name, within its window, from low to high; all else is optional.
+///     "direction" is "up", "down" or "both": where p goes from the unloaded state, p = 0. By default p goes both ways
+///     from a 0 within the window, else towards the window. Steps are lengths: of the unknowns, in units of length and
+///     in radians, together with "parameter_weight" times p (branch_options.hpp).
 /// measure: the node that is looked at; by default the first one with a load, or else the last one.
 ///
 /// What is not called planar is spatial: it uses uz, rx and ry too. Where planar elements meet it these components are

@@ -22,7 +22,7 @@ public:
     using Point = BranchPoint<Erased>;
 
     GraphBuilder(const AnyProblem<Matrix>& problem, const DiagramOptions& options)
-        : problem_(problem), options_(options), stepper_(problem, options.continuation.branch) {
+        : problem_(problem), options_(options), stepper_(problem, options.continuation.stepping()) {
         if (options_.amplitude == 0) options_.amplitude = options.continuation.branch.first_step;
     }
 

@@ -12,6 +12,7 @@
 #include <Eigen/SparseLU>
 
 #include <equilibria/continuation/factorization/bordered.hpp>
+#include <equilibria/continuation/factorization/generic_vector.hpp>
 #include <equilibria/continuation/factorization/sparse_ldlt.hpp>
 
 namespace equilibria::detail {
@@ -74,7 +75,7 @@ public:
     using LU = Eigen::SparseLU<Matrix>;
 
     BorderedFactors(bool symmetric, int multipliers, MakeSymmetricFactors make)
-        : symmetric_(symmetric), factors_((make ? make : &sparse_ldlt)(multipliers)) {}
+        : symmetric_(symmetric), multipliers_(multipliers), factors_((make ? make : &sparse_ldlt)(multipliers)) {}
 
     int factor(const Matrix& k, Border border, double corner) {
         border_ = border;
@@ -84,6 +85,7 @@ public:
         else
             row_ = k.transpose().col(border.row);
         negative_.reset();
+        negative_of_k_.reset();
         use_lu_ = !symmetric_;
         if (symmetric_) {
             use_lu_ = !factors_->factor(k, {border.row, corner}) || !(factors_->pivots() || safe(k, border, corner));
@@ -91,6 +93,7 @@ public:
                 negative_ = factors_->negative();
                 return *negative_ % 2 == 0 ? 1 : -1;
             }
+            if (multipliers_ == 0) negative_of_k_ = negative_beside(k, corner);
         }
         lu_.compute(without(k, border, corner));
         if (lu_.info() != Eigen::Success) return 0;
@@ -116,8 +119,12 @@ public:
         return y;
     }
     std::optional<TangentInertia> inertia(const Matrix&, double sigma) const {
-        if (!negative_) return std::nullopt;
         TangentInertia y;
+        if (negative_of_k_) {
+            y.negative = *negative_of_k_;
+            return y;
+        }
+        if (!negative_) return std::nullopt;
         y.negative = *negative_ + (sigma > 0 ? 1 : 0);
         return y;
     }
@@ -126,6 +133,21 @@ public:
     }
 
 private:
+    /// Negative eigenvalues of K where it cannot be factored without the border, or without pivoting: those of K with a
+    /// small diagonal added, and taken off, if both have as many.
+    std::optional<int> negative_beside(const Matrix& k, double corner) {
+        std::optional<int> y;
+        for (const double sign : {1.0, -1.0}) {
+            Matrix beside = k;
+            const Eigen::VectorXd generic = generic_vector(k.rows()).cwiseAbs();
+            for (Eigen::Index j = 0; j < k.rows(); ++j)
+                beside.coeffRef(j, j) += sign * corner * (1e-7 + 1e-6 * generic(j));
+            if (!factors_->factor(beside)) return std::nullopt;
+            if (y && *y != factors_->negative()) return std::nullopt;
+            y = factors_->negative();
+        }
+        return y;
+    }
     /// Of K without the border.
     Eigen::MatrixXd solve_without(const Eigen::MatrixXd& f, bool transposed) const {
         if (!use_lu_) return factors_->solve(f);
@@ -148,7 +170,9 @@ private:
     }
 
     bool symmetric_, use_lu_ = false;
-    std::optional<int> negative_;
+    int multipliers_;
+    std::optional<int> negative_;       ///< of K without the border
+    std::optional<int> negative_of_k_;  ///< where that has no factors
     std::unique_ptr<SymmetricFactors> factors_;
     LU lu_;
     Border border_;

@@ -104,11 +104,22 @@ private:
     }
     void read_parameter() {
         const JsonPlace p = root_.at("parameter");
-        p.keys("the parameter", {"low", "high"}, {"name", "first_step", "largest_step"});
+        p.keys("the parameter", {"low", "high"},
+               {"name", "direction", "first_step", "largest_step", "parameter_weight"});
         if (const auto name = p.find("name")) y_.parameter = name->string();
         y_.low = p.at("low").number();
         y_.high = p.at("high").number();
         if (!(y_.low < y_.high)) p.at("low").refuse("must be below high, " + to_text(y_.high));
+        if (const auto direction = p.find("direction")) {
+            const std::string word = direction->string();
+            if (word != "up" && word != "down" && word != "both") direction->refuse("must be up, down or both");
+            y_.up = word != "down";
+            y_.down = word != "up";
+        } else {
+            y_.up = y_.high > 0;
+            y_.down = y_.low < 0;
+        }
+        if (const auto weight = p.find("parameter_weight")) y_.parameter_weight = weight->positive();
         if (const auto step = p.find("first_step")) y_.first_step = step->positive();
         if (const auto step = p.find("largest_step")) y_.largest_step = step->positive();
         if (y_.first_step && y_.largest_step && *y_.first_step > *y_.largest_step)

@@ -34,16 +34,19 @@ struct BranchOptions {
     double smallest_step = 1e-9;  ///< the branch ends where this one does not converge either
     double largest_step = 0.2;    ///< no step is longer
     double largest_angle = 0.35;  ///< between neighbouring tangents, radians
-    int most_corrections = 8;     ///< of Newton's method in a step, before the step is shortened
-    double tolerance = 1e-11;     ///< of the last correction, over the size of the unknowns
+    /// Of the unknowns from where they are predicted, over the way that they move; infinity: not looked at.
+    double largest_miss = 0.25;
+    int most_corrections = 8;  ///< of Newton's method in a step, before the step is shortened
+    double tolerance = 1e-11;  ///< of the last correction, over the size of the unknowns
     StepConstraint constraint = StepConstraint::normal_plane;  ///< what fixes the length of a step
     Predictor predictor = Predictor::cubic;                    ///< where the corrector starts
     Eigen::Index controlled = 0;                               ///< the unknown of StepConstraint::unknown
     /// Theta, in lengths per unit of p; 0: chosen at the start, where it is the largest of three rates. They are
-    /// |dq/dp|, 1 / parameter_span, and, where the start hardly moves, that at which the weakest eigenvalue changes.
+    /// |dq/dp|, 5 largest_step / parameter_span, and, where the start hardly moves, that at which the weakest
+    /// eigenvalue changes.
     double parameter_weight = 0;
     /// Width of the range of p that is followed, in its unit; 0: not known. Where theta is chosen, no step crosses
-    /// more than its length's share of it: a fifth by the default largest_step.
+    /// more than a fifth of it.
     double parameter_span = 0;
     /// From so many times the multiplications of a solution on that a factorisation takes, all corrections but the last
     /// one are made by GMRES with the last factors.
@@ -58,6 +61,7 @@ struct BranchOptions {
         require(first_step >= smallest_step, "first_step", first_step, "must be at least smallest_step");
         require(largest_step >= first_step, "largest_step", largest_step, "must be at least first_step");
         require(largest_angle > 0 && largest_angle < 1.5, "largest_angle", largest_angle, "must be in (0, 1.5)");
+        require(largest_miss > 0, "largest_miss", largest_miss, "must be positive");
         require(most_corrections >= 2, "most_corrections", most_corrections, "must be at least 2");
         require(tolerance > 0, "tolerance", tolerance, "must be positive");
         require(parameter_weight >= 0, "parameter_weight", parameter_weight, "must be 0 (chosen) or positive");

@@ -106,6 +106,9 @@ private:
     /// branch.
     std::optional<Point> assess_from(const AnyConfiguration& q, double p, detail::BorderedPair pair, bool same,
                                      const Point& from, const Direction& along);
+    /// Whether the unknowns have moved elsewhere than predicted: behind a fold and another one, where p's share of the
+    /// lengths hides both.
+    bool jumped(const Point& from, const Point& next, const Direction& predicted) const;
     /// The point (q, p) with this residual and weakest direction; s: [s; -mu] of bordered.hpp.
     std::optional<Point> point_of(const AnyConfiguration& q, double p, const Eigen::VectorXd& g,
                                   const WeakDirection& weak, const BorderedSolution& s,

@@ -48,6 +48,7 @@ std::optional<BranchPoint<Erased>> AnyBranchStepper<Matrix>::advance(const Point
         std::optional<Point> next = step(from, h, before);
         if (!next) continue;
         if (!(next->turning <= options_.largest_angle)) continue;
+        if (h > options_.resolution && jumped(from, *next, predict(from, h, before))) continue;
         if (from.negative && next->negative && h > options_.resolution &&
             std::abs(*from.negative - *next->negative) > options_.most_sign_changes)
             continue;
@@ -58,6 +59,17 @@ std::optional<BranchPoint<Erased>> AnyBranchStepper<Matrix>::advance(const Point
         return next;
     }
     return std::nullopt;
+}
+
+template <class Matrix>
+bool AnyBranchStepper<Matrix>::jumped(const Point& from, const Point& next, const Direction& predicted) const {
+    // what is controlled moves as predicted, and the others may not
+    if (!std::isfinite(options_.largest_miss) || options_.constraint == StepConstraint::parameter ||
+        options_.constraint == StepConstraint::unknown || options_.constraint == StepConstraint::scalar)
+        return false;
+    const auto norm = [&](const Eigen::VectorXd& v) { return std::sqrt(v.dot(weights_.cwiseProduct(v))); };
+    const Direction moved = difference(from, next.q, next.p);
+    return norm(moved.q - predicted.q) > options_.largest_miss * norm(moved.q) + 1e3 * tolerance(moved);
 }
 
 template <class Matrix>
@@ -240,7 +252,7 @@ void AnyBranchStepper<Matrix>::choose_parameter_weight(const AnyConfiguration& q
                                                        const Eigen::VectorXd& slope) {
     const double moves = std::sqrt(slope.dot(weights_.cwiseProduct(slope))), span = options_.parameter_span;
     theta_ = std::isfinite(moves) ? moves : 0;
-    if (span > 0) theta_ = std::max(theta_, 1 / span);
+    if (span > 0) theta_ = std::max(theta_, 5 * options_.largest_step / span);
     // a state that hardly moves, as that of a straight column, says nothing of the scale of p: its eigenvalues do
     const Eigen::VectorXd& v = weak.direction;
     const Eigen::VectorXd& left = problem_.properties().symmetric ? v : weak.left;

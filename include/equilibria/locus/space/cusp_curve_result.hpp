@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 #include <equilibria/continuation/branch_options.hpp>
@@ -20,7 +21,10 @@ namespace equilibria {
 struct CuspCurveOptions {
     /// In radians, units of the coordinates and of the unit null vector, and parts of the box; parameter_weight is set
     /// by it.
-    BranchOptions branch{.first_step = 1e-3, .largest_step = 0.01, .largest_angle = 0.15};
+    BranchOptions branch{.first_step = 1e-3,
+                         .largest_step = 0.01,
+                         .largest_angle = 0.15,
+                         .largest_miss = std::numeric_limits<double>::infinity()};
     int most_points = 20000;  ///< of each way
 
     /// Throws InvalidArgument for an option out of range.

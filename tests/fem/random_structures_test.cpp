@@ -1,6 +1,7 @@
 // Random structures: what is located on their branches, held against their eigenvalues at many points of each branch.
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <cstdlib>
 #include <numbers>
 #include <random>

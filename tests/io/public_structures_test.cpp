@@ -5,13 +5,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdio>
 #include <numbers>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include <equilibria/continuation/branch.hpp>
-#include <equilibria/continuation/sparse_residual_problem.hpp>
 #include <equilibria/fem/structure.hpp>
 #include <equilibria/io/structure/structure_json.hpp>
 

@@ -34,7 +34,7 @@ struct BranchOptions {
     double smallest_step = 1e-9;  ///< the branch ends where this one does not converge either
     double largest_step = 0.2;    ///< no step is longer
     double largest_angle = 0.35;  ///< between neighbouring tangents, radians
-    /// Of the unknowns from where they are predicted, over the way that they move; infinity: not looked at.
+    /// Distance of the unknowns from where they are predicted, over the way that they move; infinity: not looked at.
     double largest_miss = 0.25;
     int most_corrections = 8;  ///< of Newton's method in a step, before the step is shortened
     double tolerance = 1e-11;  ///< of the last correction, over the size of the unknowns

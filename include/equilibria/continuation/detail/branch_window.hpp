@@ -1,5 +1,5 @@
 /// \file
-/// Where a branch enters the range of the parameter that it is followed in, and where it leaves it.
+/// The range of the parameter that a branch is followed in: the branch's points on its borders.
 #pragma once
 
 #include <algorithm>

@@ -122,7 +122,7 @@ private:
 template <class Matrix>
 class MultiplePointNewton {
 public:
-    /// Where it ended, and what is left there.
+    /// The point that it ended at, and what is left there.
     struct Found {
         AnyConfiguration q;
         double p = 0;

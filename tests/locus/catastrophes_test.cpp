@@ -309,3 +309,19 @@ TEST_CASE("a parameter that enters by its square has the same locus on both side
     CHECK(arms.evidence.complete());
     CHECK(arms.curves.size() == 2);
 }
+
+TEST_CASE("pitchforks off the axes are no folds of a line, and their curves are not said to be all") {
+    // -a sin t / 2 - 5 b cos 2 t: at cos t = 0 whatever a and b, with pitchforks at |a| = 40 |b|, in a wedge that the
+    // enumerations of a window may miss
+    for (const Window& window : {Window{{0, 2}, {-1, 3}}, Window{{0.5, 2}, {-0.1, 0.1}}}) {
+        const auto wedge = in_plane(1, 0, window, [](const auto& t, const auto&, const auto& a, const auto& b) {
+            return -0.5 * a * sin(t[0]) - 5 * b * cos(2 * t[0]);
+        });
+        INFO(wedge.argument());
+        CHECK_FALSE(wedge.evidence.complete());
+        CHECK(wedge.evidence.degenerate_lines > 0);
+        for (const auto& fault : wedge.evidence.faults)
+            if (fault.kind == LocusFaultKind::degenerate_line)
+                CHECK(std::abs(fault.point.x) == Approx(40 * std::abs(fault.point.y)).epsilon(1e-3));
+    }
+}

@@ -74,6 +74,7 @@ Json evidence_json(const Locus<M>& locus) {
             {"checked_points", e.checked_points},
             {"wrong_counts", e.wrong_counts},
             {"wrong_borders", e.wrong_borders},
+            {"degenerate_lines", e.degenerate_lines},
             {"seeds_from_infinity", e.seeds_from_infinity},
             {"lines_from_infinity", e.lines_from_infinity},
             {"from_infinity", e.from_infinity},

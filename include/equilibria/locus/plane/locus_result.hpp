@@ -47,7 +47,8 @@ enum class LocusFaultKind {
     broken_curve,       ///< the end of a curve that the step control gave up
     wrong_count,        ///< an enumeration that differs from its region's
     wrong_border,       ///< a region next to another one whose table no fold or pitchfork explains
-    from_infinity       ///< equilibria come from infinity on no traced curve, or where such a curve breaks off
+    from_infinity,      ///< equilibria come from infinity on no traced curve, or where such a curve breaks off
+    degenerate_line     ///< a point of a generic line that is more than a fold, as on curves of pitchforks off the axes
 };
 /// In words.
 constexpr const char* to_string(LocusFaultKind kind) {
@@ -57,7 +58,8 @@ constexpr const char* to_string(LocusFaultKind kind) {
                                      "a curve that breaks off",
                                      "an enumeration that differs from its region",
                                      "a border that nothing explains",
-                                     "equilibria that come from infinity"};
+                                     "equilibria that come from infinity",
+                                     "a point of a line that is more than a fold"};
     return names[static_cast<int>(kind)];
 }
 /// One of these, and where.
@@ -85,6 +87,7 @@ struct LocusEvidence {
     std::uint64_t wrong_counts = 0;        ///< checked points whose count is not their region's
     std::uint64_t wrong_borders = 0;       ///< borders of regions whose tables by index do not fit
     std::uint64_t from_infinity = 0;       ///< see LocusFaultKind::from_infinity
+    std::uint64_t degenerate_lines = 0;    ///< see LocusFaultKind::degenerate_line
     /// Points of lines at which equilibria come from infinity, which curves of that kind must pass.
     std::uint64_t seeds_from_infinity = 0;
     std::uint64_t lines_from_infinity = 0;  ///< solved for such points; 0 of a model of angles alone
@@ -103,7 +106,7 @@ struct LocusEvidence {
     /// Whether nothing speaks against the locus being complete.
     bool complete() const {
         return all_failed_paths() + untraced_seeds + unseeded_crossings + unsolved_points + broken_curves +
-                   wrong_counts + wrong_borders + from_infinity ==
+                   wrong_counts + wrong_borders + from_infinity + degenerate_lines ==
                0;
     }
 

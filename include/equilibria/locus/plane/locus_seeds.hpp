@@ -130,6 +130,16 @@ private:
         Generator generator(seed_);
         const PlaneSolver::Lines lines(solver_, axis, low + size * uniform(generator));
         evidence.solved[SingularityKind::fold].add(lines.counts());
+        // pitchforks of symmetric branches are solved for by themselves
+        const auto branches = symmetric_branches(*model_->polynomials);
+        for (auto at : lines.degenerate()) {
+            if (!is_inside(at.x(), at.y()) || is_family(at.x(), at.y())) continue;
+            if (std::any_of(branches.begin(), branches.end(),
+                            [&](const auto& branch) { return same_unknowns(model_->sizes(), branch, at.q, 1e-2); }))
+                continue;
+            at.v = null_vector(jacobian(*model_->functions, at.q, at.p));
+            if (!is_continuum(at)) evidence.add(LocusFaultKind::degenerate_line, {at.x(), at.y()});
+        }
         const auto add = [&](double line, const std::vector<RuntimeSingularity<>>& folds) {
             for (auto at : folds) {
                 at.kind = SingularityKind::fold;

@@ -55,8 +55,13 @@ public:
                                return set = solver.solve_line(numbers_, seed, attempts);
                            });
             for (const auto& root : set.roots)
-                if (root.status == PathStatus::finite && root.paths == 1) roots_.push_back(root);
+                if (root.status == PathStatus::finite && root.paths == 1)
+                    roots_.push_back(root);
+                else if (const auto near = solver.real_point(root))
+                    degenerate_.push_back(*near);
         }
+        /// Points of the line at `generic` that are more than folds, and about real: a line meets curves alone.
+        const Points& degenerate() const { return degenerate_; }
         const SolutionCounts& counts() const { return counts_; }  ///< of the line at `generic`
 
         /// `failed` is increased by the paths that failed. thorough: a line that leaves paths undecided is solved from
@@ -103,6 +108,7 @@ public:
         SolutionCounts counts_;
         Numbers numbers_{};
         decltype(Roots::roots) roots_;
+        Points degenerate_;
     };
 
     /// All cusps of the plane.

@@ -48,7 +48,7 @@ EQUILIBRIA_INLINE std::string LocusEvidence::argument() const {
     out << "; NOT COMPLETE: ";
     if (e.all_failed_paths() > 0) out << e.all_failed_paths() << " paths failed";
     // one place of each kind
-    std::array<bool, 7> said{};
+    std::array<bool, 8> said{};
     const char* before = e.all_failed_paths() > 0 ? ", " : "";
     for (const LocusFault& fault : e.faults) {
         if (std::exchange(said[static_cast<std::size_t>(fault.kind)], true)) continue;
@@ -60,7 +60,7 @@ EQUILIBRIA_INLINE std::string LocusEvidence::argument() const {
 
 EQUILIBRIA_INLINE void LocusEvidence::add(LocusFaultKind kind, const PlanePoint& point) {
     std::uint64_t* const counts[] = {&untraced_seeds, &unseeded_crossings, &unsolved_points, &broken_curves,
-                                     &wrong_counts,   &wrong_borders,      &from_infinity};
+                                     &wrong_counts,   &wrong_borders,      &from_infinity,   &degenerate_lines};
     ++*counts[static_cast<std::size_t>(kind)];
     faults.push_back({kind, point});
 }

@@ -310,7 +310,7 @@ TEST_CASE("a parameter that enters by its square has the same locus on both side
     CHECK(arms.curves.size() == 2);
 }
 
-TEST_CASE("pitchforks off the axes are no folds of a line, and their curves are not said to be all") {
+TEST_CASE("pitchforks off symmetric branches are no folds of a line, and their curves are not said to be all") {
     // -a sin t / 2 - 5 b cos 2 t: at cos t = 0 whatever a and b, with pitchforks at |a| = 40 |b|, in a wedge that the
     // enumerations of a window may miss
     for (const Window& window : {Window{{0, 2}, {-1, 3}}, Window{{0.5, 2}, {-0.1, 0.1}}}) {

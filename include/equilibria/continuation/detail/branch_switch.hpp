@@ -52,19 +52,20 @@ public:
             const bool pitchfork = point_.kind == CriticalKind::pitchfork && t.p == 0;
             const double p2 =
                 pitchfork && point_.curvature_error < std::abs(point_.curvature) ? point_.curvature / phi2 : 0;
-            attempt({t, p2}, {1, .5, .25, .125, .0625, .016, .004, .001, 2, 4});
+            attempt(way_of(t, p2), {1, .5, .25, .125, .0625, .016, .004, .001, 2, 4});
         } else if (point_.kind == CriticalKind::hilltop && point_.null_vector.size() > 0) {
             prepare(point_.null_vector);
-            attempt({{point_.null_vector, 0}, 0}, {1, .5, .25, .125, .03, .008, .002, 2, 4});
+            attempt(way_of({point_.null_vector, 0}, 0), {1, .5, .25, .125, .03, .008, .002, 2, 4});
         }
         return std::move(found_);
     }
 
 private:
-    /// A direction in which a branch may leave, and p''.
+    /// A direction of length 1 in which a branch may leave, p'', and z + w p'', where that is known.
     struct Way {
         Direction t;
         double p_curvature = 0;
+        std::optional<Eigen::VectorXd> bend;
     };
 
     double cosine(const Direction& a, const Direction& b) const {
@@ -86,9 +87,10 @@ private:
         const Eigen::Index n = null_vectors.rows(), k = null_vectors.cols();
         const auto zero = Eigen::MatrixXd::Zero(k, 1);
         by_load_ = borders_->solve(-here.parameter_derivative, zero, false).x;
-        left_ = problem_.properties().symmetric
-                    ? borders_->solve(Eigen::MatrixXd::Zero(n, k), Eigen::MatrixXd::Identity(k, k), false).x
-                    : borders_->solve(Eigen::MatrixXd::Zero(n, k), Eigen::MatrixXd::Identity(k, k), true).x;
+        left_ =
+            borders_
+                ->solve(Eigen::MatrixXd::Zero(n, k), Eigen::MatrixXd::Identity(k, k), !problem_.properties().symmetric)
+                .x;
         load_ = left_.transpose() * here.parameter_derivative;
     }
     /// g_qq[t, t] + 2 t_p g_qp t + t_p^2 g_pp.
@@ -100,27 +102,38 @@ private:
         return y;
     }
 
+    /// The way along t, of any length, with p'' by that length.
+    Way way_of(Direction t, double p_curvature) {
+        Way y{std::move(t), p_curvature, {}};
+        const double size = stepper_.length(y.t);
+        if (!(size > 0)) return y;
+        AnyBranchStepper<Matrix>::scale(y.t, 1 / size);
+        y.p_curvature /= size * size;
+        if (!borders_) return y;
+        Eigen::VectorXd z = borders_->solve(-second(y.t), Eigen::MatrixXd::Zero(left_.cols(), 1), false).x.col(0) +
+                            y.p_curvature * by_load_;
+        if (z.allFinite()) y.bend = std::move(z);
+        return y;
+    }
     /// The way along a combination of the null vectors, with the load that the bifurcation equations give it: at a
     /// hilltop p'' = -l.q / l.l, l = W^T dg/dp, q = W^T g_qq[v, v]; else t_p = -b.q / (2 b.b), b = W^T (dK along the
     /// branch that is left) v.
-    Way way_along(const Eigen::VectorXd& v) const {
-        Way y{{v, 0}, 0};
-        if (!borders_) return y;
-        const Eigen::VectorXd turned = second(y.t), quadratic = left_.transpose() * turned;
+    Way way_along(const Eigen::VectorXd& v) {
+        Direction t{v, 0};
+        if (!borders_) return way_of(t, 0);
+        const Eigen::VectorXd turned = second(t), quadratic = left_.transpose() * turned;
         // noise, where the symmetry makes the quadratic terms 0
-        if (!(quadratic.norm() > 1e-6 * left_.norm() * turned.norm())) return y;
-        if (point_.kind == CriticalKind::hilltop) {
-            y.p_curvature = -load_.dot(quadratic) / load_.squaredNorm();
-        } else if (slope_) {
-            const Eigen::VectorXd b =
-                left_.transpose() * (*slope_ * v + problem_.parameter_derivative_along(point_.q, point_.p, v));
-            const double share = -b.dot(quadratic) / (2 * b.squaredNorm());
-            if (std::isfinite(share)) {
-                y.t.p = share;
-                y.t.q += share * by_load_;
-            }
+        if (!(quadratic.norm() > 1e-6 * left_.norm() * turned.norm())) return way_of(t, 0);
+        if (point_.kind == CriticalKind::hilltop) return way_of(t, -load_.dot(quadratic) / load_.squaredNorm());
+        if (!slope_) return way_of(t, 0);
+        const Eigen::VectorXd b =
+            left_.transpose() * (*slope_ * v + problem_.parameter_derivative_along(point_.q, point_.p, v));
+        const double share = -b.dot(quadratic) / (2 * b.squaredNorm());
+        if (std::isfinite(share)) {
+            t.p = share;
+            t.q += share * by_load_;
         }
-        return y;
+        return way_of(t, 0);
     }
 
     /// Directions between null vectors, all around, until some amplitude leads to a branch.
@@ -156,25 +169,15 @@ private:
     }
 
     /// Both half branches along a way, by the first of these shares of the amplitude that leads to one.
-    void attempt(Way way, std::initializer_list<double> shares) {
-        const double size = stepper_.length(way.t);
-        if (!(size > 0)) return;
-        AnyBranchStepper<Matrix>::scale(way.t, 1 / size);
-        way.p_curvature /= size * size;
-        std::optional<Eigen::VectorXd> bend;
-        if (borders_) {
-            const Eigen::VectorXd z =
-                borders_->solve(-second(way.t), Eigen::MatrixXd::Zero(left_.cols(), 1), false).x.col(0) +
-                way.p_curvature * by_load_;
-            if (z.allFinite()) bend = z;
-        }
+    void attempt(const Way& way, std::initializer_list<double> shares) {
+        if (!(stepper_.length(way.t) > 0)) return;
         for (const double sign : {1.0, -1.0})
             for (const double share : shares)
-                if (leave(way, sign, share * amplitude_, bend)) break;
+                if (leave(way, sign, share * amplitude_)) break;
     }
 
     /// Whether a branch was found a length s along the way.
-    bool leave(const Way& way, double sign, double s, const std::optional<Eigen::VectorXd>& bend) {
+    bool leave(const Way& way, double sign, double s) {
         // the plane's normal has no share of the branch that is left: the corrector cannot fall back onto it
         const Direction normal =
             sum(way.t, -stepper_.dot(way.t, incoming_) / stepper_.dot(incoming_, incoming_), incoming_);
@@ -183,9 +186,9 @@ private:
         AnyBranchStepper<Matrix>::scale(straight, sign * s);
         straight.p += way.p_curvature * s * s / 2;
         Direction bent = straight;
-        if (bend) bent.q += s * s / 2 * *bend;
+        if (way.bend) bent.q += s * s / 2 * *way.bend;
         // so far the second order says nothing
-        const bool bends = bend && stepper_.length(sum(bent, -1, straight)) < 0.5 * s;
+        const bool bends = way.bend && stepper_.length(sum(bent, -1, straight)) < 0.5 * s;
         for (const Direction* increment : {&bent, &straight}) {
             if (increment == &bent && !bends) continue;
             auto start = stepper_.onto(point_.q, point_.p, *increment, normal, along);

@@ -112,7 +112,10 @@ private:
         AnyConfiguration q = problem_.retract(point.q, d.q);
         double p = point.p, noise = 0;
         for (int k = 0; k < 3; ++k) {
-            if (!evaluate(q, p)) break;
+            if (!evaluate(q, p)) {
+                noise = std::numeric_limits<double>::infinity();
+                break;
+            }
             const Step step = bifurcation_step();
             if (k > 0) noise = std::max(noise, std::abs(step.gamma - gamma));
             q = problem_.retract(q, step.d.q);

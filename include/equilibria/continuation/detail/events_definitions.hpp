@@ -219,16 +219,10 @@ private:
                 if (!point) continue;
                 const std::optional<double> share = share_of(a, b, *point);
                 if (!share) continue;
-                // what happens close to it must be what its kind does; the rest of the step is searched on its own
-                const double margin = 0.02;
-                const auto left = *share > 2 * margin ? stepper_->between(a, b, *share - margin) : a;
-                const auto right = *share < 1 - 2 * margin ? stepper_->between(a, b, *share + margin) : b;
+                // what happens close to it must be what its kind does
+                const auto [left, right] = beside(a, b, *share);
                 if (!left || !right || !share_of(*left, *right, *point) || !agrees(*left, *right, *point)) continue;
-                point->negative_before = left->negative;
-                point->negative_after = right->negative;
-                if (*share > 2 * margin) locate(a, *left, depth + 1, out);
-                out.points.push_back(std::move(*point));
-                if (*share < 1 - 2 * margin) locate(*right, b, depth + 1, out);
+                note(a, *left, std::move(*point), *right, b, depth, out);
                 return;
             }
         }
@@ -253,18 +247,31 @@ private:
         if (!point) return false;
         const std::optional<double> share = share_of(a, b, *point);
         if (!share) return false;
-        const double margin = 0.02;
-        const auto left = *share > 2 * margin ? stepper_->between(a, b, *share - margin) : a;
-        const auto right = *share < 1 - 2 * margin ? stepper_->between(a, b, *share + margin) : b;
-        const bool around = left && right && changes(*left, *right) == changes(a, b) && changes(a, *left) == 0;
+        const auto [left, right] = beside(a, b, *share);
+        if (left && right && changes(*left, *right) == changes(a, b) && changes(a, *left) == 0) {
+            note(a, *left, std::move(*point), *right, b, depth, out);
+            return true;
+        }
         // close to it the branch is ill determined
-        if (!around && h > 20 * resolution_) return false;
-        point->negative_before = around ? left->negative : a.negative;
-        point->negative_after = around ? right->negative : b.negative;
-        if (around && *share > 2 * margin) locate(a, *left, depth + 1, out);
-        out.points.push_back(std::move(*point));
-        if (around && *share < 1 - 2 * margin) locate(*right, b, depth + 1, out);
+        if (h > 20 * resolution_) return false;
+        note(a, a, std::move(*point), b, b, depth, out);
         return true;
+    }
+
+    /// The points of the branch a 50th of the step before and behind the share of it; a and b where these are as near.
+    std::pair<std::optional<Point>, std::optional<Point>> beside(const Point& a, const Point& b, double share) {
+        constexpr double margin = 0.02;
+        return {share > 2 * margin ? stepper_->between(a, b, share - margin) : a,
+                share < 1 - 2 * margin ? stepper_->between(a, b, share + margin) : b};
+    }
+    /// Lists a point between left and right, and what is found in the rest of the step, which is searched on its own.
+    void note(const Point& a, const Point& left, Critical point, const Point& right, const Point& b, int depth,
+              Events& out) {
+        point.negative_before = left.negative;
+        point.negative_after = right.negative;
+        if (left.arc_length != a.arc_length) locate(a, left, depth + 1, out);
+        out.points.push_back(std::move(point));
+        if (right.arc_length != b.arc_length) locate(right, b, depth + 1, out);
     }
 
     /// Searches between points that stand one in each gap between neighbouring zeros of the eigenvalues that change

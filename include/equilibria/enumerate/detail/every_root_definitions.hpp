@@ -80,10 +80,11 @@ EQUILIBRIA_INLINE RootsVerdict verdict_of(const RootAttempt& y, const std::vecto
     const auto bound = smallest(bounds);
     const std::uint64_t counted = y.counted(), multiple = counted - y.proof.distinct;
     RootsVerdict v;
+    static_assert(LocalMultiplicity::zero == 1e-100, "the sentence says so");
     const std::string roots =
         count(y.proof.distinct) + " regular roots are proved" +
-        (multiple > 0 ? ", " + count(multiple) +
-                            " more are counted in multiple roots (to 150 digits; values below 1e-100 count as 0)"
+        (multiple > 0 ? ", " + count(multiple) + " more are counted in multiple roots (to " +
+                            count(LocalMultiplicity::digits) + " digits; values below 1e-100 count as 0)"
                       : "");
     if (bound && counted == bound->value) {
         v.completeness = Completeness::complete;

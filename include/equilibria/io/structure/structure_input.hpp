@@ -49,7 +49,7 @@ struct StructureInput {
 };
 
 /// How its branches are followed: within its window, with its steps, or else with a first one of 0.01 and none above
-/// 0.1, in the lengths of Structure's weights: shares of the structure's size.
+/// 0.1, in the lengths of Structure's weights: displacements in shares of the structure's size, rotations in radians.
 inline ContinuationOptions continuation_options(const StructureInput& input) {
     ContinuationOptions y;
     y.range = {input.low, input.high};

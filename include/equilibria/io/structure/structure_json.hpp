@@ -46,8 +46,9 @@
 /// loads: dead ones of size p ("proportional", default) or "constant", or follower loads of size p.
 /// parameter: p, called "p" unless it has a name, within its window, from low to high; all else is optional.
 ///     "direction" is "up", "down" or "both": where p goes from the unloaded state, p = 0. By default p goes both ways
-///     from a 0 within the window, else towards the window. Steps are lengths: of the unknowns, in units of length and
-///     in radians, together with "parameter_weight" times p (branch_options.hpp).
+///     from a 0 within the window, else towards the window. Steps are lengths: root mean squares over the nodes,
+///     of displacements in shares of the structure's size and of rotations in radians, together with "parameter_weight"
+///     times p (branch_options.hpp).
 /// measure: the node that is looked at; by default the first one with a load, or else the last one.
 ///
 /// What is not called planar is spatial: it uses uz, rx and ry too. Where planar elements meet it these components are

@@ -48,7 +48,8 @@ enum class LocusFaultKind {
     wrong_count,        ///< an enumeration that differs from its region's
     wrong_border,       ///< a region next to another one whose table no fold or pitchfork explains
     from_infinity,      ///< equilibria come from infinity on no traced curve, or where such a curve breaks off
-    degenerate_line     ///< a point of a generic line that is more than a fold, as on curves of pitchforks off the axes
+    degenerate_line     ///< a point of a generic line that is more than a fold, as on pitchfork curves off symmetric
+                        ///< branches
 };
 /// In words.
 constexpr const char* to_string(LocusFaultKind kind) {

@@ -137,12 +137,15 @@ private:
     /// small diagonal added, and taken off, if both have as many.
     std::optional<int> negative_beside(const Matrix& k, double corner) {
         std::optional<int> y;
+        const Eigen::VectorXd generic = generic_vector(k.rows()).cwiseAbs(), ones = Eigen::VectorXd::Ones(k.rows());
         for (const double sign : {1.0, -1.0}) {
             Matrix beside = k;
-            const Eigen::VectorXd generic = generic_vector(k.rows()).cwiseAbs();
             for (Eigen::Index j = 0; j < k.rows(); ++j)
                 beside.coeffRef(j, j) += sign * corner * (1e-7 + 1e-6 * generic(j));
             if (!factors_->factor(beside)) return std::nullopt;
+            const Eigen::MatrixXd x = factors_->solve(ones), left = symmetric_product(beside, x) - ones;
+            const double size = corner * x.lpNorm<Eigen::Infinity>() + 1;
+            if (!(left.lpNorm<Eigen::Infinity>() < 1e-9 * size)) return std::nullopt;
             if (y && *y != factors_->negative()) return std::nullopt;
             y = factors_->negative();
         }

@@ -90,3 +90,33 @@ TEST_CASE("complex lines through a real point are no real family") {
     CHECK(lines.at({0, 0}).dimension == 1);
     CHECK(lines.at({0, 0}, true).dimension == 0);
 }
+
+TEST_CASE("a double point near a surface is none of its points") {
+    // y z - 0.02 = 0 is a surface; x^2 = y = z = 0 a double point, 0.2 from it
+    const auto beside = probe(3, [](const Vector& q) {
+        const auto f = q[1] * q[2] - 0.02;
+        return Vector{q[0] * q[0] * f, q[1] * f, q[2] * f};
+    });
+    auto found = beside.at({0, 0, 0});
+    CHECK(found.dimension == 0);
+    CHECK(!beside.lies_on({0, 0, 0}, 2, found));
+    CHECK(found.dimension == 0);
+}
+
+TEST_CASE("a point of a surface where all equations are singular lies on it") {
+    // y = 0; next to x^2 = 2 z^2 on it the terms cancel
+    const auto embedded = probe(3, [](const Vector& q) {
+        return Vector{-4.0 * q[0] * q[1] * q[1], 4.0 * q[1] * (2.0 * q[2] * q[2] - q[0] * q[0]),
+                      8.0 * q[1] * q[1] * q[2]};
+    });
+    const Vector at{-1, 1e-16, -std::sqrt(0.5)};
+    FamilyProbe::Finding found;
+    REQUIRE(embedded.lies_on(at, 2, found));
+    CHECK(found.dimension == 2);
+    CHECK(found.rank_drops);
+    CHECK(std::abs(found.neighbour[1]) < 1e-6);
+    // x = z = 0 is a line that meets the surface at the origin alone
+    found = {};
+    CHECK(!embedded.lies_on({0, 0.5, 0}, 2, found));
+    CHECK(embedded.lies_on({0, 0.5, 0}, 1, found));
+}

@@ -246,6 +246,38 @@ def curves(r):
     return polynomials([derivative(lag, k) for k in range(3)], 3)
 
 
+def surfaces(r):
+    """Surfaces and curves of one system, simple, multiple and embedded in one another, and roots beside them."""
+    kind = r.randint(0, 4)
+    if kind == 0:  # gradients of a few monomials
+        v = {exponents(r, 3, 4): nonzero(r, 4) for _ in range(r.randint(2, 4))}
+        return polynomials([derivative(v, k) for k in range(3)], 3)
+    if kind == 1:  # monomials by sparse polynomials
+        shared = exponents(r, 3, 2)
+        return polynomials([times({shared: Fraction(1)}, sparse_polynomial(r, 3, 2, r.randint(1, 3), 4)) for _ in range(3)], 3)
+    if kind == 2:  # products of few planes
+        planes = [linear(r, 3, 2) for _ in range(4)]
+        equations = []
+        for _ in range(3):
+            f = constant(3, nonzero(r, 3))
+            for _ in range(r.randint(2, 4)):
+                f = times(f, r.choice(planes))
+            equations.append(f)
+        return polynomials(equations, 3)
+    if kind == 3:  # a common factor by equations with a curve, or without
+        shared = r.choice([linear(r, 3, 2), {e: c for e, c in dense_polynomial(r, 3, 2, 2).items() if r.random() < 0.5}])
+        g = [linear(r, 3, 2), r.choice([linear(r, 3, 2), dense_polynomial(r, 3, 2, 2)])]
+        equations = []
+        for _ in range(3):
+            f = add(times(dense_polynomial(r, 3, r.randint(0, 1), 2), g[0]), times(constant(3, r.randint(-2, 2)), g[1]))
+            equations.append(times(shared, f))
+        return polynomials(equations, 3)
+    # a double curve where two squares meet, and another by a factor
+    a, b, c = linear(r, 3, 2), linear(r, 3, 2), linear(r, 3, 2)
+    equations = [times(power(a, 2, 3), c), times(power(b, 2, 3), r.choice([c, constant(3, 1)])), times(times(a, b), linear(r, 3, 2))]
+    return polynomials(equations, 3)
+
+
 def infinity(r):
     kind = r.randint(0, 2)
     if kind == 0:  # leading forms with a common factor
@@ -514,6 +546,7 @@ CLASSES = {
     "narrow": narrow,
     "multiple": multiple,
     "curves": curves,
+    "surfaces": surfaces,
     "infinity": infinity,
     "scaled": scaled_unknowns,
     "extreme": extreme,

@@ -110,7 +110,7 @@ template <Model M, class StartSystem>
                 set.seconds = begin.seconds();
                 return set;
             }
-            report.why = "the roots are not all regular, and its paths meet every curve of solutions";
+            report.why = "the roots are not all regular, and its paths lead to curves of solutions";
         }
         auto set = enumerate_from<M>(target, Natural(target, generator), run, options, resort);
         set.start.why = report.why;

@@ -126,7 +126,7 @@ RootSet<RuntimeUnknowns> enumerate_from(const T& model, const RuntimeArray<doubl
             set.seconds = begin.seconds();
             set.start.why = report.why;
             if (asked || (set.paths.singular == 0 && set.families.empty())) return set;
-            report.why = "the roots are not all regular, and its paths meet every curve of solutions";
+            report.why = "the roots are not all regular, and its paths lead to curves of solutions";
         }
     }
     const TotalDegreeStart start = problem.total_degree_start();

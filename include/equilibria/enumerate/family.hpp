@@ -28,7 +28,7 @@ struct FamilyPoint {
     double residual = 0;          ///< of the neighbour: max_i |F_i| / (largest term of F_i)
     double condition = 0;         ///< of the Jacobian at the endpoint, as of a Root
     std::uint64_t path = 0;       ///< the first path that ended here
-    std::int32_t paths = 1;       ///< how many did
+    std::int32_t paths = 1;       ///< how many did; 0: found on a generic plane
 };
 
 /// A family of solutions. Points are of one family where a walk on it leads from one to the other: what no walk

@@ -1,10 +1,10 @@
 /// \file
 /// Curves and surfaces of solutions of a system, named by dimension, degree and a point of each.
 ///
-/// Every curve is met by paths of the total degree. Its degree is the number of points in which a generic hyperplane
-/// meets it: the solutions of generic combinations of the equations and of that hyperplane, among which those count
-/// that fulfil all equations. Source: A. J. Sommese, C. W. Wampler, The Numerical Solution of Systems of Polynomials
-/// Arising in Engineering and Science, World Scientific (2005), chapters 13 and 15.
+/// Paths of the total degree lead to every curve, or to a point of it at infinity. Its degree is the number of points
+/// in which a generic hyperplane meets it: the solutions of generic combinations of the equations and of that
+/// hyperplane, among which those count that fulfil all equations. Source: A. J. Sommese, C. W. Wampler, The Numerical
+/// Solution of Systems of Polynomials Arising in Engineering and Science, World Scientific (2005), chapters 13 and 15.
 #pragma once
 
 #include <complex>
@@ -35,8 +35,9 @@ namespace equilibria::detail {
 /// on_one says so. roots: those that `found` is of.
 void keep_families(const SparseSystem& system, const std::vector<Root<RuntimeUnknowns>>& roots, FoundFamilies& found);
 
-/// The families that these suspects, and singular ends of paths from the total degree, lie on; on_one: of the suspects.
-/// most_paths: above so many paths the total degree is not tracked. Degrees are counted of systems without angles.
+/// The families that these suspects, singular ends of paths from the total degree, and points on generic planes lie on;
+/// on_one: of the suspects. most_paths: above so many paths the total degree is not tracked. Planes are for systems
+/// without angles alone: of others no degrees are counted, and a curve may not be found that paths meet at infinity.
 FoundFamilies name_families(const SparseSystem& system, const std::vector<Root<RuntimeUnknowns>>& suspects,
                             const RunOptions& run, const TrackerOptions& options, std::uint64_t most_paths);
 

@@ -18,7 +18,7 @@ struct StartReport {
 
 /// Asks `enumerate` for the start of the least predicted cost: its paths times what a path costs, of a total-degree
 /// start (reflected where that suits the model) and of a polyhedral one. A set of roots that is not all regular is
-/// enumerated from the total degree, whose paths meet every curve and surface of solutions.
+/// enumerated from the total degree, whose paths lead to every curve and surface of solutions, or to its infinity.
 struct LeastCost {};
 /// Asks `enumerate` for a polyhedral start.
 struct Polyhedral {};

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <complex>
+#include <functional>
 #include <numbers>
 #include <utility>
 #include <vector>
@@ -73,6 +74,16 @@ EQUILIBRIA_INLINE FoundFamilies find_families(const PolynomialHomotopy& homotopy
             for (std::size_t u = 0; u < n; ++u) points[k].push_back(roots[k].q[static_cast<int>(u)] / unit[u]);
             if (!is_regular_in_digits(roots[k], homotopy)) found[k] = probe.at(points[k]);
         }
+    });
+    // a point where the rank drops, on a surface that others have shown, may pass for one of a curve, or for isolated
+    std::vector<int> dimensions;
+    for (const auto& finding : found) dimensions.push_back(finding.dimension);
+    std::ranges::sort(dimensions, std::greater{});
+    dimensions.erase(std::unique(dimensions.begin(), dimensions.end()), dimensions.end());
+    executor.for_blocks(roots.size(), 16, [&](std::size_t first, std::size_t last) {
+        for (std::size_t k = first; k < last; ++k)
+            for (const int d : dimensions)
+                if (d <= found[k].dimension || probe.lies_on(points[k], d, found[k])) break;
     });
     FoundFamilies y{{}, std::vector<std::uint8_t>(roots.size()), 0};
     std::vector<std::size_t> number;

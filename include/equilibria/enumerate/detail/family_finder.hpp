@@ -37,7 +37,7 @@ public:
         for (std::size_t k = 0; k < points.size(); ++k) {
             const int d = found[k].dimension;
             // where families cross no walk begins or ends: one from a neighbour does
-            const Vector& at = found[k].nullity > d ? found[k].neighbour : points[k];
+            const Vector& at = found[k].rank_drops || found[k].nullity > d ? found[k].neighbour : points[k];
             const Vector q = probe_->projected(at, n_ - d, 1e-3).value_or(at);
             Group group{d, {k}, std::nullopt, {q}};
             const std::size_t home = connected_group(q, group, y, y.size());

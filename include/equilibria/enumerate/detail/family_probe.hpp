@@ -37,11 +37,14 @@ public:
     static constexpr double null_share = 1e-4;
     static constexpr double negligible = 3e-13;  ///< a residual that counts as zero
 
+    static constexpr double inaccuracy = 1e-3;  ///< of endpoints on multiple families, at most
+
     struct Finding {
         int nullity = 0, dimension = 0;  ///< dimension 0: isolated, as far as the probe can tell
         std::vector<Vector> tangent;     ///< an orthonormal basis of the null space
         Vector neighbour;
         double distance = 0, residual = 0;
+        bool rank_drops = false;  ///< against other points of the family: walks begin at the neighbour
     };
 
     FamilyProbe(int n, System system) : n_(n), system_(std::move(system)) {}
@@ -60,6 +63,28 @@ public:
                 for (int attempt = 0; attempt < (d == y.nullity ? 1 : 4); ++attempt)
                     if (confirmed(q, d, distance, real, generator, y)) return y;
         return y;
+    }
+
+    /// Whether q lies on a family of dimension d, more than was found there, with more attempts and slices of all the
+    /// space. The finding is then that. Another component through q may hide the family: Gauss-Newton steps towards it
+    /// end at minima of |F|, and where all equations are singular the null space is one of rounding.
+    [[gnu::cold]] bool lies_on(const Vector& q, int d, Finding& found) const {
+        constexpr int attempts = 25;
+        Generator generator(0x3c6ef372fe94f82b);
+        Finding with = found;
+        with.nullity = n_;
+        with.tangent.assign(index(n_), Vector(index(n_)));
+        for (int i = 0; i < n_; ++i) with.tangent[index(i)][index(i)] = 1;
+        for (int attempt = 0; attempt < attempts; ++attempt)
+            for (const double distance : {0.1, 0.02}) {
+                if (!confirmed(q, d, distance, false, generator, with)) continue;
+                with.nullity = std::max(found.nullity, d);
+                with.tangent = std::move(found.tangent);
+                with.rank_drops = true;
+                found = std::move(with);
+                return true;
+            }
+        return false;
     }
 
     /// The nearest solution of F = 0 that Gauss-Newton steps of least length lead to, the Jacobian having that rank.
@@ -170,15 +195,28 @@ private:
         for (int r = 0; r < d; ++r) size += std::norm(unit[index(r)]);
         for (auto& x : unit) x /= std::sqrt(size);
         for (const double h : {2 * distance, 0.5 * distance, distance}) {
-            Vector at = q;
-            for (int r = 0; r < y.nullity; ++r)
-                for (int i = 0; i < n_; ++i) at[index(i)] += h * unit[index(r)] * rows[index(r)][index(i)];
+            Slices slices{q, rows, Vector(unit.begin(), unit.begin() + d), h};
+            for (auto& x : slices.offsets) x *= h;
+            bool solved = false;
+            for (int guess = 0; !solved && guess < (d < y.nullity ? 4 : 1); ++guess) {
+                Vector at = q;
+                for (int r = 0; r < y.nullity; ++r) {
+                    if (guess > 0 && r >= d) unit[index(r)] = draw(real, generator);
+                    for (int i = 0; i < n_; ++i) at[index(i)] += h * unit[index(r)] * rows[index(r)][index(i)];
+                }
+                solved = solve_on_slices(at, slices, y.residual);
+                if (solved) y.neighbour = at;
+            }
+            if (!solved) return false;
+        }
+        // another family may pass near an isolated root: this one must come back to q
+        Vector at = y.neighbour;
+        for (double h = distance / 2; h > 1e-3; h /= 2) {
+            for (int i = 0; i < n_; ++i) at[index(i)] = 0.5 * (at[index(i)] + q[index(i)]);
             Slices slices{q, rows, Vector(unit.begin(), unit.begin() + d), h};
             for (auto& x : slices.offsets) x *= h;
             double residual = 0;
             if (!solve_on_slices(at, slices, residual)) return false;
-            y.neighbour = at;
-            y.residual = residual;
         }
         y.distance = FamilyProbe::distance(y.neighbour, q);
         y.dimension = d;
@@ -211,11 +249,12 @@ private:
                 right.push_back(inner(rows[index(r)], shift) - offsets[index(r)]);
                 off = std::max(off, std::abs(right.back()));
             }
-            if (residual < negligible && off < 1e-9 * h) return largest(shift) < 4 * h;
+            if (residual < negligible && off < 1e-9 * h) return largest(shift) < 4 * h + inaccuracy;
             const SingularValues svd(n_ + d, n_, std::move(stacked));
             const Vector step = svd.solve(right, svd.rank(1e-9));
             const double length = largest(step);
-            if (!(length < 1e300)) return false;
+            // no solution, but a minimum of |F|, where steps end
+            if (!(length < 1e300) || (length < 1e-10 * h && residual > 1e-9)) return false;
             const double by = std::min(1.0, h / (length + 1e-300));
             for (int i = 0; i < n_; ++i) q[index(i)] -= by * step[index(i)];
         }

@@ -121,7 +121,8 @@ EQUILIBRIA_INLINE FoundFamilies name_families(const SparseSystem& system,
     if (tracked)
         for (const auto& root : solve_total_degree(system, run, options, nullptr).roots)
             if (root.status == PathStatus::singular) all.push_back(root);
-    if (all.empty()) return {};
+    const bool on_planes = tracked && system.sizes().angles == 0;
+    if (all.empty() && !on_planes) return {};
     Generator generator(run.seed);
     std::vector<int> degrees = system.degrees();
     for (int& d : degrees) d = std::max(d, 1);
@@ -129,32 +130,37 @@ EQUILIBRIA_INLINE FoundFamilies name_families(const SparseSystem& system,
     const PolynomialHomotopy homotopy = total_degree_homotopy(system, start, degrees);
     auto y = find_families(homotopy, all, run.executor);
     keep_families(system, all, y);
-    if (tracked && system.sizes().angles == 0 && !y.families.empty()) {
+    if (on_planes) {
         const std::size_t known = all.size();
-        std::vector<int> dimensions;
-        for (const auto& family : y.families) dimensions.push_back(family.dimension);
-        std::ranges::sort(dimensions);
-        dimensions.erase(std::unique(dimensions.begin(), dimensions.end()), dimensions.end());
         std::vector<std::pair<std::uint64_t, int>> witnesses;  // by a path number of their own
-        for (const int d : dimensions)
+        // also of dimensions that no path ended on: it may meet a family at infinity
+        int most = y.families.empty() ? system.sizes().unknowns - 1 : 1;
+        for (const auto& family : y.families) most = std::max(most, family.dimension);
+        for (int d = 1; d <= most; ++d)
             if (const auto points = witness_points(system, homotopy, d, run, options, most_paths))
                 for (auto root : *points) {
                     root.path = (std::uint64_t{1} << 62) + all.size();
                     witnesses.emplace_back(root.path, d);
                     all.push_back(std::move(root));
                 }
-        y = find_families(homotopy, all, run.executor);
-        keep_families(system, all, y);
+        if (!witnesses.empty()) {
+            y = find_families(homotopy, all, run.executor);
+            keep_families(system, all, y);
+        }
         y.on_one.resize(known);
         for (auto& family : y.families) {
+            FamilyPoint<RuntimeUnknowns> on_plane = family.points.front();
             std::erase_if(family.points, [&](const FamilyPoint<RuntimeUnknowns>& point) {
                 const auto at = std::ranges::find(witnesses, point.path, &std::pair<std::uint64_t, int>::first);
                 if (at == witnesses.end()) return false;
                 family.degree += at->second == family.dimension;
-                return family.points.size() > 1;
+                return true;
             });
+            if (!family.points.empty()) continue;
+            on_plane.path = 0;
+            on_plane.paths = 0;  // none of the system's own ended here
+            family.points.push_back(std::move(on_plane));
         }
-        std::erase_if(y.families, [](const auto& family) { return family.points.empty(); });
     }
     y.on_one.resize(suspects.size());
     return y;

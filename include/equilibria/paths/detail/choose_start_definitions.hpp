@@ -111,7 +111,7 @@ EQUILIBRIA_INLINE StartChoice fewest_paths(StartBounds bounds, std::optional<Sta
         *bounds.mixed_volume > 0)
         return {StartKind::polyhedral, "the mixed volume is the smallest number of paths", std::move(bounds)};
     if (!asked && bounds.mixed_volume == 0 && !bounds.total_degree.saturated)
-        return {StartKind::total_degree, "its paths meet every curve of solutions, and no root is isolated",
+        return {StartKind::total_degree, "its paths lead to curves of solutions, and no root is isolated",
                 std::move(bounds)};
     return choose_start(std::move(bounds), asked);
 }

@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <cstdio>
 #include <equilibria/continuation/check_derivatives.hpp>
+#include <equilibria/fem/loaded_state.hpp>
 #include <equilibria/fem/loose_motion.hpp>
 #include <equilibria/io/structure/structure_output.hpp>
 #include <exception>
@@ -23,6 +24,7 @@
 #include <vector>
 
 #include "buckling/model.hpp"
+#include "buckling/states.hpp"
 #include "plots/buckling.hpp"
 #include "support/buckling_cases.hpp"
 #include "support/factors.hpp"
@@ -47,10 +49,10 @@ struct Command {
     std::optional<double> at;
     bool first = false;
     std::optional<support::Range> window;
-    std::optional<support::OutputFile> json, csv;
+    std::optional<support::OutputFile> json, csv, states;
     support::Pictures pictures;
 
-    bool quiet() const { return to_stdout(json) || to_stdout(csv); }
+    bool quiet() const { return to_stdout(json) || to_stdout(csv) || to_stdout(states); }
 };
 
 const support::CaseEntry* entry_of(const std::string& name) {
@@ -145,6 +147,9 @@ Command read(int argc, char** argv) {
                     "of assembly, 1 to 1024, 0 for one each core (default 1); does not change the result");
     support::add_output(app, "--json", c.json, "write JSON to this file, or to stdout for -");
     support::add_output(app, "--csv", c.csv, "write the branches as CSV to this file, or to stdout for -");
+    support::add_output(app, "--states", c.states,
+                        "write displacements, reactions and section forces of a model at its critical points, at --at "
+                        "and at the ends of branches, as CSV, to this file, or to stdout for -");
     app.add_option("--vtk", c.vtk, "write the deformed shapes to files NAME_branch_number.vtk");
     support::add_output(app, "--svg", c.pictures.svg, "draw branches and shapes to this SVG file (needs gnuplot)");
     support::add_output(app, "--png", c.pictures.png, "draw them to this PNG file (needs gnuplot)");
@@ -155,13 +160,15 @@ Command read(int argc, char** argv) {
     c.data.nodes = c.order == "linear" ? 2 : c.order == "quadratic" ? 3 : 4;
     if (app.given("--parameter")) c.window = window;
     if (!c.vtk.empty()) support::OutputFile("--vtk", c.vtk + "_0_0.vtk");
+    if (c.states && c.entry) support::fail("--states", "a case", "is for --model: cases have no names for their nodes");
     return c;
 }
 
 /// A configuration on a branch.
 struct Shape {
     std::size_t branch;
-    double parameter;
+    double parameter;  ///< in its unit
+    double p;
     StructureState state;
 };
 
@@ -171,6 +178,9 @@ struct Run {
     bool in_space = false;  ///< else all moves in the x-y plane
     double seconds = 0;
     std::vector<Shape> shapes{};
+    Json first_stage = nullptr;  ///< how constant loads came, if there are any
+    std::vector<std::string> notes{};
+    std::vector<Json> states{};  ///< of a model
 };
 
 template <class P>
@@ -179,6 +189,9 @@ Json document(const support::Tracing<P>& t, const Run& run) {
     out["elements"] = run.elements;
     out["dofs"] = run.dofs;
     out["seconds"] = run.seconds;
+    out["first_stage"] = run.first_stage;
+    out["notes"] = run.notes;
+    if (!run.states.empty()) out["states"] = run.states;
     // all branches' points in one list
     out["branch"] = Json::array();
     for (std::size_t b = 0; b < t.branches.size(); ++b)
@@ -274,7 +287,11 @@ struct Setup {
     std::vector<support::CasePoint> points;
     equilibria::ContinuationOptions options;
     double amplitude;
-    bool up, down;  ///< where the parameter goes from 0
+    bool up, down;         ///< where the parameter goes from 0
+    StructureState start;  ///< at 0
+    Json first_stage = nullptr;
+    std::vector<std::string> notes{};
+    const equilibria::fem::StructureInput* input = nullptr;  ///< of a model
 };
 
 template <class S>
@@ -305,13 +322,14 @@ Run run_of(const S& structure) {
     return run;
 }
 
-void write_shapes(const std::string& name, const Model& model, const Run& run, const std::string& title) {
+template <class S>
+void write_shapes(const std::string& name, const S& structure, const Run& run, const std::string& title) {
     std::vector<int> number;
     for (const Shape& shape : run.shapes) {
         number.resize(std::max(number.size(), shape.branch + 1));
         support::OutputFile(
             "--vtk", name + "_" + std::to_string(shape.branch) + "_" + std::to_string(number[shape.branch]++) + ".vtk")
-            .write(vtk(model, shape.state, shape.parameter, title));
+            .write(vtk(structure, shape.state, shape.p, shape.parameter, title));
     }
 }
 
@@ -346,18 +364,24 @@ void follow(const Command& c, const S& structure, Setup setup) {
     }
     auto t = tracing_of<S>(setup);
     Run run = run_of(structure);
+    run.first_stage = setup.first_stage;
+    run.notes = setup.notes;
     if (!c.vtk.empty() || c.pictures.asked())
-        t.observe = [&](std::size_t branch, const StructureState& q, double p) {
+        t.observe = [&](std::size_t branch, const StructureState& q, double p, const std::string&) {
             // one branch after the other, 4 million nodes at most
-            if (run.shapes.size() * q.frames.size() < 4000000) run.shapes.push_back({branch, setup.value(q, p), q});
+            if (run.shapes.size() * q.frames.size() < 4000000) run.shapes.push_back({branch, setup.value(q, p), p, q});
         };
+    std::optional<StateRows<S>> rows;
+    if (setup.input && (c.json || c.states)) rows.emplace(structure, *setup.input).watch(t);
     const auto begin = std::chrono::steady_clock::now();
     equilibria::check_derivatives(structure, structure.initial(), 0.0);
-    trace(t, structure, {structure.initial(), setup.options, setup.amplitude, setup.up, setup.down, !c.first});
+    trace(t, structure, {setup.start, setup.options, setup.amplitude, setup.up, setup.down, !c.first});
     run.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 
+    if (rows) run.states = rows->take();
+    if (c.states) c.states->write(equilibria::fem::structure_results_csv(run.states).text());
     if (c.pictures.asked()) c.pictures.draw({1200, 560}, plotted(t, structure, run), plots::buckling);
-    if (!c.vtk.empty()) write_shapes(c.vtk, structure.model(), run, setup.title);
+    if (!c.vtk.empty()) write_shapes(c.vtk, structure, run, setup.title);
     if (c.csv) c.csv->write(csv(t));
     if (c.json) c.json->write(equilibria::json_text(document(t, run), 1));
     if (!c.quiet()) print(t, run);
@@ -366,7 +390,18 @@ void follow(const Command& c, const S& structure, Setup setup) {
 void follow_case(const Command& c) {
     const support::BucklingCase s = c.entry->make(c.data);
     follow(c, s.structure,
-           {c.entry->name, s.parameter, s.value, s.tip, s.points, s.options, s.amplitude, true, s.both_ways});
+           {c.entry->name,
+            s.parameter,
+            s.value,
+            s.tip,
+            s.points,
+            s.options,
+            s.amplitude,
+            true,
+            s.both_ways,
+            s.structure.initial(),
+            nullptr,
+            {}});
 }
 
 void follow_model(const Command& c) {
@@ -379,9 +414,30 @@ void follow_model(const Command& c) {
                 .options = continuation_options(input),
                 .amplitude = 0.02,
                 .up = input.up,
-                .down = input.down};
+                .down = input.down,
+                .start = {},
+                .first_stage = nullptr,
+                .notes = {},
+                .input = nullptr};
     const auto run = [&](const auto& structure) {
-        if (const auto loose = equilibria::fem::loose_motion(structure, structure.initial(), 0))
+        const auto loaded = loaded_state(structure, setup.options);
+        if (!loaded.reached()) throw std::runtime_error("p cannot begin: " + loaded.summary());
+        if (!c.quiet()) {
+            for (const std::string& note : input.notes) std::printf("Note: %s.\n", note.c_str());
+            if (structure.model().has_constant_loads())
+                std::printf("First stage, constant loads from 0 to 1: %s.\n",
+                            loaded.summary().empty() ? "no critical point" : loaded.summary().c_str());
+        }
+        setup.start = loaded.state;
+        setup.notes = input.notes;
+        setup.input = &input;
+        if (structure.model().has_constant_loads()) {
+            Json passed = Json::array();
+            for (const auto& [kind, at] : loaded.passed) passed.push_back({{"kind", to_string(kind)}, {"share", at}});
+            setup.first_stage = {
+                {"share", loaded.share}, {"critical_points", passed}, {"unexplained_steps", loaded.unexplained}};
+        }
+        if (const auto loose = equilibria::fem::loose_motion(structure, loaded.state, 0))
             throw std::runtime_error("the structure moves without a force: " + name_of(input, loose->node) + ", " +
                                      to_string(loose->component));
         follow(c, structure, setup);

@@ -10,6 +10,7 @@ template class ElementGroupOf<SphericalJoint>;
 template class ElementGroupOf<PlanarHinge>;
 template class ElementGroupOf<RevoluteJoint>;
 template class ElementGroupOf<PrismaticJoint>;
+template class ElementGroupOf<ForkSupport>;
 template class ElementGroupOf<PrescribedDisplacement>;
 template class ElementGroupOf<PrescribedRotation>;
 template class ElementGroupOf<RotationDrive>;
@@ -24,9 +25,14 @@ template class ElementGroupOf<RigidLink<2>>;
 template class ElementGroupOf<RigidLink<3>>;
 template class ElementGroupOf<RotationSpring>;
 template class ElementGroupOf<PlanarRotationSpring>;
+template class ElementGroupOf<RotationSprings<1>>;
+template class ElementGroupOf<RotationSprings<2>>;
+template class ElementGroupOf<PlanarGroundSpring>;
 template class ElementGroupOf<PointSpring<2>>;
 template class ElementGroupOf<PointSpring<3>>;
 template class ElementGroupOf<Truss<2>>;
 template class ElementGroupOf<Truss<3>>;
+template class ElementGroupOf<StressedTruss<2>>;
+template class ElementGroupOf<StressedTruss<3>>;
 
 }  // namespace equilibria::fem

@@ -37,8 +37,10 @@ struct Tracing {
     std::string name;
     equilibria::BranchMeasures<P> how;
     std::vector<equilibria::EventFunction<P>> functions{};
-    std::function<void(std::size_t, const equilibria::Configuration<P>&, double)>
-        observe{};  ///< each point of a branch
+    /// Each point of a branch, with its number, and the name of the event function that is 0 there.
+    std::function<void(std::size_t, const equilibria::Configuration<P>&, double, const std::string&)> observe{};
+    /// Each critical point, with the number of the branch that it is on.
+    std::function<void(std::size_t, const equilibria::CriticalPoint<P>&)> observe_critical{};
 
     std::vector<CriticalRow> critical_points{};
     std::vector<BranchRow> branches{};
@@ -89,14 +91,16 @@ private:
         const equilibria::Branch<P>& branch = branches_.back();
         const std::size_t number = out_.branches.size();
         if (out_.observe)
-            for_each_point(
-                branch, out_.functions, parent,
-                [&](const auto& q, double p, std::optional<bool>, const std::string&) { out_.observe(number, q, p); });
+            for_each_point(branch, out_.functions, parent,
+                           [&](const auto& q, double p, std::optional<bool>, const std::string& at) {
+                               out_.observe(number, q, p, at);
+                           });
         out_.branches.push_back(
             {samples_of(branch, out_.how, out_.functions, parent), parent_number, to_string(branch.end)});
         for (const auto& found : branch.events) {
             out_.critical_points.push_back({is_bifurcation(found.point.kind), json_of(found.point, out_.how)});
             out_.critical_points.back().json["branch"] = number;
+            if (out_.observe_critical) out_.observe_critical(number, found.point);
         }
         for (const auto& step : branch.unexplained)
             out_.unexplained.push_back("branch " + std::to_string(number) + ": " + step.reason);

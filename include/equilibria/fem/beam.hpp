@@ -20,6 +20,8 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
+#include <vector>
 
 #include <equilibria/fem/beam_geometry.hpp>
 #include <equilibria/fem/element.hpp>
@@ -47,6 +49,30 @@ void add_material(const typename Geometry::Point& y, const typename Geometry::St
     tangent += b.lazyProduct(cb);
 }
 
+/// Names of the forces and moments of a cross-section: of a planar beam 3, in space 6.
+template <int Strains>
+constexpr auto section_force_names() {
+    if constexpr (Strains == 6)
+        return std::array{"N", "Q2", "Q3", "M1", "M2", "M3"};
+    else
+        return std::array{"N", "Q", "M"};
+}
+/// stress(g) at the deformed place of each Gauss point.
+template <class Geometry>
+std::vector<InternalForce> section_forces(const Geometry& geometry, const typename Geometry::Frames& at,
+                                          const auto& stress) {
+    std::vector<InternalForce> y;
+    for (int g = 0; g < Geometry::gauss_points; ++g) {
+        const auto shape = geometry.line().shape(g);
+        InternalForce force{Eigen::Vector3d::Zero(), {}};
+        for (std::size_t k = 0; k < at.size(); ++k) force.place += shape.value[k] * at[k].x;
+        const typename Geometry::Strains values = stress(g);
+        force.values.assign(values.begin(), values.end());
+        y.push_back(std::move(force));
+    }
+    return y;
+}
+
 template <class Geometry, class S>
 class BeamElement {
 public:
@@ -54,6 +80,7 @@ public:
     static constexpr auto components = motion_components<Geometry::n_strains == 6 ? 3 : 2>();
     static constexpr bool depends_on_parameter = false;
     static constexpr int gauss_points = Geometry::gauss_points;
+    static constexpr auto force_names = section_force_names<Geometry::n_strains>();
     using Frames = typename Geometry::Frames;
     using Strains = typename Geometry::Strains;
     using InitialFrames = std::array<typename Geometry::InitialFrame, static_cast<std::size_t>(n_nodes)>;
@@ -70,6 +97,10 @@ public:
     Strains strain(const Frames& at, int g) const { return geometry_.strain(at, g); }
     /// Forces and moments of the cross-section, in its axes.
     Strains stress(const Frames& at, int g) const { return stiffness_.cwiseProduct(strain(at, g)); }
+    /// At each Gauss point.
+    std::vector<InternalForce> forces(const Frames& at, const ElementQuery&) const {
+        return section_forces(geometry_, at, [&](int g) { return stress(at, g); });
+    }
     double energy(const Frames& at) const {
         double y = 0;
         for (int g = 0; g < gauss_points; ++g) y += 0.5 * geometry_.line().weight(g) * strain(at, g).dot(stress(at, g));
@@ -110,6 +141,7 @@ public:
     static constexpr bool depends_on_parameter = false;
     static constexpr int gauss_points = Geometry::gauss_points;
     static constexpr int n_multipliers = Geometry::n_strains * gauss_points;
+    static constexpr auto force_names = section_force_names<Geometry::n_strains>();
     using Frames = typename Geometry::Frames;
     using Strains = typename Geometry::Strains;
     using InitialFrames = typename BeamElement<Geometry, S>::InitialFrames;
@@ -127,6 +159,14 @@ public:
 
     const Geometry& geometry() const { return geometry_; }
     Strains strain(const Frames& at, int g) const { return geometry_.strain(at, g); }
+    /// Forces and moments of the cross-section at each Gauss point, in its axes.
+    std::vector<InternalForce> forces(const Frames& at, const ElementQuery& query) const {
+        const Strains share = Strains::Ones() - penalty_.cwiseProduct(flexibility_);
+        return section_forces(geometry_, at, [&](int g) {
+            const Strains force = query.scale.multiplier * Eigen::Map<const Strains>(query.multipliers + n * g);
+            return Strains(penalty_.cwiseProduct(strain(at, g)) + share.cwiseProduct(force));
+        });
+    }
 
     void evaluate(const Frames& at, const double* multipliers, double, const ConstraintScale& scale, Need need,
                   ElementValues& out) const {

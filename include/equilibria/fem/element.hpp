@@ -25,6 +25,9 @@
 ///                                                      conservative = false` where the tangent is not symmetric
 ///     void evaluate(at, multipliers, p, ConstraintScale, Need, ElementValues&)
 ///                                                      the same, with `static constexpr int n_multipliers`
+/// An element may also say what it carries: `static constexpr std::array force_names{"N"}` of const char*, and
+///     std::vector<InternalForce> forces(at, const ElementQuery&)
+/// where it has no constraints; those say force_names alone, of minus their multipliers' forces.
 /// p is the load parameter; an element that does not change with it may say so by `static constexpr bool
 /// depends_on_parameter = false`: it is not asked for derivatives by p then. Derivatives are those by increments of the
 /// nodes at increment 0: x + dx, R exp(dPsi). Numbers in brackets: equations of Cardona and Huespe, Evaluation of
@@ -36,6 +39,7 @@
 #include <concepts>
 #include <cstddef>
 #include <memory>
+#include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -46,6 +50,9 @@
 #include <equilibria/fem/frame.hpp>
 
 namespace equilibria::fem {
+
+/// Loads and prescribed motions of size p (the load parameter), or constant ones.
+enum class LoadKind { proportional, constant };
 
 /// What is asked of an element.
 enum class Need { residual, tangent, parameter_derivative };
@@ -69,6 +76,12 @@ struct ElementQuery {
     double p;                   ///< the load parameter
     ConstraintScale scale;      ///< of the augmented Lagrangian
     Need need;                  ///< which of its values are computed
+};
+
+/// What an element carries at one of its points.
+struct InternalForce {
+    Eigen::Vector3d place;       ///< in fixed axes, of the deformed element
+    std::vector<double> values;  ///< forces and moments, in the order of their names
 };
 
 namespace detail {
@@ -103,6 +116,11 @@ concept WithMultipliers =
         { E::n_multipliers } -> std::convertible_to<int>;
         e.evaluate(at, &p, p, ConstraintScale{}, Need::residual, out);
     };
+
+template <class E>
+concept WithForces = requires {
+    { E::force_names[0] } -> std::convertible_to<std::string>;
+};
 
 }  // namespace detail
 
@@ -280,7 +298,10 @@ void evaluate(const E& element, const Frames<E, double>& at, const ElementQuery&
 /// Elements of one kind, with their nodes: what a structure sees of them.
 class ElementGroup {
 public:
+    explicit ElementGroup(LoadKind kind) : kind_(kind) {}
     virtual ~ElementGroup() = default;
+    /// A constant group is evaluated at p = 1, whatever the load parameter.
+    LoadKind kind() const { return kind_; }
     virtual std::unique_ptr<ElementGroup> clone() const = 0;  ///< a copy
     virtual std::size_t size() const = 0;                     ///< how many elements
     /// The nodes of element e.
@@ -294,7 +315,16 @@ public:
     /// Of element e, whose nodes are taken from `frames`, all of the structure's.
     virtual void evaluate(std::size_t e, const Frame<double>* frames, const ElementQuery& query,
                           ElementValues& out) const = 0;
+    /// Names of what the elements carry; none where they do not say.
+    virtual std::vector<std::string> force_names() const { return {}; }
+    /// What element e carries, at each of its points.
+    virtual std::vector<InternalForce> forces(std::size_t, const Frame<double>*, const ElementQuery&) const {
+        return {};
+    }
     int unknowns() const { return n_nodes() * n_components() + multipliers(); }  ///< of each element
+
+private:
+    LoadKind kind_;
 };
 
 /// The elements of type E of a model.
@@ -303,6 +333,7 @@ class ElementGroupOf final : public ElementGroup {
 public:
     static constexpr std::size_t count = static_cast<std::size_t>(E::n_nodes);  ///< nodes of an element
 
+    explicit ElementGroupOf(LoadKind kind = LoadKind::proportional) : ElementGroup(kind) {}
     /// Adds an element with its nodes.
     void add(E element, const std::array<int, count>& nodes) {
         elements_.push_back(std::move(element));
@@ -324,6 +355,25 @@ public:
         detail::Frames<E, double> at;
         for (std::size_t k = 0; k < count; ++k) at[k] = frames[nodes_[e][k]];
         detail::evaluate(elements_[e], at, query, out);
+    }
+    std::vector<std::string> force_names() const override {
+        if constexpr (detail::WithForces<E>) return {E::force_names.begin(), E::force_names.end()};
+        return {};
+    }
+    std::vector<InternalForce> forces(std::size_t e, const Frame<double>* frames,
+                                      const ElementQuery& query) const override {
+        detail::Frames<E, double> at;
+        for (std::size_t k = 0; k < count; ++k) at[k] = frames[nodes_[e][k]];
+        if constexpr (detail::WithForces<E> && detail::WithConstraints<E>) {
+            const auto phi = elements_[e].constraints(at, query.p);
+            InternalForce y{at[0].x, {}};
+            for (int k = 0; k < E::n_constraints; ++k)
+                y.values.push_back(-query.scale.multiplier * query.multipliers[k] - query.scale.penalty * phi(k));
+            return {y};
+        } else if constexpr (detail::WithForces<E>) {
+            return elements_[e].forces(at, query);
+        }
+        return {};
     }
 
 private:

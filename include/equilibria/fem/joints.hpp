@@ -41,6 +41,7 @@ struct SphericalJoint {
     static constexpr int n_nodes = 2, n_constraints = 3;
     static constexpr auto components = spatial;
     static constexpr bool depends_on_parameter = false;
+    static constexpr std::array force_names{"F1", "F2", "F3"};
     /// \}
     Eigen::Vector3d a = Eigen::Vector3d::Zero();  ///< from node A to the joint
     Eigen::Vector3d b = Eigen::Vector3d::Zero();  ///< from node B to it
@@ -59,6 +60,7 @@ struct PlanarHinge {
     static constexpr int n_nodes = 2, n_constraints = 2;
     static constexpr auto components = planar;
     static constexpr bool depends_on_parameter = false;
+    static constexpr std::array force_names{"F1", "F2"};
     /// \}
     Eigen::Vector3d a = Eigen::Vector3d::Zero();  ///< from node A to the joint
     Eigen::Vector3d b = Eigen::Vector3d::Zero();  ///< from node B to it
@@ -131,6 +133,40 @@ private:
     Eigen::Vector3d offset_;
 };
 
+/// A fork that holds a beam's end against twist alone: what was upright in the cross-section stays in the plane of the
+/// beam's axis and the upright direction, as between two plates, whatever the end's slopes are. Its multiplier is the
+/// moment, times the cosine of the slope.
+class ForkSupport {
+public:
+    /// As of every element, see element.hpp.
+    /// \{
+    static constexpr int n_nodes = 1, n_constraints = 1;
+    static constexpr std::array components{rx, ry, rz};
+    static constexpr bool depends_on_parameter = false;
+    static constexpr std::array force_names{"M"};
+    /// \}
+
+    /// axis: along the beam, upright: in its cross-section, both without load. Throws InvalidArgument unless the axis
+    /// is finite and not 0, and the upright direction not along it.
+    ForkSupport(const Eigen::Vector3d& axis, const Eigen::Vector3d& upright) {
+        const Eigen::Vector3d n = detail::frame_along(axis)[0], across = n.cross(upright);
+        require(upright.allFinite() && across.norm() > 1e-9 * upright.norm(), "upright", streamed(upright.transpose()),
+                "must be finite and not along the axis");
+        sideways_ = across.normalized();
+        upright_ = sideways_.cross(n);
+    }
+
+    /// What the turned upright vector has sideways.
+    template <class T>
+    Eigen::Matrix<T, 1, 1> constraints(const std::array<Frame<T>, 1>& at, const T&) const {
+        const Vector3<T> sideways = sideways_.cast<T>();
+        return Eigen::Matrix<T, 1, 1>(sideways.dot(detail::turned(at[0], upright_)));
+    }
+
+private:
+    Eigen::Vector3d upright_, sideways_;
+};
+
 /// The node moves along a fixed direction: direction . (x - origin) = rate p + offset. Its multiplier is minus the
 /// force.
 struct PrescribedDisplacement {
@@ -138,6 +174,7 @@ struct PrescribedDisplacement {
     /// \{
     static constexpr int n_nodes = 1, n_constraints = 1;
     static constexpr auto components = positions;
+    static constexpr std::array force_names{"F"};
     /// \}
     Eigen::Vector3d direction;  ///< in fixed axes, of length 1 where p is a distance
     Eigen::Vector3d origin;     ///< from which x is measured
@@ -160,6 +197,7 @@ public:
     /// \{
     static constexpr int n_nodes = 1, n_constraints = 3;
     static constexpr std::array components{rx, ry, rz};
+    static constexpr std::array force_names{"M1", "M2", "M3"};
     /// \}
 
     /// rate: by p, radians. Throws InvalidArgument unless the axis is finite and not 0.
@@ -189,6 +227,7 @@ public:
     /// \{
     static constexpr int n_nodes = 2, n_constraints = 1;
     static constexpr std::array components{rx, ry, rz};
+    static constexpr std::array force_names{"M"};
     /// \}
 
     /// rate: by p, radians; offset: at p = 0. Throws InvalidArgument unless the axis is finite and not 0.
@@ -218,6 +257,7 @@ public:
     /// \{
     static constexpr int n_nodes = 2, n_constraints = 1;
     static constexpr std::array components{rz};
+    static constexpr std::array force_names{"M"};
     /// \}
 
     /// rate: by p, radians; offset: at p = 0.
@@ -238,6 +278,7 @@ extern template class ElementGroupOf<SphericalJoint>;
 extern template class ElementGroupOf<PlanarHinge>;
 extern template class ElementGroupOf<RevoluteJoint>;
 extern template class ElementGroupOf<PrismaticJoint>;
+extern template class ElementGroupOf<ForkSupport>;
 extern template class ElementGroupOf<PrescribedDisplacement>;
 extern template class ElementGroupOf<PrescribedRotation>;
 extern template class ElementGroupOf<RotationDrive>;

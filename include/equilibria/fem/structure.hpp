@@ -36,6 +36,12 @@ struct StructureState {
     Eigen::VectorXd multipliers;        ///< lambda, of each element in turn
 };
 
+/// On a node, in fixed axes.
+struct NodalForce {
+    Eigen::Vector3d force = Eigen::Vector3d::Zero();   ///< by the support on the structure
+    Eigen::Vector3d moment = Eigen::Vector3d::Zero();  ///< likewise
+};
+
 /// How a model is made a problem.
 struct StructureOptions {
     double length = 0;            ///< of weights; 0: the diagonal of the box around all nodes
@@ -43,6 +49,7 @@ struct StructureOptions {
     Executor executor{};          ///< of assembly: serial, or threads(n); does not change the result
     MakeSymmetricFactors factors = nullptr;  ///< of a conservative structure's tangent; null: SparseLDLT
     bool symmetric_images = false;           ///< `images` gives those by the structure's symmetries
+    bool first_stage = false;                ///< p brings on what is constant; what is proportional is 0
 };
 
 /// Conservative: all elements and loads have an energy, and K is symmetric; else K is taken for unsymmetric.
@@ -57,8 +64,9 @@ public:
     /// acts on a node that turns about several axes.
     explicit BasicStructure(Model model, const StructureOptions& options = {});
 
-    const Model& model() const { return *model_; }  ///< as it was given
-    int size() const { return size_; }              ///< number of unknowns, multipliers among them
+    const Model& model() const { return *model_; }                ///< as it was given
+    const StructureOptions& options() const { return options_; }  ///< with what was chosen where they had a 0
+    int size() const { return size_; }                            ///< number of unknowns, multipliers among them
     /// Of the last unknowns.
     int multipliers() const { return multipliers_; }
     /// Of a sparse symmetric K; null: SparseLDLT.
@@ -90,6 +98,17 @@ public:
     Eigen::VectorXd weights(const Configuration&) const { return weights_; }
     /// \}
 
+    /// Forces and moments on each node that no load and no element balances: those of supports where components are
+    /// fixed, and rounding elsewhere. A moment of nodes that share a rotation stands at the one that has it.
+    std::vector<NodalForce> support_forces(const Configuration& q, double p) const;
+    /// What the elements of a group carry, see element.hpp: call(number of the element, forces).
+    void for_each_force(const ElementGroup& group, const Configuration& q, double p, const auto& call) const {
+        for (const GroupAssembly& assembly : assemblies_)
+            if (&assembly.group() == &group)
+                for (std::size_t e = 0; e < group.size(); ++e)
+                    call(e, group.forces(e, q.frames.data(), query(assembly, e, q, p, Need::residual)));
+    }
+
     /// Those of symmetries_of the nodes, apart from the identity, that map residuals in generic states onto each other
     /// to 1e-10: elements, supports and loads, at every p. Found at the first call.
     const std::vector<Symmetry>& symmetries() const;
@@ -106,7 +125,23 @@ private:
         std::vector<Symmetry> found;
     };
     static std::size_t node_of(const NodalLoad& load) { return static_cast<std::size_t>(load.node); }
-    static double factor(const NodalLoad& load, double p) { return load.kind == LoadKind::constant ? 1 : p; }
+    /// Of loads, and of the elements of a group.
+    double factor(LoadKind kind, double p) const { return grows(kind) ? p : options_.first_stage ? 0 : 1; }
+    /// Whether p is in its residual.
+    bool changes(const ElementGroup& group) const { return group.depends_on_parameter() && grows(group.kind()); }
+    /// Whether p is its factor.
+    bool grows(LoadKind kind) const { return (kind == LoadKind::constant) == options_.first_stage; }
+
+    /// Of element e at q.
+    ElementQuery query(const GroupAssembly& assembly, std::size_t e, const Configuration& q, double p,
+                       Need need) const {
+        const ElementGroup& group = assembly.group();
+        const int m = group.multipliers();
+        const double* lambda =
+            m == 0 ? nullptr
+                   : q.multipliers.data() + assembly.unknowns(e)[group.unknowns() - m] - (size_ - multipliers_);
+        return {lambda, factor(group.kind(), p), options_.scale, need};
+    }
 
     /// Three components of a node in a vector of unknowns, 0 where there is none.
     Eigen::Vector3d part(const Eigen::VectorXd& v, int node, Component first) const;

@@ -11,12 +11,14 @@
 /// finite.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <map>
 #include <memory>
 #include <span>
 #include <string>
 #include <typeindex>
+#include <utility>
 #include <vector>
 
 #include <equilibria/core/error.hpp>
@@ -24,9 +26,6 @@
 #include <equilibria/fem/element.hpp>
 
 namespace equilibria::fem {
-
-/// Forces of size p (the load parameter), or constant ones.
-enum class LoadKind { proportional, constant };
 
 /// A dead force (spatial) and moment (spatial) on a node.
 struct NodalLoad {
@@ -64,17 +63,20 @@ public:
     /// Where a node is without load.
     const Eigen::Vector3d& at(int node) const { return x_[checked(node, "node")]; }
 
-    /// Adds an element between different nodes; its number among those of its type.
+    /// Adds an element between different nodes; its number among those of its type and kind. A constant one acts as at
+    /// p = 1, whatever p is: a follower load, a pressure, a prescribed motion.
     template <Element E>
-    std::size_t add(E element, const std::array<int, static_cast<std::size_t>(E::n_nodes)>& nodes) {
+    std::size_t add(E element, const std::array<int, static_cast<std::size_t>(E::n_nodes)>& nodes,
+                    LoadKind kind = LoadKind::proportional) {
+        if (!depends_on_parameter<E>) kind = LoadKind::proportional;
         for (std::size_t k = 0; k < nodes.size(); ++k) {
             checked(nodes[k], "nodes[" + std::to_string(k) + "]");
             for (std::size_t j = 0; j < k; ++j)
                 require(nodes[j] != nodes[k], "nodes[" + std::to_string(k) + "]", nodes[k],
                         "must differ from the element's other nodes");
         }
-        const auto [found, is_new] = group_of_.try_emplace(typeid(E), groups_.size());
-        if (is_new) groups_.push_back(std::make_unique<ElementGroupOf<E>>());
+        const auto [found, is_new] = group_of_.try_emplace({typeid(E), kind}, groups_.size());
+        if (is_new) groups_.push_back(std::make_unique<ElementGroupOf<E>>(kind));
         auto& own = static_cast<ElementGroupOf<E>&>(*groups_[found->second]);
         own.add(std::move(element), nodes);
         return own.size() - 1;
@@ -139,10 +141,16 @@ public:
                 if (fixed_[static_cast<std::size_t>(k)][c]) mark(y, k, c);
         return y;
     }
-    /// The elements of one type; nothing if there is none.
+    /// Whether something is constant: a first stage brings it on, see fem::loaded_state.
+    bool has_constant_loads() const {
+        const auto constant = [](LoadKind kind) { return kind == LoadKind::constant; };
+        return std::ranges::any_of(loads_, constant, &NodalLoad::kind) ||
+               std::ranges::any_of(groups_, [&](const auto& group) { return constant(group->kind()); });
+    }
+    /// The elements of one type and kind; nothing if there is none.
     template <Element E>
-    const ElementGroupOf<E>* group() const {
-        const auto found = group_of_.find(typeid(E));
+    const ElementGroupOf<E>* group(LoadKind kind = LoadKind::proportional) const {
+        const auto found = group_of_.find({typeid(E), kind});
         return found == group_of_.end() ? nullptr : static_cast<const ElementGroupOf<E>*>(groups_[found->second].get());
     }
 
@@ -160,7 +168,7 @@ private:
     std::vector<std::array<bool, 6>> fixed_;
     std::vector<int> rotates_with_;
     std::vector<NodalLoad> loads_;
-    std::map<std::type_index, std::size_t> group_of_;
+    std::map<std::pair<std::type_index, LoadKind>, std::size_t> group_of_;
     std::vector<std::unique_ptr<ElementGroup>> groups_;
 };
 

@@ -38,11 +38,7 @@ void BasicStructure<Conservative>::assemble_group(const GroupAssembly& assembly,
     assembly.for_each(
         options_.executor,
         [&](std::size_t e, ElementValues& out) {
-            const int m = group.multipliers();
-            const double* lambda =
-                m == 0 ? nullptr
-                       : q.multipliers.data() + assembly.unknowns(e)[group.unknowns() - m] - (size_ - multipliers_);
-            group.evaluate(e, q.frames.data(), {lambda, p, options_.scale, need}, out);
+            group.evaluate(e, q.frames.data(), query(assembly, e, q, p, need), out);
         },
         [&](std::size_t e, const ElementValues& out) { add(assembly, e, out); });
 }
@@ -51,8 +47,7 @@ template <bool Conservative>
 template <class Add>
 void BasicStructure<Conservative>::assemble(const Configuration& q, double p, Need need, const Add& add) const {
     for (const GroupAssembly& group : assemblies_)
-        if (need != Need::parameter_derivative || group.group().depends_on_parameter())
-            assemble_group(group, q, p, need, add);
+        if (need != Need::parameter_derivative || changes(group.group())) assemble_group(group, q, p, need, add);
 }
 
 template <bool Conservative>
@@ -66,13 +61,13 @@ StructureState BasicStructure<Conservative>::initial() const {
 
 template <bool Conservative>
 Eigen::VectorXd BasicStructure<Conservative>::residual(const Configuration& q, double p) const {
-    Eigen::VectorXd g = -constant_load_;
-    g -= p * proportional_load_;
+    Eigen::VectorXd g = -factor(LoadKind::constant, p) * constant_load_;
+    g -= factor(LoadKind::proportional, p) * proportional_load_;
     assemble(q, p, Need::residual, [&](const GroupAssembly& group, std::size_t e, const ElementValues& out) {
         group.add(e, out.residual, g);
     });
     for (const NodalLoad& m : moments_) {
-        const Eigen::Vector3d moment = factor(m, p) * (q.frames[node_of(m)].q.conjugate() * m.moment);
+        const Eigen::Vector3d moment = factor(m.kind, p) * (q.frames[node_of(m)].q.conjugate() * m.moment);
         for (int c = 0; c < 3; ++c)
             if (const int i = unknown(m.node, Component(rx + c)); i >= 0) g(i) -= moment(c);
     }
@@ -88,7 +83,7 @@ Eigen::SparseMatrix<double> BasicStructure<Conservative>::tangent(const Configur
     // -(R exp(d))^T m = -M - M x d with M = R^T m, and the chart's d x (-M) / 2: none where a node turns about one
     // axis
     for (const NodalLoad& m : moments_) {
-        const Eigen::Vector3d moment = factor(m, p) * (q.frames[node_of(m)].q.conjugate() * m.moment);
+        const Eigen::Vector3d moment = factor(m.kind, p) * (q.frames[node_of(m)].q.conjugate() * m.moment);
         const Eigen::Matrix3d s = skew(moment);
         for (int r = 0; r < 3; ++r)
             for (int c = 0; c < 3; ++c) {
@@ -101,13 +96,13 @@ Eigen::SparseMatrix<double> BasicStructure<Conservative>::tangent(const Configur
 
 template <bool Conservative>
 Eigen::VectorXd BasicStructure<Conservative>::parameter_derivative(const Configuration& q, double p) const {
-    Eigen::VectorXd g_p = -proportional_load_;
+    Eigen::VectorXd g_p = options_.first_stage ? -constant_load_ : -proportional_load_;
     assemble(q, p, Need::parameter_derivative,
              [&](const GroupAssembly& group, std::size_t e, const ElementValues& out) {
                  group.add(e, out.parameter_derivative, g_p);
              });
     for (const NodalLoad& m : moments_) {
-        if (m.kind == LoadKind::constant) continue;
+        if (!grows(m.kind)) continue;
         const Eigen::Vector3d moment = q.frames[node_of(m)].q.conjugate() * m.moment;
         for (int c = 0; c < 3; ++c)
             if (const int i = unknown(m.node, Component(rx + c)); i >= 0) g_p(i) -= moment(c);
@@ -119,10 +114,35 @@ template <bool Conservative>
 Eigen::VectorXd BasicStructure<Conservative>::parameter_derivative_along(const Configuration& q, double p,
                                                                          const Eigen::VectorXd& v) const {
     const bool depends =
-        std::ranges::any_of(assemblies_,
-                            [](const GroupAssembly& group) { return group.group().depends_on_parameter(); }) ||
-        std::ranges::any_of(moments_, [](const NodalLoad& m) { return m.kind != LoadKind::constant; });
+        std::ranges::any_of(assemblies_, [this](const GroupAssembly& group) { return changes(group.group()); }) ||
+        std::ranges::any_of(moments_, [this](const NodalLoad& m) { return grows(m.kind); });
     return depends ? parameter_difference_along(*this, q, p, v) : Eigen::VectorXd::Zero(size_);
+}
+
+template <bool Conservative>
+std::vector<NodalForce> BasicStructure<Conservative>::support_forces(const Configuration& q, double p) const {
+    std::vector<NodalForce> y(static_cast<std::size_t>(model_->nodes()));
+    const auto rotating = [&](int node) { return static_cast<std::size_t>(model_->rotates_with(node)); };
+    assemble(q, p, Need::residual, [&](const GroupAssembly& assembly, std::size_t e, const ElementValues& out) {
+        const ElementGroup& group = assembly.group();
+        Eigen::Index next = 0;
+        for (int k = 0; k < group.n_nodes(); ++k)
+            for (int c = 0; c < group.n_components(); ++c) {
+                const int node = group.nodes(e)[k];
+                const Component component = group.components()[c];
+                if (component < rx)
+                    y[static_cast<std::size_t>(node)].force(component) += out.residual(next++);
+                else
+                    y[rotating(node)].moment(component - rx) += out.residual(next++);
+            }
+    });
+    // elements' moments are in the axes of the nodes
+    for (std::size_t k = 0; k < y.size(); ++k) y[k].moment = q.frames[k].q * y[k].moment;
+    for (const NodalLoad& load : model_->loads()) {
+        y[node_of(load)].force -= factor(load.kind, p) * load.force;
+        y[rotating(load.node)].moment -= factor(load.kind, p) * load.moment;
+    }
+    return y;
 }
 
 template <bool Conservative>

@@ -69,10 +69,25 @@ std::vector<BranchSample> samples_of(const Branch<P>& branch, const BranchMeasur
     return samples;
 }
 
+/// dp/dx of each branch through a bifurcation, x the unknown in which the null vector is 1; null along p alone.
+inline Json slopes_of(const CriticalPointEvidence& c) {
+    Json y = Json::array();
+    if (c.null_vector.size() == 0) return y;
+    Eigen::Index largest = 0;
+    c.null_vector.cwiseAbs().maxCoeff(&largest);
+    for (const Direction& t : c.tangents) {
+        const double x = t.q(largest) / c.null_vector(largest);
+        y.push_back(std::abs(x) > 1e-9 * std::abs(t.p) ? json_of(t.p / x) : Json(nullptr));
+    }
+    return y;
+}
+
 /// "kind", "parameter", "measures", "nullity", "iterations" (of Newton's method), "residual", "inertia_before" and
-/// "inertia_after": negative eigenvalues along the branch, or null.
+/// "inertia_after": negative eigenvalues along the branch, or null; "curvature" and "curvature_error", of pitchforks
+/// and folds: p = p_c + curvature x^2 / 2, x the unknown in which the null vector is 1; "slopes" (slopes_of).
 template <class P>
 Json json_of(const CriticalPoint<P>& c, const BranchMeasures<P>& how) {
+    const bool bends = c.kind == CriticalKind::pitchfork || c.kind == CriticalKind::fold;
     return {{"kind", to_string(c.kind)},
             {"parameter", json_of(how.value(c.q, c.p))},
             {"measures", json_list(how.measure(c.q))},
@@ -80,7 +95,10 @@ Json json_of(const CriticalPoint<P>& c, const BranchMeasures<P>& how) {
             {"iterations", c.iterations()},
             {"residual", c.residual},
             {"inertia_before", json_or_null(c.negative_before)},
-            {"inertia_after", json_or_null(c.negative_after)}};
+            {"inertia_after", json_or_null(c.negative_after)},
+            {"curvature", bends ? json_of(c.curvature) : Json(nullptr)},
+            {"curvature_error", bends ? json_of(c.curvature_error) : Json(nullptr)},
+            {"slopes", slopes_of(c)}};
 }
 
 /// "points", [parameter, measures ..] each, and "stable", as many: true, false, or null where it is not known.

@@ -7,6 +7,8 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include <equilibria/continuation/branch.hpp>
 #include <equilibria/core/error.hpp>
@@ -30,11 +32,26 @@ struct ParseLimits {
     }
 };
 
+/// Which element of the text each element of a model comes from.
+struct ElementNames {
+    /// For each group of the model: the first number behind a text's element, and its name or its place in the text.
+    std::vector<std::vector<std::pair<std::size_t, std::string>>> groups;
+
+    /// Element e of group g; empty where it is not known.
+    std::string of(std::size_t g, std::size_t e) const {
+        if (g >= groups.size()) return {};
+        const auto found = std::upper_bound(groups[g].begin(), groups[g].end(), e,
+                                            [](std::size_t k, const auto& name) { return k < name.first; });
+        return found == groups[g].end() ? std::string() : found->second;
+    }
+};
+
 /// What a text says: see structure_json.hpp.
 struct StructureInput {
     std::string name;                    ///< of the structure; may be empty
     Model model;                         ///< nodes, elements, supports and loads
     std::map<std::string, int> nodes;    ///< their numbers; further nodes of the model are those within beams
+    ElementNames elements;               ///< names of its elements, joints and follower loads
     int measured = 0;                    ///< a node
     std::string parameter = "p";         ///< its name
     double low = 0;                      ///< lower end of the parameter's window
@@ -45,7 +62,8 @@ struct StructureInput {
     std::optional<double> largest_step;  ///< likewise of the largest one
     /// Theta of BranchOptions, where it is given: lengths per unit of the parameter.
     std::optional<double> parameter_weight;
-    bool conservative = true;  ///< the model is one for Structure; else for NonconservativeStructure
+    std::vector<std::string> notes;  ///< defaults of the text that are to be known, a sentence each
+    bool conservative = true;        ///< the model is one for Structure; else for NonconservativeStructure
 };
 
 /// How its branches are followed: within its window, with its steps, or else with a first one of 0.01 and none above

@@ -11,6 +11,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
@@ -28,6 +29,7 @@ namespace equilibria::fem::detail {
 struct SectionTable {
     std::map<std::string, Section> spatial;
     std::map<std::string, PlanarSection> planar;
+    std::map<std::string, double> mass;  ///< per length, where it is given
 };
 
 inline double read_stiffness(const JsonPlace& value) {
@@ -41,12 +43,13 @@ inline SectionTable read_sections(const std::optional<JsonPlace>& sections) {
     if (!sections) return y;
     for (const auto& [name, value] : sections->object().items()) {
         const JsonPlace s = sections->at(name);
+        if (const auto mass = s.find("mass")) y.mass[name] = mass->positive();
         const auto stiffness = [&](const char* key) { return read_stiffness(s.at(key)); };
         if (s.find("ga") || s.find("ei")) {
-            s.keys("a planar section", {"ea", "ga", "ei"});
+            s.keys("a planar section", {"ea", "ga", "ei"}, {"mass"});
             y.planar[name] = {stiffness("ea"), stiffness("ga"), s.at("ei").positive()};
         } else {
-            s.keys("a section", {"ea", "ga2", "ga3", "gj", "ei2", "ei3"});
+            s.keys("a section", {"ea", "ga2", "ga3", "gj", "ei2", "ei3"}, {"mass"});
             const Section section{stiffness("ea"), stiffness("ga2"), stiffness("ga3"),
                                   stiffness("gj"), stiffness("ei2"), stiffness("ei3")};
             if (std::isinf(std::min({section.gj, section.ei2, section.ei3})))
@@ -68,9 +71,9 @@ public:
         if (!planar && !sections_.spatial.contains(section)) e.at("section").refuse("must be the name of a section");
         if (planar && e.find("second")) e.at("second").refuse("is no key of a beam with a planar section");
         if (curved)
-            e.keys("an arc", {"type", "nodes", "section", "through"}, {"second", "elements", "order"});
+            e.keys("an arc", {"type", "nodes", "section", "through"}, {"second", "elements", "order", "name"});
         else
-            e.keys("a beam", {"type", "nodes", "section"}, {"second", "elements", "order"});
+            e.keys("a beam", {"type", "nodes", "section"}, {"second", "elements", "order", "name"});
         Line line;
         line.ends = draft_.two_nodes(e);
         draft_.check_length(e, line.ends);
@@ -80,10 +83,11 @@ public:
         if (const auto given = e.find("order"))
             line.nodes_each = 2 + static_cast<int>(given->choice({"linear", "quadratic", "cubic"}));
         if (curved) line.arc = read_arc(e, line, planar);
-        if (planar)
-            add_planar(line, sections_.planar.at(section));
-        else
-            add_spatial(line, sections_.spatial.at(section), read_second(e, line));
+        DraftLine drawn{{}, line.nodes_each, planar, 0};
+        if (const auto mass = sections_.mass.find(section); mass != sections_.mass.end()) drawn.mass = mass->second;
+        drawn.nodes = planar ? add_planar(line, sections_.planar.at(section))
+                             : add_spatial(line, sections_.spatial.at(section), read_second(e, line));
+        draft_.add_line(e, std::move(drawn));
     }
 
 private:
@@ -110,12 +114,18 @@ private:
         return *arc;
     }
     /// Where axis 2 of the cross-section points to.
-    Eigen::Vector3d read_second(const JsonPlace& e, const Line& line) const {
+    Eigen::Vector3d read_second(const JsonPlace& e, const Line& line) {
         const Eigen::Vector3d axis = (draft_.at(line.ends[1]) - draft_.at(line.ends[0])).normalized();
         const Eigen::Vector3d z = Eigen::Vector3d::UnitZ();
         const auto& arc = line.arc;
         const auto given = e.find("second");
-        if (!given) return arc ? arc->normal : axis.cross(z).norm() > 1e-3 ? z : Eigen::Vector3d::UnitY();
+        if (!given && arc) {
+            draft_.note("axis 2 of the section of " + e.name() + " is the normal of the arc's plane, " +
+                        StructureDraft::point(arc->normal) +
+                        ", about which it turns to the left, as it has no \"second\"");
+            return arc->normal;
+        }
+        if (!given) return axis.cross(z).norm() > 1e-3 ? z : Eigen::Vector3d::UnitY();
         const Eigen::Vector3d second = given->direction();
         if (!arc && axis.cross(second).norm() < 1e-6) given->refuse("must not be along the beam");
         if (arc && arc->clearance(second) < 0.1)
@@ -124,7 +134,7 @@ private:
         return second;
     }
 
-    void add_planar(const Line& line, const PlanarSection& section) {
+    std::vector<int> add_planar(const Line& line, const PlanarSection& section) {
         const auto& arc = line.arc;
         double first = 0, turn = 0;
         if (arc) {
@@ -132,21 +142,19 @@ private:
             turn = arc->normal(2) > 0 ? arc->angle : -arc->angle;
         }
         const auto frame = [&](double t) { return PlanarSectionFrame{arc->at(t), first + turn * t}; };
-        with_beam_nodes(line.nodes_each, [&](auto n) {
-            if (arc)
-                add_planar_beam<n>(draft_.model(), section, frame, line.elements, line.ends[0], line.ends[1]);
-            else
-                add_straight_planar_beam<n>(draft_.model(), section, line.ends[0], line.ends[1], line.elements);
+        return with_beam_nodes(line.nodes_each, [&](auto n) {
+            return arc ? add_planar_beam<n>(draft_.model(), section, frame, line.elements, line.ends[0], line.ends[1])
+                       : add_straight_planar_beam<n>(draft_.model(), section, line.ends[0], line.ends[1],
+                                                     line.elements);
         });
     }
-    void add_spatial(const Line& line, const Section& section, const Eigen::Vector3d& second) {
+    std::vector<int> add_spatial(const Line& line, const Section& section, const Eigen::Vector3d& second) {
         const auto& arc = line.arc;
         const auto frame = [&](double t) { return section_frame(arc->at(t), arc->direction(t), second); };
-        with_beam_nodes(line.nodes_each, [&](auto n) {
-            if (arc)
-                add_beam<n>(draft_.model(), section, frame, line.elements, line.ends[0], line.ends[1]);
-            else
-                add_straight_beam<n>(draft_.model(), section, line.ends[0], line.ends[1], second, line.elements);
+        return with_beam_nodes(line.nodes_each, [&](auto n) {
+            return arc ? add_beam<n>(draft_.model(), section, frame, line.elements, line.ends[0], line.ends[1])
+                       : add_straight_beam<n>(draft_.model(), section, line.ends[0], line.ends[1], second,
+                                              line.elements);
         });
     }
     StructureDraft& draft_;

@@ -24,6 +24,14 @@ namespace equilibria::fem::detail {
 
 using equilibria::detail::JsonPlace;
 
+/// An element of the text as loads along it see it.
+struct DraftLine {
+    std::vector<int> nodes;    ///< in order
+    int nodes_each = 2;        ///< of an element of the model
+    bool planar_beam = false;  ///< a pressure can act on it
+    double mass = 0;           ///< per length
+};
+
 class StructureDraft {
 public:
     explicit StructureDraft(int most_elements) : most_elements_(most_elements) {}
@@ -38,6 +46,23 @@ public:
             entry.refuse("must not take the model above " + std::to_string(most) + " elements (ParseLimits)");
         elements_ += more;
     }
+
+    /// A beam, an arc or a truss, by its name if it has one.
+    void add_line(const JsonPlace& entry, DraftLine line) {
+        if (const auto name = entry.find("name"))
+            if (!names_.emplace(name->string(), lines_.size()).second)
+                name->refuse("must be the name of one element alone");
+        lines_.push_back(std::move(line));
+    }
+    /// All of them, in the order of the text.
+    const std::vector<DraftLine>& lines() const { return lines_; }
+    const DraftLine& line(const JsonPlace& name) const {
+        const auto found = names_.find(name.string());
+        if (found == names_.end()) name.refuse("must be the name of a beam, an arc or a truss");
+        return lines_[found->second];
+    }
+    /// Something that the text leaves to the reader, in a sentence.
+    void note(std::string sentence) { notes_.push_back(std::move(sentence)); }
 
     void add_node(const std::string& name, const JsonPlace& x) {
         const int k = nodes_[name] = model_.add_node(x.vector());
@@ -91,16 +116,27 @@ public:
         return a - b;
     }
 
-    /// Hands over nodes and model.
+    /// "kind" of an entry: "proportional" (default) or "constant".
+    static LoadKind kind(const JsonPlace& entry, LoadKind otherwise = LoadKind::proportional) {
+        const auto given = entry.find("kind");
+        if (!given) return otherwise;
+        return given->choice({"proportional", "constant"}) == 1 ? LoadKind::constant : LoadKind::proportional;
+    }
+
+    /// Hands over nodes, model and notes.
     void move_to(StructureInput& y) && {
         y.nodes = std::move(nodes_);
         y.model = std::move(model_);
+        y.notes = std::move(notes_);
     }
 
 private:
     Model model_;
     std::map<std::string, int> nodes_;
     std::vector<bool> touched_;
+    std::vector<DraftLine> lines_;
+    std::map<std::string, std::size_t> names_;  // of lines
+    std::vector<std::string> notes_;
     int most_elements_;
     std::size_t elements_ = 0;
     double size_ = 0;  // the largest distance of a node from the origin

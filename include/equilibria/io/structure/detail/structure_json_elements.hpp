@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -42,7 +43,8 @@ private:
         return planar && planar->boolean();
     }
     void add_truss(const JsonPlace& e) {
-        e.keys("a truss", {"type", "nodes", "ea"}, {"strain", "planar"});
+        e.keys("a truss", {"type", "nodes", "ea"},
+               {"name", "strain", "planar", "mass", "prestress", "unstressed_length", "kind"});
         const auto ends = draft_.two_nodes(e);
         draft_.check_length(e, ends);
         Strain strain = Strain::green;
@@ -50,29 +52,75 @@ private:
             strain = given->choice({"green", "engineering"}) == 0 ? Strain::green : Strain::engineering;
         const double ea = e.at("ea").positive();
         draft_.count(e, 1);
+        const auto length = unstressed_length(e, ea, (draft_.at(ends[1]) - draft_.at(ends[0])).norm(), strain);
+        const auto mass = e.find("mass");
         if (planar_key(e)) {
             draft_.check_planar(e, ends);
-            draft_.model().add(Truss<2>(ea, draft_.at(ends[0]), draft_.at(ends[1]), strain), ends);
+            add_truss<2>(e, ea, ends, strain, length);
         } else {
-            draft_.model().add(Truss<3>(ea, draft_.at(ends[0]), draft_.at(ends[1]), strain), ends);
+            add_truss<3>(e, ea, ends, strain, length);
         }
+        draft_.add_line(e, {{ends.begin(), ends.end()}, 2, false, mass ? mass->positive() : 0});
+    }
+    template <int Dimension>
+    void add_truss(const JsonPlace& e, double ea, const std::array<int, 2>& ends, Strain strain,
+                   const std::optional<double>& length) {
+        const Eigen::Vector3d &a = draft_.at(ends[0]), &b = draft_.at(ends[1]);
+        if (length)
+            draft_.model().add(StressedTruss<Dimension>(ea, a, b, *length, strain), ends,
+                               StructureDraft::kind(e, LoadKind::constant));
+        else
+            draft_.model().add(Truss<Dimension>(ea, a, b, strain), ends);
+    }
+    /// Where it is not the drawn one.
+    static std::optional<double> unstressed_length(const JsonPlace& e, double ea, double drawn, Strain strain) {
+        const auto length = e.find("unstressed_length"), prestress = e.find("prestress"), kind = e.find("kind");
+        if (length && prestress) prestress->refuse("must not be given with an unstressed length: one says the other");
+        if (length) return length->positive();
+        if (!prestress) {
+            if (kind) kind->refuse("is for a prestress or an unstressed length, and the truss has none");
+            return {};
+        }
+        const auto y = StressedTruss<3>::length_of_force(ea, drawn, prestress->number(), strain);
+        if (!y)
+            prestress->refuse(strain == Strain::green
+                                  ? "must be above -0.19245 ea, the largest thrust of Green's strain"
+                                  : "must be above -ea");
+        return y;
     }
     void add_rotation_spring(const JsonPlace& e) {
-        e.keys("a rotation spring", {"type", "nodes", "stiffness"}, {"planar"});
-        const auto ends = draft_.two_nodes(e);
-        const double stiffness = e.at("stiffness").positive();
+        const bool grounded = e.find("node").has_value();
+        e.keys("a rotation spring", {"type", grounded ? "node" : "nodes", "stiffness"}, {"planar"});
+        const JsonPlace given = e.at("stiffness");
         draft_.count(e, 1);
-        if (planar_key(e))
-            draft_.model().add(PlanarRotationSpring{stiffness}, ends);
+        Model& model = draft_.model();
+        if (planar_key(e)) {
+            if (grounded)
+                model.add(PlanarGroundSpring{given.positive()}, {draft_.own_node(e.at("node"))});
+            else
+                model.add(PlanarRotationSpring{given.positive()}, draft_.two_nodes(e));
+            return;
+        }
+        if (!given.json().is_array() && !grounded) {
+            model.add(RotationSpring{given.positive()}, draft_.two_nodes(e));
+            return;
+        }
+        const Eigen::Vector3d stiffness =
+            given.json().is_array() ? spring_vector(given) : Eigen::Vector3d::Constant(given.positive()).eval();
+        if (grounded)
+            model.add(RotationSprings<1>{stiffness}, {draft_.own_node(e.at("node"))});
         else
-            draft_.model().add(RotationSpring{stiffness}, ends);
+            model.add(RotationSprings<2>{stiffness}, draft_.two_nodes(e));
+    }
+    static Eigen::Vector3d spring_vector(const JsonPlace& given) {
+        const Eigen::Vector3d y = given.vector();
+        if (!(y.minCoeff() >= 0 && y.maxCoeff() > 0)) given.refuse("must not be negative, nor 0 all over");
+        return y;
     }
     void add_point_spring(const JsonPlace& e) {
         e.keys("a point spring", {"type", "node", "stiffness"});
         const int k = draft_.own_node(e.at("node"));
-        const Eigen::Vector3d stiffness = e.at("stiffness").vector();
-        if (!(stiffness.minCoeff() >= 0 && stiffness.maxCoeff() > 0))
-            e.at("stiffness").refuse("must not be negative, nor 0 all over");
+        const Eigen::Vector3d stiffness = spring_vector(e.at("stiffness"));
         draft_.count(e, 1);
         draft_.model().add(PointSpring<3>{stiffness, draft_.at(k)}, {k});
     }

@@ -13,9 +13,10 @@
 namespace equilibria::fem::detail {
 
 inline void add_joint(StructureDraft& draft, const JsonPlace& j) {
-    enum { revolute, spherical, hinge, prismatic, displacement, rotation, drive };
-    const std::size_t type = j.at("type").choice({"revolute", "spherical", "hinge", "prismatic",
-                                                  "prescribed_displacement", "prescribed_rotation", "rotation_drive"});
+    enum { revolute, spherical, hinge, prismatic, displacement, rotation, drive, fork };
+    const std::size_t type =
+        j.at("type").choice({"revolute", "spherical", "hinge", "prismatic", "prescribed_displacement",
+                             "prescribed_rotation", "rotation_drive", "fork"});
     draft.count(j, 1);
     const auto number = [&](const char* key, double otherwise) {
         const auto given = j.find(key);
@@ -23,15 +24,21 @@ inline void add_joint(StructureDraft& draft, const JsonPlace& j) {
     };
     Model& model = draft.model();
     if (type == displacement) {
-        j.keys("a prescribed displacement", {"type", "node", "direction"}, {"rate"});
+        j.keys("a prescribed displacement", {"type", "node", "direction"}, {"rate", "kind"});
         const int k = draft.own_node(j.at("node"));
-        model.add(PrescribedDisplacement{j.at("direction").direction(), draft.at(k), number("rate", 1)}, {k});
+        model.add(PrescribedDisplacement{j.at("direction").direction(), draft.at(k), number("rate", 1)}, {k},
+                  StructureDraft::kind(j));
     } else if (type == rotation) {
-        j.keys("a prescribed rotation", {"type", "node", "axis"}, {"rate"});
-        model.add(PrescribedRotation(j.at("axis").direction(), number("rate", 1)), {draft.own_node(j.at("node"))});
+        j.keys("a prescribed rotation", {"type", "node", "axis"}, {"rate", "kind"});
+        model.add(PrescribedRotation(j.at("axis").direction(), number("rate", 1)), {draft.own_node(j.at("node"))},
+                  StructureDraft::kind(j));
     } else if (type == drive) {
-        j.keys("a rotation drive", {"type", "nodes", "axis"}, {"rate", "offset"});
-        model.add(RotationDrive(j.at("axis").direction(), number("rate", 1), number("offset", 0)), draft.two_nodes(j));
+        j.keys("a rotation drive", {"type", "nodes", "axis"}, {"rate", "offset", "kind"});
+        model.add(RotationDrive(j.at("axis").direction(), number("rate", 1), number("offset", 0)), draft.two_nodes(j),
+                  StructureDraft::kind(j));
+    } else if (type == fork) {
+        j.keys("a fork", {"type", "node", "axis", "upright"});
+        model.add(ForkSupport(j.at("axis").direction(), j.at("upright").direction()), {draft.own_node(j.at("node"))});
     } else if (type == prismatic) {
         j.keys("a prismatic joint", {"type", "nodes", "axis"});
         const auto ends = draft.two_nodes(j);

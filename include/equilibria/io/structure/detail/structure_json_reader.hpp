@@ -46,6 +46,7 @@ public:
         const int last = static_cast<int>(draft_.nodes().size()) - 1;
         y_.measured = measure ? draft_.node(*measure) : loaded.value_or(last);
         std::move(draft_).move_to(y_);
+        y_.elements = owners_.names();
         check_start(y_, owners_, limits_.constraints);
         return std::move(y_);
     }
@@ -97,7 +98,7 @@ private:
         std::optional<int> first;
         LoadReader loads(draft_);
         for_each("loads", [&](const JsonPlace& l) {
-            const int node = loads.add(l);
+            const auto node = loads.add(l);
             if (!first) first = node;
         });
         return first;

@@ -35,6 +35,19 @@ public:
             if (const std::size_t size = groups[g]->size(); size > (owners_[g].empty() ? 0 : owners_[g].back().first))
                 owners_[g].emplace_back(size, entry);
     }
+    /// An entry's "name" if it has one, else its place in the text.
+    ElementNames names() const {
+        ElementNames y;
+        for (const auto& group : owners_) {
+            y.groups.emplace_back();
+            for (const auto& [behind, entry] : group) {
+                const auto name = entry.json().find("name");
+                const bool named = name != entry.json().end() && name->is_string();
+                y.groups.back().emplace_back(behind, named ? name->template get<std::string>() : entry.name());
+            }
+        }
+        return y;
+    }
     /// The entry that a multiplier of the model's structure belongs to.
     const JsonPlace& of_multiplier(const Model& model, int multiplier) const {
         const auto& groups = model.groups();

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <complex>
 #include <cstdint>
+#include <map>
 #include <numbers>
 #include <sstream>
 #include <string>
@@ -165,6 +166,60 @@ TEST_CASE("curves beside isolated roots have their dimension and degree", "[ever
     CHECK(triple.verdict.completeness == Completeness::explained);
     CHECK(triple.found.roots.empty());
     for (const auto& family : triple.families) CHECK(family.dimension == 1);
+}
+
+TEST_CASE("points where all equations are singular are none of curves beside their surface", "[every_root]") {
+    struct Case {
+        const char* text;
+        std::map<int, int> degrees;  // of families, by their dimension
+    };
+    const std::vector<Case> cases{
+        {"3\n-4*x*y^2;\n-4*x^2*y + 8*y*z^2;\n8*y^2*z;\n", {{2, 1}, {1, 1}}},
+        {"3\n-8*x^3 + 2*x*y^2 + 2*x*z^2;\n2*x^2*y;\n2*x^2*z;\n", {{2, 1}}},
+        // all paths of the total degree meet the line at infinity
+        {"3\n3*z^2;\nz;\n6*x*z + y;\n", {{1, 1}}},
+        {"3\n4*z^3;\n-3*z^2;\n12*x*z^2 - 6*y*z;\n", {{2, 1}}},
+    };
+    for (const auto& [text, degrees] : cases)
+        for (const std::uint64_t seed : {1U, 2U, 3U}) {
+            CAPTURE(text, seed);
+            const auto y = solved(text, seed);
+            std::map<int, int> found;
+            for (const auto& family : y.families) found[family.dimension] += family.degree;
+            CHECK(found == degrees);
+            CHECK(y.found.roots.empty());
+        }
+}
+
+TEST_CASE("a double root beside a surface and lines is found", "[every_root]") {
+    const auto y = solved(
+        "3\n"
+        "-2*x*y^2*z + 2*x*y^2 + 2*x*y*z^2 - 10*x*y*z + 6*x*y + 4*x*z^3 - 6*x*z^2 + 4*y^3*z - 4*y^3 - 2*y^2*z^2 + "
+        "8*y^2*z"
+        " - 2*y^2 - 8*y*z^3 + 14*y*z^2 - 16*y*z + 6*y - 2*z^4 + 10*z^3 - 6*z^2;\n"
+        "4*x^2*y*z - 4*x^2*y + 4*x^2*z^2 - 6*x*y^2*z + 6*x*y^2 - 8*x*y*z^2 + 12*x*y*z - 10*x*y - 2*x*z^3 + 10*x*z^2"
+        " + 4*y^2*z^2 - 10*y^2*z + 6*y^2 + 4*y*z^2 - 8*y*z + 2*y - 4*z^4 + 6*z^3 - 2*z^2;\n"
+        "-4*x*y^2*z + 4*x*y^2 - 8*x*y*z + 4*x*y + 4*x*z^3 - 4*x*z^2 + 8*y^3*z - 8*y^3 + 4*y^2*z + 4*y^2 - 8*y*z^3 - 4*y"
+        " + 4*z^3 + 4*z^2;\n");
+    // (y z - y + z^2) times three quadrics with the double root (-1, 1, 2) and two lines in common
+    REQUIRE(y.found.roots.size() == 1);
+    CHECK(std::abs(y.found.roots[0].q[0] + 1.0) < 1e-9);
+    CHECK(y.found.roots[0].paths == 2);
+    CHECK(y.confirmed[0]);
+}
+
+TEST_CASE("roots 1e-59 apart are no double root", "[every_root]") {
+    // s^3 + 7 s^2 - 2.8e-58 s with s = 2 x - 3 y
+    const auto y = solved(
+        "2\n8*x^3 - 36*x^2*y + 28*x^2 + 54*x*y^2 - 84*x*y - 5.575821688963583e-58*x - 27*y^3 + 63*y^2"
+        " + 8.363732533445374e-58*y;\n-3*x + 4*y + 2;\n");
+    CHECK(y.verdict.completeness == Completeness::open);
+    CHECK(y.verdict.missing_at_most == 2);
+    // and the double root without that term is one
+    const auto double_root =
+        solved("2\n8*x^3 - 36*x^2*y + 28*x^2 + 54*x*y^2 - 84*x*y - 27*y^3 + 63*y^2;\n-3*x + 4*y + 2;\n");
+    CHECK(double_root.verdict.completeness == Completeness::complete);
+    CHECK(double_root.distinct() == 2);
 }
 
 TEST_CASE("polynomials known for ill-conditioned roots are solved and proved", "[every_root]") {

@@ -183,7 +183,7 @@ def narrow(r):
     m = r.choice([2, 2, 2, 3, 4])
     f = power(variable(1, 0), m, 1)
     if r.random() < 0.7:
-        by = Fraction(1, 2 ** r.randint(40, 300))
+        by = Fraction(1, 2 ** r.randint(40, r.choice([300, 300, 900])))
         f = add(f, scaled(dense_polynomial(r, 1, r.randint(0, m - 1), 5), by))
     for _ in range(r.randint(0, 2)):
         f = times(f, add(variable(1, 0), constant(1, nonzero(r))))

@@ -8,7 +8,8 @@
 ///
 /// Ranks are decided with 64 digits: the root has to be known to about 30 of them. The mean of the roots that this
 /// finds next to the point is then computed to 150 digits, by the traces of their multiplication matrices, and the
-/// ranks are decided again there: simple roots near to each other are no multiple root.
+/// ranks are decided again there: simple roots near to each other are no multiple root. Where terms below 1e-80
+/// might keep roots apart these are 400 digits, and where they are below 1e-280, no multiplicity is confirmed.
 #pragma once
 
 #include <cstddef>
@@ -23,7 +24,7 @@ namespace equilibria {
 
 /// What the local dual space says of a point.
 struct LocalMultiplicity {
-    static constexpr int digits = 150;      ///< with which a multiplicity is confirmed
+    static constexpr int digits = 150;      ///< with which a multiplicity is confirmed, at least
     static constexpr double zero = 1e-100;  ///< what counts as 0 then, against the terms of an equation
     int multiplicity = 0;                   ///< its dimension; 0: not decided
     int order = 0;                          ///< the order of the series at which the dimension was last seen to grow

@@ -99,7 +99,7 @@ public:
             if (!(distance(q, begin) <= most)) return std::nullopt;
             if (largest(step) < 1e-12) {
                 system_(q, f, j);
-                if (largest(f) < negligible) return q;
+                if (vanishes(q, f)) return q;
                 return std::nullopt;
             }
         }
@@ -163,6 +163,20 @@ private:
         std::complex<double> sum = 0;
         for (std::size_t i = 0; i < a.size(); ++i) sum += std::conj(a[i]) * b[i];
         return sum;
+    }
+    /// Whether F(q) = f is 0 to rounding: that of F's scale, or what the last digits of q make of it, where terms far
+    /// larger than that scale cancel.
+    bool vanishes(const Vector& q, const Vector& f) const {
+        const double residual = largest(f);
+        if (residual < negligible || !(residual < 1e-10)) return residual < negligible;
+        double noise = 0;
+        for (const double by : {1 + 0x1p-51, 1 - 0x1p-51}) {
+            Vector next = q, there, j;
+            for (auto& x : next) x *= by;
+            system_(next, there, j);
+            noise = std::max(noise, distance(there, f));
+        }
+        return residual < 4 * noise;
     }
     static std::complex<double> draw(bool real, Generator& generator) {
         const double re = uniform(generator, -1, 1), im = uniform(generator, -1, 1);
@@ -249,7 +263,7 @@ private:
                 right.push_back(inner(rows[index(r)], shift) - offsets[index(r)]);
                 off = std::max(off, std::abs(right.back()));
             }
-            if (residual < negligible && off < 1e-9 * h) return largest(shift) < 4 * h + inaccuracy;
+            if (off < 1e-9 * h && vanishes(q, f)) return largest(shift) < 4 * h + inaccuracy;
             const SingularValues svd(n_ + d, n_, std::move(stacked));
             const Vector step = svd.solve(right, svd.rank(1e-9));
             const double length = largest(step);

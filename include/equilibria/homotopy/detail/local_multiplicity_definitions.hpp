@@ -298,6 +298,32 @@ LocalMultiplicity multiplicity_at(const DualSpace<Digits>& space, int most) {
     }
 }
 
+/// Whether the multiplicity is the same at the mean of the roots, with more digits.
+template <int Digits>
+bool is_confirmed(const DualSpace<64>& space, const LocalMultiplicity& y, int most, double zero) {
+    DualSpace<Digits> sharper(space);
+    if (!sharper.move_to_mean(y.multiplicity, y.order)) return false;
+    const LocalMultiplicity again = multiplicity_at(sharper, most);
+    return again.multiplicity == y.multiplicity && again.smallest_kept > 1e-13 && again.largest_dropped < zero;
+}
+
+/// The exponent by 10 of the smallest term of the target at a point, against the largest of its equation; unknowns that
+/// are 0 there count as 1. log_z: the decimal logarithms of the unknowns' sizes.
+EQUILIBRIA_INLINE double smallest_term_exponent(const std::vector<LaurentColumn>& columns,
+                                                const std::vector<double>& log_z) {
+    std::map<int, std::pair<double, double>> ends;
+    for (const LaurentColumn& c : columns) {
+        if (c.to == 0.0) continue;
+        double size = std::log10(std::abs(c.to));
+        for (std::size_t u = 0; u < log_z.size(); ++u) size += c.exponents[u] * log_z[u];
+        auto& [low, high] = ends.try_emplace(c.equation, size, size).first->second;
+        low = std::min(low, size), high = std::max(high, size);
+    }
+    double y = 0;
+    for (const auto& [_, own] : ends) y = std::min(y, own.first - own.second);
+    return y;
+}
+
 }  // namespace detail
 
 EQUILIBRIA_INLINE LocalMultiplicity local_multiplicity(const RuntimeSizes& sizes,
@@ -319,15 +345,21 @@ EQUILIBRIA_INLINE LocalMultiplicity local_multiplicity(const RuntimeSizes& sizes
         }
         mean[u] = vanishes ? Z(0.0) : mean[u] / S(static_cast<double>(limits.size()));
     }
+    std::vector<double> log_z;
+    for (const Z& z : mean) {
+        const double size = std::hypot(static_cast<double>(z.re), static_cast<double>(z.im));
+        log_z.push_back(size > 0 ? std::log10(size) : 0);
+    }
     const detail::DualSpace<64> space(sizes, columns, std::move(mean));
     LocalMultiplicity y = detail::multiplicity_at(space, most);
     // a gap between what counted as 0 and what did not
     if (y.grows || !(y.smallest_kept > 1e-13) || !(y.largest_dropped < 1e-27)) return y;
-    detail::DualSpace<LocalMultiplicity::digits> sharper(space);
-    if (!sharper.move_to_mean(y.multiplicity, y.order)) return y;
-    const LocalMultiplicity again = detail::multiplicity_at(sharper, most);
-    y.confirmed = again.multiplicity == y.multiplicity && again.smallest_kept > 1e-13 &&
-                  again.largest_dropped < LocalMultiplicity::zero;
+    // roots that a term of size e keeps apart differ by values of e^m at their mean
+    const double apart = y.multiplicity * detail::smallest_term_exponent(columns, log_z);
+    if (apart > -80)
+        y.confirmed = detail::is_confirmed<LocalMultiplicity::digits>(space, y, most, LocalMultiplicity::zero);
+    else if (apart > -280)
+        y.confirmed = detail::is_confirmed<400>(space, y, most, 1e-300);
     return y;
 }
 

@@ -38,6 +38,7 @@ from .results import (
     SpecialPoint,
     Sweep,
 )
+from .structure import Structure, StructureBranch, StructureDiagram, StructurePoint
 
 __all__ = [
     "CheckpointError",
@@ -57,6 +58,10 @@ __all__ = [
     "Region",
     "RootSet",
     "SpecialPoint",
+    "Structure",
+    "StructureBranch",
+    "StructureDiagram",
+    "StructurePoint",
     "Sweep",
     "__version__",
     "continuation",

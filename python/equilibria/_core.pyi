@@ -191,3 +191,60 @@ def continue_branch(
     largest_step: float,
     parameter_weight: float,
 ) -> Dict[str, Any]: ...
+def bifurcation_diagram(
+    residual: Callable[[Reals, float], Reals],
+    jacobian: Callable[[Reals, float], Any],
+    parameter_derivative: Optional[Callable[[Reals, float], Reals]],
+    q: Reals,
+    p: float,
+    low: float,
+    high: float,
+    symmetric: bool,
+    sparse: bool,
+    most_steps: int,
+    first_step: float,
+    largest_step: float,
+    parameter_weight: float,
+    most_branches: int,
+    slices: int,
+    amplitude: float,
+) -> Dict[str, Any]: ...
+
+class BoundStructure:
+    def __init__(self, text: str, images: bool) -> None: ...
+    name: str
+    nodes: Dict[str, int]
+    notes: List[str]
+    parameter: str
+    conservative: bool
+    measured: int
+    window: Tuple[float, float]
+    directions: Tuple[bool, bool]
+    steps: Tuple[float, float, float]
+    loaded: Dict[str, Any]
+    drawn: Reals
+    lines: List[List[int]]
+    size: int
+    def results(self, position: Reals, rotation: Reals, multipliers: Reals, p: float) -> str: ...
+    def follow(
+        self,
+        direction: int,
+        low: float,
+        high: float,
+        most_steps: int,
+        first_step: float,
+        largest_step: float,
+        parameter_weight: float,
+    ) -> Dict[str, Any]: ...
+    def diagram(
+        self,
+        low: float,
+        high: float,
+        most_steps: int,
+        first_step: float,
+        largest_step: float,
+        parameter_weight: float,
+        most_branches: int,
+        slices: int,
+        amplitude: float,
+    ) -> Dict[str, Any]: ...

@@ -9,7 +9,7 @@ from typing import Any, Callable, List, Optional, Tuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ._core import InvalidArgument, continue_branch
+from ._core import InvalidArgument, bifurcation_diagram, continue_branch
 from .tables import Printed, number
 
 Reals = NDArray[np.float64]
@@ -25,8 +25,13 @@ class CriticalPoint(Printed):
     null_vector: Reals  #: its largest entry 1
     residual: float  #: the largest |entry|
     curvature: float  #: of folds and pitchforks p = p_c + curvature x^2 / 2 along the null vector
-    step: int  #: between the points number step and step + 1 of the branch
+    curvature_error: float  #: how far apart two orders of differences have a pitchfork's
+    nullity: int  #: how many null vectors there are
+    negative_before: Optional[int]  #: negative eigenvalues before it on its branch; None where they are not known
+    negative_after: Optional[int]  #: and behind it
     tangents: List[Tuple[Reals, float]]  #: (dq, dp) of the branches through the point, up to their lengths
+    step: Optional[int] = None  #: of the branch that met it: between its points number step and step + 1
+    branches: Optional[List[int]] = None  #: of a diagram: the numbers of those that meet here
 
     def _line(self) -> str:
         return f"{self.kind} at p={number(self.p, 10)}"
@@ -45,6 +50,9 @@ class Branch(Printed):
     events: List[CriticalPoint]
     unexplained: List[Tuple[int, str]]  #: steps with changes of sign that the events do not account for, and why
     end: str  #: window (p left its range), steps, closed, or stopped (the smallest step did not converge)
+    parent: Optional[int] = None  #: of a diagram: the critical point that it leaves
+    deflated: bool = False  #: of a diagram: found by deflation, joined to no bifurcation that was met
+    nodes: Optional[List[int]] = None  #: of a diagram: the numbers of its critical points
 
     @property
     def stable(self) -> Optional[NDArray[np.bool_]]:
@@ -62,6 +70,29 @@ class Branch(Printed):
 
     def _rows(self) -> List[List[str]]:
         return [[e.kind, number(e.p, 12), f"{e.residual:.1e}"] for e in self.events]
+
+
+@dataclass(repr=False, eq=False)
+class BranchDiagram(Printed):
+    """Branches that bifurcations join, and those that deflation found beside them."""
+
+    branches: List[Branch]  #: two of them, one each way, make a curve
+    nodes: List[CriticalPoint]  #: critical points, each once
+    seen: int  #: starts that lay on a branch which was followed before
+    images: int  #: starts whose mirror image did
+    not_followed: int  #: starts beyond most_branches
+    not_switched: int  #: bifurcations from which no other branch was found
+    complete: bool  #: every branch was followed to its end, and every change of sign is explained
+
+    def _line(self) -> str:
+        doubts = "complete" if self.complete else "NOT COMPLETE"
+        return f"{len(self.branches)} branches and {len(self.nodes)} critical points, {doubts}"
+
+    def _columns(self) -> List[str]:
+        return ["kind", "p", "nullity", "branches"]
+
+    def _rows(self) -> List[List[str]]:
+        return [[n.kind, number(n.p, 12), str(n.nullity), str(n.branches)] for n in self.nodes]
 
 
 def follow(
@@ -91,6 +122,86 @@ def follow(
     Raises InvalidArgument for options out of range, and for derivatives that differ from differences of the residual
     at the start. What the functions raise passes through, KeyboardInterrupt as well.
     """
+    functions, q, sparse = _problem(residual, jacobian, parameter_derivative, q0, p0, low, high)
+    found = continue_branch(
+        *functions,
+        q,
+        float(p0),
+        float(low),
+        float(high),
+        direction,
+        bool(symmetric),
+        sparse,
+        most_steps,
+        float(first_step),
+        float(largest_step),
+        float(parameter_weight),
+    )
+    return _branch(found, symmetric)
+
+
+def diagram(
+    residual: Callable[[Reals, float], ArrayLike],
+    jacobian: Callable[[Reals, float], Any],
+    q0: ArrayLike,
+    p0: float,
+    low: float,
+    high: float,
+    parameter_derivative: Optional[Callable[[Reals, float], ArrayLike]] = None,
+    symmetric: bool = True,
+    most_steps: int = 1000,
+    first_step: float = 0.05,
+    largest_step: float = 0.2,
+    parameter_weight: float = 0.0,
+    most_branches: int = 200,
+    slices: int = 0,
+    amplitude: float = 0.0,
+) -> BranchDiagram:
+    """All branches of residual(q, p) = 0 that bifurcations join to the solution near q0 at p0, both ways, within low ..
+    high, and those that leave these.
+
+    slices: at so many values of p deflation looks for branches that are not joined. amplitude: of the first point on a
+    new branch, a length; 0: the first step's. All else is as for `follow`.
+    """
+    functions, q, sparse = _problem(residual, jacobian, parameter_derivative, q0, p0, low, high)
+    found = bifurcation_diagram(
+        *functions,
+        q,
+        float(p0),
+        float(low),
+        float(high),
+        bool(symmetric),
+        sparse,
+        most_steps,
+        float(first_step),
+        float(largest_step),
+        float(parameter_weight),
+        most_branches,
+        slices,
+        float(amplitude),
+    )
+    found["branches"] = [_branch(branch, symmetric) for branch in found["branches"]]
+    found["nodes"] = [CriticalPoint(**node) for node in found["nodes"]]
+    return BranchDiagram(**found)
+
+
+def _branch(found: Any, symmetric: bool) -> Branch:
+    found["events"] = [CriticalPoint(**event) for event in found["events"]]
+    if not symmetric:
+        found["negative"] = None
+    return Branch(**found)
+
+
+def _problem(
+    residual: Callable[[Reals, float], ArrayLike],
+    jacobian: Callable[[Reals, float], Any],
+    parameter_derivative: Optional[Callable[[Reals, float], ArrayLike]],
+    q0: ArrayLike,
+    p0: float,
+    low: float,
+    high: float,
+) -> Tuple[Tuple[Any, Any, Any], Reals, bool]:
+    """The functions as the compiled part takes them, the start, and whether the Jacobian is sparse."""
     q = np.atleast_1d(np.asarray(q0, dtype=float))
     if q.ndim != 1 or not np.isfinite(q).all():
         raise InvalidArgument(f"q0 = {q0!r}: must be a vector of finite numbers")
@@ -111,23 +222,5 @@ def follow(
     def vector(function: Callable[[Reals, float], ArrayLike]) -> Callable[[Reals, float], Reals]:
         return lambda at, p: np.atleast_1d(np.asarray(function(at, p), dtype=np.float64))
 
-    found = continue_branch(
-        vector(residual),
-        given,
-        None if parameter_derivative is None else vector(parameter_derivative),
-        q,
-        float(p0),
-        float(low),
-        float(high),
-        direction,
-        bool(symmetric),
-        sparse,
-        most_steps,
-        float(first_step),
-        float(largest_step),
-        float(parameter_weight),
-    )
-    found["events"] = [CriticalPoint(**event) for event in found["events"]]
-    if not symmetric:
-        found["negative"] = None
-    return Branch(**found)
+    by_parameter = None if parameter_derivative is None else vector(parameter_derivative)
+    return (vector(residual), given, by_parameter), q, sparse

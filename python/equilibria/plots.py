@@ -8,6 +8,7 @@ from typing import Any, Callable, Union
 import numpy as np
 
 from .results import Diagram, Locus, Motion, Reals, RootSet
+from .structure import Structure, StructureDiagram
 
 colours = {"fold": "#c0392b", "pitchfork": "#2456a6"}
 markers = {"fold": "o", "pitchfork": "D", "transcritical": "X", "cusp": "^"}
@@ -227,4 +228,77 @@ def plot_roots(roots: RootSet, ax: Any = None) -> Any:
         ax.set_ylim(-1.05 * np.pi, 1.05 * np.pi)
         _angle_axis(ax.yaxis)
     _legend(ax)
+    return ax
+
+
+def plot_structure(diagram: StructureDiagram, ax: Any = None, node: Any = None, component: int = -1) -> Any:
+    structure = diagram.structure
+    ax = _axes(ax)
+    k = structure.node(structure._core.measured if node is None else node)
+    moved = [branch.displacement(k) for branch in diagram.branches]
+    if component == -1:
+        component = int(np.argmax(np.ptp(np.concatenate(moved), axis=0))) if moved else 0
+    named = set()
+    for branch, at in zip(diagram.branches, moved):
+        # the critical point that it leaves, its points and critical points; how stable the way to each is
+        stable = branch.stable
+        x, p, holds = [], [], []
+        if branch.parent is not None:
+            point = diagram.nodes[branch.parent]
+            x.append((point.position[k] - structure.drawn[k])[component])
+            p.append(point.p)
+            holds.append(None)
+        for number in range(len(branch)):
+            x.append(at[number, component])
+            p.append(branch.p[number])
+            holds.append(None if stable is None else bool(stable[number]))
+            for event in branch.events:
+                if event.step == number:
+                    x.append((event.position[k] - structure.drawn[k])[component])
+                    p.append(event.p)
+                    holds.append(None if event.negative_before is None else event.negative_before == 0)
+        changes = [i for i in range(1, len(x) - 1) if holds[i + 1] != holds[i]]
+        for first, last in zip([0] + changes, changes + [len(x) - 1]):
+            kind = holds[last]
+            name = "stability not known" if kind is None else "stable" if kind else "unstable"
+            ax.plot(
+                x[first : last + 1],
+                p[first : last + 1],
+                color="k" if kind else "0.45",
+                linestyle="-" if kind is not False else "--",
+                linewidth=1.5 if kind else 0.9,
+                label=None if name in named else name,
+            )
+            named.add(name)
+    for point in diagram.nodes:
+        ax.plot(
+            (point.position[k] - structure.drawn[k])[component],
+            point.p,
+            linestyle="none",
+            marker=markers.get(point.kind, "s"),
+            markersize=4.5,
+            color=colours.get(point.kind, "#7d3c98"),
+            label=None if point.kind in named else point.kind,
+            zorder=3,
+        )
+        named.add(point.kind)
+    names = {number: name for name, number in structure.nodes.items()}
+    ax.set_xlabel(f"displacement {'xyz'[component]} of {names.get(k, f'node {k}')}")
+    ax.set_ylabel(structure.parameter)
+    _legend(ax)
+    return ax
+
+
+def plot_shape(structure: Structure, position: Reals, ax: Any, style: Any) -> Any:
+    flat = bool(np.ptp(structure.drawn[:, 2]) == 0 and np.abs(position[:, 2] - structure.drawn[0, 2]).max() < 1e-9)
+    if ax is None and not flat:
+        import matplotlib.pyplot as plt
+
+        ax = plt.figure().add_subplot(projection="3d")
+    ax = _axes(ax)
+    style = {"color": "k", "linewidth": 1.0, **style}
+    for line in structure.lines:
+        ax.plot(*position[line].T[: 2 if flat else 3], **style)
+    if flat:
+        ax.set_aspect("equal")
     return ax

@@ -10,5 +10,6 @@ void add_expressions(pybind11::module_& m);
 void add_models(pybind11::module_& m);
 void add_motion(pybind11::module_& m);
 void add_continuation(pybind11::module_& m);
+void add_structures(pybind11::module_& m);
 
 }  // namespace equilibria::python

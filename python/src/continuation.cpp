@@ -20,6 +20,7 @@
 
 #include "arrays.hpp"
 #include "bindings.hpp"
+#include "branches.hpp"
 
 namespace py = pybind11;
 
@@ -62,40 +63,45 @@ private:
     }
 };
 
+py::dict point_of_problem(const auto& point) {
+    py::dict y = evidence_of(point);
+    y["q"] = py::cast(point.q);
+    y["null_vector"] = py::cast(point.null_vector);
+    py::list tangents;
+    for (const Direction& tangent : point.tangents) tangents.append(py::make_tuple(py::cast(tangent.q), tangent.p));
+    y["tangents"] = std::move(tangents);
+    return y;
+}
+
 template <class Problem>
-py::dict branch_of(const Problem& problem, const Eigen::VectorXd& q, double p, int direction,
-                   const ContinuationOptions& options) {
-    const auto branch = continue_branch(problem, q, p, direction, options);
-    const auto n = static_cast<std::size_t>(problem.size);
-    py::dict y;
-    y["q"] = rows<double>(branch.points, n, [](const auto& at) -> const auto& { return at.q; });
-    y["p"] = column<double>(branch.points, [](const auto& at) { return at.p; });
-    y["negative"] = column<std::int64_t>(branch.points, [](const auto& at) { return at.negative.value_or(-1); });
-    y["determinant_sign"] = column<std::int64_t>(branch.points, [](const auto& at) { return at.determinant_sign; });
-    y["residual"] = column<double>(branch.points, [](const auto& at) { return at.residual; });
-    y["arc_length"] = column<double>(branch.points, [](const auto& at) { return at.arc_length; });
+py::dict branch_of(const Problem& problem, const Branch<Problem>& branch) {
+    py::dict y = columns_of(branch);
+    y["q"] = rows<double>(branch.points, static_cast<std::size_t>(problem.size),
+                          [](const auto& at) -> const auto& { return at.q; });
     py::list events;
     for (const auto& event : branch.events) {
-        py::dict one;
-        one["kind"] = to_string(event.point.kind);
-        one["p"] = event.point.p;
-        one["q"] = py::cast(event.point.q);
-        one["null_vector"] = py::cast(event.point.null_vector);
-        one["residual"] = event.point.residual;
-        one["curvature"] = event.point.curvature;
+        py::dict one = point_of_problem(event.point);
         one["step"] = event.step;
-        py::list tangents;
-        for (const Direction& tangent : event.point.tangents)
-            tangents.append(py::make_tuple(py::cast(tangent.q), tangent.p));
-        one["tangents"] = std::move(tangents);
         events.append(std::move(one));
     }
     y["events"] = std::move(events);
-    py::list unexplained;
-    for (const UnexplainedStep& step : branch.unexplained) unexplained.append(py::make_tuple(step.step, step.reason));
-    y["unexplained"] = std::move(unexplained);
-    y["end"] = to_string(branch.end);
     return y;
+}
+
+/// call(problem) of a problem whose functions these are.
+py::dict with_problem(const py::function& residual, const py::function& jacobian, const py::object& by_parameter,
+                      Eigen::Index size, bool symmetric, bool sparse, const auto& call) {
+    const auto with = [&](auto problem) {
+        problem.residual_function = residual;
+        problem.jacobian_function = jacobian;
+        problem.parameter_function = by_parameter;
+        problem.size = size;
+        return call(problem);
+    };
+    using Dense = Eigen::MatrixXd;
+    using Sparse = Eigen::SparseMatrix<double>;
+    if (sparse) return symmetric ? with(PythonProblem<Sparse, true>{}) : with(PythonProblem<Sparse, false>{});
+    return symmetric ? with(PythonProblem<Dense, true>{}) : with(PythonProblem<Dense, false>{});
 }
 
 }  // namespace
@@ -106,27 +112,40 @@ void add_continuation(py::module_& m) {
         [](const py::function& residual, const py::function& jacobian, const py::object& parameter_derivative,
            const Eigen::VectorXd& q, double p, double low, double high, int direction, bool symmetric, bool sparse,
            int most_steps, double first_step, double largest_step, double parameter_weight) {
-            ContinuationOptions options;
-            options.range = {low, high};
-            options.most_steps = most_steps;
-            options.branch.first_step = first_step;
-            options.branch.largest_step = largest_step;
-            options.branch.parameter_weight = parameter_weight;
-            const auto with = [&](auto problem) {
-                problem.residual_function = residual;
-                problem.jacobian_function = jacobian;
-                problem.parameter_function = parameter_derivative;
-                problem.size = q.size();
-                return branch_of(problem, q, p, direction, options);
-            };
-            using Dense = Eigen::MatrixXd;
-            using Sparse = Eigen::SparseMatrix<double>;
-            if (sparse) return symmetric ? with(PythonProblem<Sparse, true>{}) : with(PythonProblem<Sparse, false>{});
-            return symmetric ? with(PythonProblem<Dense, true>{}) : with(PythonProblem<Dense, false>{});
+            const auto options =
+                continuation_options(low, high, most_steps, first_step, largest_step, parameter_weight);
+            return with_problem(residual, jacobian, parameter_derivative, q.size(), symmetric, sparse,
+                                [&](const auto& problem) {
+                                    return branch_of(problem, continue_branch(problem, q, p, direction, options));
+                                });
         },
         py::arg("residual"), py::arg("jacobian"), py::arg("parameter_derivative"), py::arg("q"), py::arg("p"),
         py::arg("low"), py::arg("high"), py::arg("direction"), py::arg("symmetric"), py::arg("sparse"),
         py::arg("most_steps"), py::arg("first_step"), py::arg("largest_step"), py::arg("parameter_weight"));
+    m.def(
+        "bifurcation_diagram",
+        [](const py::function& residual, const py::function& jacobian, const py::object& parameter_derivative,
+           const Eigen::VectorXd& q, double p, double low, double high, bool symmetric, bool sparse, int most_steps,
+           double first_step, double largest_step, double parameter_weight, int most_branches, int slices,
+           double amplitude) {
+            DiagramOptions options;
+            options.continuation =
+                continuation_options(low, high, most_steps, first_step, largest_step, parameter_weight);
+            options.most_branches = most_branches;
+            options.slices = slices;
+            options.amplitude = amplitude;
+            return with_problem(residual, jacobian, parameter_derivative, q.size(), symmetric, sparse,
+                                [&](const auto& problem) {
+                                    return graph_of(
+                                        bifurcation_diagram(problem, q, p, options),
+                                        [&](const auto& branch) { return branch_of(problem, branch); },
+                                        [](const auto& point) { return point_of_problem(point); });
+                                });
+        },
+        py::arg("residual"), py::arg("jacobian"), py::arg("parameter_derivative"), py::arg("q"), py::arg("p"),
+        py::arg("low"), py::arg("high"), py::arg("symmetric"), py::arg("sparse"), py::arg("most_steps"),
+        py::arg("first_step"), py::arg("largest_step"), py::arg("parameter_weight"), py::arg("most_branches"),
+        py::arg("slices"), py::arg("amplitude"));
 }
 
 }  // namespace equilibria::python

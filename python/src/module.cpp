@@ -22,4 +22,5 @@ PYBIND11_MODULE(_core, m) {
     equilibria::python::add_models(m);
     equilibria::python::add_motion(m);
     equilibria::python::add_continuation(m);
+    equilibria::python::add_structures(m);
 }

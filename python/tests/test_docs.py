@@ -1,4 +1,4 @@
-"""The example of docs/python.md runs, is short, and is right."""
+"""The examples of docs/python.md and docs/structures.md run, are short, and are right."""
 
 import re
 from pathlib import Path
@@ -32,3 +32,22 @@ def test_example_of_a_motion(tmp_path, monkeypatch, capsys):
     assert names["motion"].finished and names["motion"].largest_balance < 1e-10
     assert "['marginal', 'unstable']" in capsys.readouterr().out
     assert (tmp_path / "motion.png").stat().st_size > 10000
+
+
+def test_example_of_a_structure(tmp_path, monkeypatch, capsys):
+    pytest.importorskip("matplotlib").use("Agg")
+    text = page.with_name("structures.md").read_text()
+    (tmp_path / "portal.json").write_text(re.search(r"<!-- portal.json -->\n```json\n(.*?)```", text, re.S).group(1))
+    code = re.search(r"<!-- structures -->\n```python\n(.*?)```", text, re.S).group(1)
+    monkeypatch.chdir(tmp_path)
+    names = {}
+    exec(compile(code, "structures.md", "exec"), names)
+    assert names["diagram"].complete and names["frame"].loaded["passed"] == []
+    # the loads that the page's table has
+    table = [float(p) for p in re.findall(r"^(?:pitchfork|fold) +([0-9.]+)", text, re.M)]
+    assert sorted(node.p for node in names["diagram"].nodes) == pytest.approx(sorted(table), rel=1e-8)
+    # half of the constant loads on each support
+    weight = 9.81 * (31 * 8 + 42 * 6) + 5000 * 6
+    assert names["main"].results(0)["reactions"]["A"]["force"][1] == pytest.approx(weight / 2, rel=1e-6)
+    assert "pitchfork at P (kN) = 668.947467" in capsys.readouterr().out
+    assert (tmp_path / "diagram.png").stat().st_size > 5000 and (tmp_path / "shapes.png").stat().st_size > 3000

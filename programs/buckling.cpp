@@ -47,7 +47,7 @@ struct Command {
     support::CaseData data;
     std::optional<int> steps;
     std::optional<double> at;
-    bool first = false;
+    bool first = false, verify = false;
     std::optional<support::Range> window;
     std::optional<support::OutputFile> json, csv, states;
     support::Pictures pictures;
@@ -143,6 +143,9 @@ Command read(int argc, char** argv) {
     app.add_flag("--first", c.first,
                  "end at the first critical point (of each direction, where a case goes both ways), and follow nothing "
                  "that leaves it");
+    app.add_flag("--verify", c.verify,
+                 "afterwards count the eigenvalues at 5 random points of each branch of the diagram, one by one, and "
+                 "look for further branches by deflation at 3 values of the parameter");
     app.add_threads(c.data.threads,
                     "of assembly, 1 to 1024, 0 for one each core (default 1); does not change the result");
     support::add_output(app, "--json", c.json, "write JSON to this file, or to stdout for -");
@@ -180,7 +183,8 @@ struct Run {
     std::vector<Shape> shapes{};
     Json first_stage = nullptr;  ///< how constant loads came, if there are any
     std::vector<std::string> notes{};
-    std::vector<Json> states{};  ///< of a model
+    std::vector<Json> states{};                                     ///< of a model
+    std::optional<equilibria::DiagramVerification> verification{};  ///< where it was asked for
 };
 
 template <class P>
@@ -192,6 +196,7 @@ Json document(const support::Tracing<P>& t, const Run& run) {
     out["first_stage"] = run.first_stage;
     out["notes"] = run.notes;
     if (!run.states.empty()) out["states"] = run.states;
+    out["verification"] = run.verification ? json_of(*run.verification) : Json(nullptr);
     // all branches' points in one list
     out["branch"] = Json::array();
     for (std::size_t b = 0; b < t.branches.size(); ++b)
@@ -341,6 +346,11 @@ void print(const support::Tracing<S>& t, const Run& run) {
             if (!point.at.empty())
                 std::printf("%s: %s %.10g, tip %.9g %.9g %.9g\n", point.at.c_str(), t.how.parameter.c_str(),
                             point.parameter, point.measures[0], point.measures[1], point.measures[2]);
+    if (run.verification) {
+        for (const std::string& mismatch : run.verification->mismatches)
+            std::printf("MISMATCH: %s\n", mismatch.c_str());
+        std::printf("%s\n", run.verification->summary().c_str());
+    }
     std::printf("%d elements, %d degrees of freedom, %.2f s\n", run.elements, run.dofs, run.seconds);
 }
 
@@ -379,6 +389,11 @@ void follow(const Command& c, const S& structure, Setup setup) {
     run.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 
     if (rows) run.states = rows->take();
+    if (c.verify)
+        run.verification = equilibria::bifurcation_diagram(
+                               structure, setup.start, 0.0,
+                               {.continuation = setup.options, .amplitude = setup.amplitude, .slices = 3, .checks = 5})
+                               .verification;
     if (c.states) c.states->write(equilibria::fem::structure_results_csv(run.states).text());
     if (c.pictures.asked()) c.pictures.draw({1200, 560}, plotted(t, structure, run), plots::buckling);
     if (!c.vtk.empty()) write_shapes(c.vtk, structure, run, setup.title);

@@ -207,6 +207,7 @@ def bifurcation_diagram(
     parameter_weight: float,
     most_branches: int,
     slices: int,
+    checks: int,
     amplitude: float,
 ) -> Dict[str, Any]: ...
 
@@ -246,5 +247,6 @@ class BoundStructure:
         parameter_weight: float,
         most_branches: int,
         slices: int,
+        checks: int,
         amplitude: float,
     ) -> Dict[str, Any]: ...

@@ -4,7 +4,7 @@ the way."""
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, Callable, List, Optional, Tuple
+from typing import Any, Callable, Dict, List, Optional, Tuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -83,6 +83,7 @@ class BranchDiagram(Printed):
     not_followed: int  #: starts beyond most_branches
     not_switched: int  #: bifurcations from which no other branch was found
     complete: bool  #: every branch was followed to its end, and every change of sign is explained
+    verification: Dict[str, Any]  #: what slices and checks found: points, slices, deflated, mismatches, verified, summary
 
     def _line(self) -> str:
         doubts = "complete" if self.complete else "NOT COMPLETE"
@@ -155,12 +156,14 @@ def diagram(
     parameter_weight: float = 0.0,
     most_branches: int = 200,
     slices: int = 0,
+    checks: int = 0,
     amplitude: float = 0.0,
 ) -> BranchDiagram:
     """All branches of residual(q, p) = 0 that bifurcations join to the solution near q0 at p0, both ways, within low ..
     high, and those that leave these.
 
-    slices: at so many values of p deflation looks for branches that are not joined. amplitude: of the first point on a
+    slices: at so many values of p deflation looks for branches that are not joined. checks: at so many random points
+    of each branch the eigenvalues are counted one by one; `verification` has what both found. amplitude: of the first point on a
     new branch, a length; 0: the first step's. All else is as for `follow`.
     """
     functions, q, sparse = _problem(residual, jacobian, parameter_derivative, q0, p0, low, high)
@@ -178,6 +181,7 @@ def diagram(
         float(parameter_weight),
         most_branches,
         slices,
+        checks,
         float(amplitude),
     )
     found["branches"] = [_branch(branch, symmetric) for branch in found["branches"]]

@@ -108,6 +108,7 @@ class StructureDiagram(Printed):
     not_followed: int  #: starts beyond most_branches
     not_switched: int  #: bifurcations from which no other branch was found
     complete: bool  #: every branch was followed to its end, and every change of sign is explained
+    verification: Dict[str, Any]  #: what slices and checks found: points, slices, deflated, mismatches, verified, summary
 
     def plot(self, ax: Any = None, node: Union[None, str, int] = None, component: int = -1) -> Any:
         """The load parameter over a displacement of a node (default: the structure's measured one); see
@@ -215,11 +216,13 @@ class Structure(Printed):
         parameter_weight: Optional[float] = None,
         most_branches: int = 200,
         slices: int = 0,
+        checks: int = 0,
         amplitude: float = 0.0,
     ) -> StructureDiagram:
         """Every branch that bifurcations join to the state at p = 0, both ways, and those that leave these.
 
-        slices: at so many values of p deflation looks for branches that are not joined. amplitude: of the first point
+        slices: at so many values of p deflation looks for branches that are not joined. checks: at so many random points
+        of each branch the eigenvalues are counted one by one; `verification` has what both found. amplitude: of the first point
         on a new branch; 0: chosen. What is None is as the file says, or chosen."""
         found = self._core.diagram(
             *self._window(low, high),
@@ -227,6 +230,7 @@ class Structure(Printed):
             *self._steps(first_step, largest_step, parameter_weight),
             most_branches,
             slices,
+            checks,
             float(amplitude),
         )
         found["branches"] = [self._branch(branch) for branch in found["branches"]]

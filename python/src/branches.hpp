@@ -8,6 +8,7 @@
 
 #include <pybind11/eigen.h>
 #include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
 
 #include <equilibria/continuation/branch.hpp>
 #include <equilibria/continuation/diagrams/branch_graph.hpp>
@@ -68,8 +69,8 @@ pybind11::dict columns_of(const B& branch) {
     return y;
 }
 
-/// "branches" (with "parent", "deflated" and "nodes"), "nodes" (with "branches"), "seen", "images", "not_followed",
-/// "not_switched" and "complete".
+/// "branches" (with "parent", "deflated" and "nodes"), "nodes" (with "branches"), "verification", "seen", "images",
+/// "not_followed", "not_switched" and "complete".
 template <class Graph>
 pybind11::dict graph_of(const Graph& graph, const auto& branch_of, const auto& point_of) {
     pybind11::list branches, nodes;
@@ -85,8 +86,14 @@ pybind11::dict graph_of(const Graph& graph, const auto& branch_of, const auto& p
         one["branches"] = pybind11::cast(node.branches);
         nodes.append(std::move(one));
     }
-    return dict("branches", branches, "nodes", nodes, "seen", graph.seen, "images", graph.images, "not_followed",
-                graph.not_followed, "not_switched", graph.not_switched, "complete", graph.complete());
+    const DiagramVerification& found = graph.verification;
+    const pybind11::dict verification =
+        dict("points", found.points, "slices", found.slices, "equilibria", found.equilibria, "deflated", found.deflated,
+             "not_checked", found.not_checked, "mismatches", found.mismatches, "verified", found.verified(), "summary",
+             found.summary());
+    return dict("branches", branches, "nodes", nodes, "verification", verification, "seen", graph.seen, "images",
+                graph.images, "not_followed", graph.not_followed, "not_switched", graph.not_switched, "complete",
+                graph.complete());
 }
 
 }  // namespace equilibria::python

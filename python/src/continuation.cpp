@@ -126,13 +126,14 @@ void add_continuation(py::module_& m) {
         "bifurcation_diagram",
         [](const py::function& residual, const py::function& jacobian, const py::object& parameter_derivative,
            const Eigen::VectorXd& q, double p, double low, double high, bool symmetric, bool sparse, int most_steps,
-           double first_step, double largest_step, double parameter_weight, int most_branches, int slices,
+           double first_step, double largest_step, double parameter_weight, int most_branches, int slices, int checks,
            double amplitude) {
             DiagramOptions options;
             options.continuation =
                 continuation_options(low, high, most_steps, first_step, largest_step, parameter_weight);
             options.most_branches = most_branches;
             options.slices = slices;
+            options.checks = checks;
             options.amplitude = amplitude;
             return with_problem(residual, jacobian, parameter_derivative, q.size(), symmetric, sparse,
                                 [&](const auto& problem) {
@@ -145,7 +146,7 @@ void add_continuation(py::module_& m) {
         py::arg("residual"), py::arg("jacobian"), py::arg("parameter_derivative"), py::arg("q"), py::arg("p"),
         py::arg("low"), py::arg("high"), py::arg("symmetric"), py::arg("sparse"), py::arg("most_steps"),
         py::arg("first_step"), py::arg("largest_step"), py::arg("parameter_weight"), py::arg("most_branches"),
-        py::arg("slices"), py::arg("amplitude"));
+        py::arg("slices"), py::arg("checks"), py::arg("amplitude"));
 }
 
 }  // namespace equilibria::python

@@ -227,17 +227,20 @@ void add_structures(py::module_& m) {
         .def(
             "diagram",
             [](const BoundStructure& s, double low, double high, int most_steps, double first_step, double largest_step,
-               double parameter_weight, int most_branches, int slices, double amplitude) {
+               double parameter_weight, int most_branches, int slices, int checks, double amplitude) {
                 DiagramOptions options;
                 options.continuation =
                     continuation_options(low, high, most_steps, first_step, largest_step, parameter_weight);
                 options.most_branches = most_branches;
                 options.slices = slices;
+                options.checks = checks;
+                options.checks = checks;
                 options.amplitude = amplitude;
                 return s.diagram(options);
             },
             py::arg("low"), py::arg("high"), py::arg("most_steps"), py::arg("first_step"), py::arg("largest_step"),
-            py::arg("parameter_weight"), py::arg("most_branches"), py::arg("slices"), py::arg("amplitude"));
+            py::arg("parameter_weight"), py::arg("most_branches"), py::arg("slices"), py::arg("checks"),
+            py::arg("amplitude"));
 }
 
 }  // namespace equilibria::python

@@ -27,6 +27,9 @@ def test_a_column_and_its_diagram():
     found = column.diagram()
     assert found.complete and found.not_switched == 0 and "complete" in repr(found)
     assert [node.kind for node in found.nodes] == ["pitchfork"]
+    assert not found.verification["verified"] and found.verification["points"] == 0
+    again = column.diagram(slices=3, checks=4).verification
+    assert again["verified"] and again["points"] >= 12 and again["slices"] == 3, again["summary"]
     sides = [branch for branch in found.branches if branch.parent == 0]
     assert len(sides) == 2 and all(branch.stable.all() for branch in sides)
     assert sides[0].displacement("B")[-1, 0] == pytest.approx(-sides[1].displacement("B")[-1, 0], abs=1e-6)

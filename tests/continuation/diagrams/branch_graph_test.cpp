@@ -45,6 +45,26 @@ int equilibria_on_grid(const P& problem, double p) {
     return static_cast<int>(found.size());
 }
 
+/// x (p - x^2) = 0, and the same times (x - 3/2)^2 + (p - 3/10)^2 - 1/4, a circle that nothing joins.
+struct PitchforkAndCircle {
+    using Vector = VectorXd;
+    static constexpr bool symmetric = true;
+    bool circle;
+
+    double of(double x, double p) const { return circle ? (x - 1.5) * (x - 1.5) + (p - 0.3) * (p - 0.3) - 0.25 : 1; }
+    VectorXd residual(const VectorXd& q, double p) const {
+        return VectorXd::Constant(1, q(0) * (p - q(0) * q(0)) * of(q(0), p));
+    }
+    Eigen::MatrixXd tangent(const VectorXd& q, double p) const {
+        const double x = q(0), along = circle ? 2 * (x - 1.5) : 0;
+        return Eigen::MatrixXd::Constant(1, 1, (p - 3 * x * x) * of(x, p) + x * (p - x * x) * along);
+    }
+    VectorXd parameter_derivative(const VectorXd& q, double p) const {
+        const double x = q(0), along = circle ? 2 * (p - 0.3) : 0;
+        return VectorXd::Constant(1, x * of(x, p) + x * (p - x * x) * along);
+    }
+};
+
 }  // namespace
 
 TEST_CASE("the diagram of the shallow arch has every equilibrium on its branches") {
@@ -120,4 +140,31 @@ TEST_CASE("options of a diagram are checked by name") {
     options = {};
     options.most_branches = 0;
     CHECK_THROWS_WITH(options.validate(), Catch::Contains("most_branches"));
+}
+
+TEST_CASE("a diagram is verified by eigenvalues and deflation, and doubts are said") {
+    DiagramOptions options;
+    options.continuation.range = {-1, 1};
+    options.continuation.branch.first_step = options.continuation.branch.largest_step = 0.05;
+    const auto none =
+        bifurcation_diagram(PitchforkAndCircle{false}, Eigen::VectorXd(Eigen::VectorXd::Zero(1)), -0.5, options);
+    CHECK_FALSE(none.verification.verified());
+    CHECK(none.verification.summary() == "not verified: no eigenvalues were counted, and no slices searched");
+
+    options.slices = 4;
+    options.checks = 6;
+    const auto alone =
+        bifurcation_diagram(PitchforkAndCircle{false}, Eigen::VectorXd(Eigen::VectorXd::Zero(1)), -0.5, options);
+    CHECK(alone.verification.verified());
+    CHECK(alone.verification.points + alone.verification.not_checked == 6 * static_cast<int>(alone.branches.size()));
+    CHECK(alone.verification.slices == 4);
+    CHECK(alone.verification.equilibria == 8);
+    CHECK(alone.verification.summary().find("verified: eigenvalues at ") == 0);
+
+    const auto beside =
+        bifurcation_diagram(PitchforkAndCircle{true}, Eigen::VectorXd(Eigen::VectorXd::Zero(1)), -0.5, options);
+    CHECK(beside.verification.mismatches.empty());
+    CHECK(beside.verification.deflated > 0);
+    CHECK_FALSE(beside.verification.verified());
+    CHECK(beside.verification.summary().find("NOT VERIFIED") == 0);
 }

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstddef>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include <equilibria/continuation/branch.hpp>
@@ -22,6 +23,7 @@ struct DiagramOptions {
     int most_branches = 200;             ///< starts beyond these are counted and not followed
     int slices = 0;  ///< values of p at which deflated Newton looks for branches that no bifurcation joins
     DeflationOptions deflation{};  ///< of the search in the slices
+    int checks = 0;  ///< random points of each branch at which the eigenvalues of K are counted one by one
 
     /// Throws InvalidArgument for an option out of range.
     void validate() const {
@@ -30,12 +32,44 @@ struct DiagramOptions {
         require(amplitude >= 0 && std::isfinite(amplitude), "amplitude", amplitude, "must be 0 (chosen) or positive");
         require(most_branches >= 1, "most_branches", most_branches, "must be at least 1");
         require(slices >= 0, "slices", slices, "must be 0 or positive");
+        require(checks >= 0, "checks", checks, "must be 0 or positive");
         if (slices > 0) {
             require(std::isfinite(continuation.range.low), "range.low", continuation.range.low,
                     "must be finite where slices are asked for");
             require(std::isfinite(continuation.range.high), "range.high", continuation.range.high,
                     "must be finite where slices are asked for");
         }
+    }
+};
+
+/// What was done to find faults of a diagram, after it was followed.
+struct DiagramVerification {
+    static constexpr int most_unknowns = 1000;  ///< of a K whose eigenvalues are counted
+
+    int points = 0;       ///< random points of branches at which the eigenvalues of K were counted
+    int slices = 0;       ///< values of p at which deflation looked for equilibria that lie on no branch
+    int equilibria = 0;   ///< of the branches in these slices
+    int deflated = 0;     ///< equilibria that deflation found beside them; their branches were followed
+    int not_checked = 0;  ///< points that were not reached, too near to a critical one, or of a K that is too large
+    std::vector<std::string> mismatches;  ///< points whose eigenvalues are not what the branch says, in words
+
+    /// Eigenvalues were counted and slices searched, and neither found a fault. This is evidence, no proof.
+    bool verified() const { return points > 0 && slices > 0 && deflated == 0 && mismatches.empty(); }
+    /// "verified: .. points, .. slices", or what was found, or that nothing was done.
+    std::string summary() const {
+        const auto count = [](int k, const char* one, const char* many) {
+            return std::to_string(k) + " " + (k == 1 ? one : many);
+        };
+        if (points == 0 && slices == 0) return "not verified: no eigenvalues were counted, and no slices searched";
+        std::string y = verified() ? "verified: " : "NOT VERIFIED: ";
+        y += "eigenvalues at " + count(points, "point", "points");
+        if (!mismatches.empty())
+            y += ", of which " + std::to_string(mismatches.size()) + " are not as the branches say";
+        y += "; " + count(equilibria, "equilibrium", "equilibria") + " in " + count(slices, "slice", "slices");
+        if (slices > 0)
+            y += deflated == 0 ? ", deflation found no other"
+                               : ", deflation found " + count(deflated, "other", "others");
+        return y;
     }
 };
 
@@ -55,12 +89,13 @@ struct BranchGraph {
         std::vector<std::size_t> nodes;     ///< of branch.events, in their order
     };
 
-    std::vector<Node> nodes;     ///< critical points; each once, however many branches meet there
-    std::vector<Edge> branches;  ///< in the order in which they were followed
-    int seen = 0;                ///< starts that lay on a branch which was followed before
-    int images = 0;              ///< starts whose mirror image did
-    int not_followed = 0;        ///< starts beyond most_branches
-    int not_switched = 0;        ///< bifurcations from which no other branch was found
+    std::vector<Node> nodes;             ///< critical points; each once, however many branches meet there
+    std::vector<Edge> branches;          ///< in the order in which they were followed
+    int seen = 0;                        ///< starts that lay on a branch which was followed before
+    int images = 0;                      ///< starts whose mirror image did
+    int not_followed = 0;                ///< starts beyond most_branches
+    int not_switched = 0;                ///< bifurcations from which no other branch was found
+    DiagramVerification verification{};  ///< what was done to find faults
 
     /// Every branch was followed to its end, with every change of sign explained.
     bool complete() const {
@@ -83,6 +118,7 @@ BranchGraph<P> typed(const BranchGraph<Erased>& graph) {
     y.images = graph.images;
     y.not_followed = graph.not_followed;
     y.not_switched = graph.not_switched;
+    y.verification = graph.verification;
     return y;
 }
 

@@ -112,9 +112,16 @@ inline Json json_of(const std::vector<BranchSample>& samples) {
     return {{"points", std::move(points)}, {"stable", std::move(stable)}};
 }
 
+/// "verified", "summary", "points", "slices", "equilibria", "deflated", "not_checked", "mismatches".
+inline Json json_of(const DiagramVerification& found) {
+    return {{"verified", found.verified()},     {"summary", found.summary()},     {"points", found.points},
+            {"slices", found.slices},           {"equilibria", found.equilibria}, {"deflated", found.deflated},
+            {"not_checked", found.not_checked}, {"mismatches", found.mismatches}};
+}
+
 /// "parameter" and "measures" (their names), "nodes": critical points, each with the numbers of its "branches";
 /// "branches": each with "points", "stable", "parent" (a node, or null), "deflated", "nodes", "end";
-/// "unexplained_steps", "seen", "images", "not_followed", "not_switched", "complete".
+/// "unexplained_steps", "seen", "images", "not_followed", "not_switched", "verification", "complete".
 template <class P>
 Json json_of(const BranchGraph<P>& graph, const BranchMeasures<P>& how) {
     Json nodes = Json::array(), branches = Json::array(), unexplained = Json::array();
@@ -142,6 +149,7 @@ Json json_of(const BranchGraph<P>& graph, const BranchMeasures<P>& how) {
             {"images", graph.images},
             {"not_followed", graph.not_followed},
             {"not_switched", graph.not_switched},
+            {"verification", json_of(graph.verification)},
             {"complete", graph.complete()}};
 }
 

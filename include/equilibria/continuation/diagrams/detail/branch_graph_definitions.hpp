@@ -2,15 +2,22 @@
 /// See continuation/diagrams/branch_graph.hpp.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <deque>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+
 #include <equilibria/continuation/diagrams/branch_graph.hpp>
 #include <equilibria/continuation/factorization/generic_vector.hpp>
+#include <equilibria/core/error.hpp>
+#include <equilibria/core/random.hpp>
 
 namespace equilibria {
 
@@ -34,6 +41,7 @@ public:
             search(low + (high - low) * (k + 0.4713) / options_.slices);
             follow_all();
         }
+        for (std::size_t k = 0; k < graph_.branches.size() && options_.checks > 0; ++k) check(k);
         return std::move(graph_);
     }
 
@@ -156,11 +164,77 @@ private:
             for (const double side : {0.1, -0.1, 1.0, -1.0})
                 guesses.push_back(problem_.retract(there[k], Eigen::VectorXd(side / length * v)));
         }
-        for (const auto& q : deflated_search(problem_, p, guesses, there, options_.deflation)) start(q, p, true);
+        ++graph_.verification.slices;
+        graph_.verification.equilibria += static_cast<int>(there.size());
+        for (const auto& q : deflated_search(problem_, p, guesses, there, options_.deflation)) {
+            ++graph_.verification.deflated;
+            start(q, p, true);
+        }
+    }
+
+    /// Counts eigenvalues at random points of a branch.
+    void check(std::size_t number) {
+        auto& report = graph_.verification;
+        const auto& branch = graph_.branches[number].branch;
+        if (branch.points.size() < 2) return;
+        for (int c = 0; c < options_.checks; ++c) {
+            const double at = uniform(generator_, branch.points.front().arc_length, branch.points.back().arc_length);
+            std::size_t k = 0;
+            while (k + 2 < branch.points.size() && branch.points[k + 1].arc_length < at) ++k;
+            const Point &a = branch.points[k], &b = branch.points[k + 1];
+            const double share = (at - a.arc_length) / (b.arc_length - a.arc_length);
+            const Direction chord = stepper_.difference(a, b.q, b.p), increment{share * chord.q, share * chord.p};
+            const auto on = stepper_.onto(a.q, a.p, increment, chord, chord);
+            const auto counted = on ? eigenvalues(on->q, on->p) : std::nullopt;
+            if (!counted) {
+                ++report.not_checked;
+                continue;
+            }
+            ++report.points;
+            // what the branch says there: between critical points on one step, any of what they lead to
+            std::vector<int> said{sign_count(a)};
+            for (const auto& event : branch.events)
+                if (event.step == k && event.point.negative_after) said.push_back(*event.point.negative_after);
+            said.push_back(sign_count(b));
+            if (!problem_.properties().symmetric && said[0] != said.back()) continue;
+            if (std::ranges::find(said, *counted) == said.end())
+                report.mismatches.push_back("branch " + std::to_string(number) + ", p = " + to_text(on->p) + ": " +
+                                            std::to_string(*counted) + ", and " + std::to_string(said[0]) +
+                                            " on the branch");
+        }
+    }
+    /// Negative eigenvalues; of an unsymmetric K the determinant's sign.
+    int sign_count(const Point& at) const {
+        return problem_.properties().symmetric ? at.negative.value_or(-1) : at.determinant_sign;
+    }
+    /// The same by eigenvalues, or by another factorisation; nothing where one is 0 to rounding, or K too large.
+    std::optional<int> eigenvalues(const AnyConfiguration& q, double p) const {
+        const Eigen::MatrixXd k(problem_.linearization(q, p).tangent);
+        if (k.rows() > DiagramVerification::most_unknowns) return {};
+        if (!problem_.properties().symmetric) {
+            const Eigen::FullPivLU<Eigen::MatrixXd> lu(k);
+            const auto pivots = lu.matrixLU().diagonal();
+            if (!(pivots.cwiseAbs().minCoeff() > 1e-12 * pivots.cwiseAbs().maxCoeff())) return {};
+            int sign = lu.permutationP().determinant() * lu.permutationQ().determinant() > 0 ? 1 : -1;
+            for (const double pivot : pivots) sign = pivot < 0 ? -sign : sign;
+            return sign;
+        }
+        // rows and columns of like sizes: congruence leaves the signs
+        Eigen::MatrixXd scaled = k;
+        for (int round = 0; round < 4; ++round) {
+            const Eigen::VectorXd by = scaled.cwiseAbs().rowwise().maxCoeff().unaryExpr(
+                [](double size) { return size > 0 ? 1 / std::sqrt(size) : 1.0; });
+            scaled = by.asDiagonal() * scaled * by.asDiagonal();
+        }
+        const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(scaled, Eigen::EigenvaluesOnly);
+        const auto& values = solver.eigenvalues();
+        if (!(values.cwiseAbs().minCoeff() > 1e-13 * values.cwiseAbs().maxCoeff())) return {};
+        return static_cast<int>((values.array() < 0).count()) - problem_.multipliers();
     }
 
     const AnyProblem<Matrix>& problem_;
     DiagramOptions options_;
+    Generator generator_{0x9e3779b97f4a7c15};
     AnyBranchStepper<Matrix> stepper_;
     BranchGraph<Erased> graph_;
     std::deque<Start> waiting_;

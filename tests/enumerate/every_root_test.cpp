@@ -179,6 +179,18 @@ TEST_CASE("points where all equations are singular are none of curves beside the
         // all paths of the total degree meet the line at infinity
         {"3\n3*z^2;\nz;\n6*x*z + y;\n", {{1, 1}}},
         {"3\n4*z^3;\n-3*z^2;\n12*x*z^2 - 6*y*z;\n", {{2, 1}}},
+        // double lines, next to a point of which the planes' systems have others that are no points of theirs
+        {"3\n-x^2*y - x^2*z - x^2 + 4*x*y^2 + 4*x*y - 4*x*z^2 - 4*x*z - 4*y^3 + 4*y^2*z - 4*y^2 + 4*y*z^2 + 8*y*z - "
+         "4*z^3"
+         " - 4*z^2;\n4*x^2 + 8*x*y + 4*x*z - 4*x + 4*y^2 + 4*y*z - 4*y + z^2 - 2*z + 1;\n-2*x^2*y + 2*x^2*z + 2*x*y^2"
+         " - 7*x*y*z + x*y + 5*x*z^2 - x*z + 4*y^3 - 6*y^2*z - 2*y^2 + 4*y*z + 2*z^3 - 2*z^2;\n",
+         {{1, 2}}},
+        // planes, of which far points are known to the rounding of large terms
+        {"3\n4*x*y + 2*x*z - 4*y^2 - 6*y*z + 2*y - 2*z^2 + z;\n8*x^2*y + 4*x^2*z - 24*x*y^2 - 12*x*y*z + 20*x*y + "
+         "10*x*z"
+         " + 16*y^3 + 16*y^2*z - 24*y^2 - 4*y*z^2 - 24*y*z + 8*y - 4*z^3 - 6*z^2 + 4*z;\n-24*x*y^2 - 24*x*y*z - 6*x*z^2"
+         " + 24*y^3 + 48*y^2*z - 12*y^2 + 30*y*z^2 - 12*y*z + 6*z^3 - 3*z^2;\n",
+         {{2, 2}}},
     };
     for (const auto& [text, degrees] : cases)
         for (const std::uint64_t seed : {1U, 2U, 3U}) {
@@ -206,6 +218,18 @@ TEST_CASE("a double root beside a surface and lines is found", "[every_root]") {
     CHECK(std::abs(y.found.roots[0].q[0] + 1.0) < 1e-9);
     CHECK(y.found.roots[0].paths == 2);
     CHECK(y.confirmed[0]);
+}
+
+TEST_CASE("a singular point that more digits lead to a proved root is not proved to be another", "[every_root]") {
+    const auto y = solved(
+        "3\n-2*x^3 - 7*x^2*y - x^2*z - 3*x^2 - 8*x*y^2 - 4*x*y*z - 13*x*y + 12*x*z^2 + 17*x*z - 3*x - 3*y^3 - 3*y^2*z"
+        " - 5*y^2 + 15*y*z^2 - y*z + 3*y - 9*z^3 + 6*z^2 + 1;\n-x^3 - x^2*y - x^2*z - 2*x^2 + x*y^2 + 2*x*y*z + 5*x*z^2"
+        " + 6*x*z - 9*x + y^3 + 3*y^2*z + y^2 - y*z^2 + 4*y*z - 3*y - 3*z^3 + 4*z^2 - 3*z + 1;\nx^3 + x^2*y + 2*x^2*z"
+        " + 6*x^2 - x*y^2 + 5*x*y - 3*x*z^2 + 7*x*z + 13*x - y^3 - 2*y^2*z + y^2 + 3*y*z^2 + 5*y*z + 5*y - 9*z^2 + 12*z"
+        " - 3;\n");
+    CHECK(y.proof.distinct == 7);
+    CHECK(y.proof.real == 3);
+    CHECK(y.distinct() == y.found.roots.size());
 }
 
 TEST_CASE("roots 1e-59 apart are no double root", "[every_root]") {

@@ -11,6 +11,7 @@
 #include <Eigen/Dense>
 
 #include <equilibria/continuation/branch.hpp>
+#include <equilibria/fem/loads.hpp>
 #include <equilibria/fem/mesh.hpp>
 #include <equilibria/fem/springs.hpp>
 #include <equilibria/fem/structure.hpp>
@@ -28,6 +29,17 @@ class Drawer {
 public:
     explicit Drawer(int number) : number_(number), random_(static_cast<unsigned>(number)) {}
 
+    /// An arch or a frame whose loads turn with their nodes in a share that is drawn.
+    Model draw_with_followers() {
+        Model m = number_ % 2 == 0 ? arch() : frame();
+        const double share = between(0, 1);
+        for (const NodalLoad& load : std::vector<NodalLoad>(m.loads())) {
+            m.fix(load.node, {uz, rx, ry});
+            m.load(load.node, -share * load.force);
+            m.add(FollowerLoad{share * load.force}, {load.node});
+        }
+        return m;
+    }
     Model draw() {
         switch (number_ % 5) {
             case 0: return dome();
@@ -171,20 +183,31 @@ private:
 
 /// Twice the smallest load at which K, linear in p, is singular; where there is none, that which moves the structure by
 /// a tenth of its size.
-double window_of(const Structure& s) {
+template <class S>
+double window_of(const S& s) {
     const Eigen::MatrixXd k = s.tangent(s.initial(), 0);
-    const Eigen::LDLT<Eigen::MatrixXd> factors(k);
+    const Eigen::FullPivLU<Eigen::MatrixXd> factors(k);
     const Eigen::VectorXd slope = factors.solve(-s.parameter_derivative(s.initial(), 0));
     const double moved = std::sqrt(slope.dot(s.weights(s.initial()).cwiseProduct(slope)));
     const double dp = 1e-4 / moved;
     const Eigen::MatrixXd change = (Eigen::MatrixXd(s.tangent(s.retract(s.initial(), dp * slope), dp)) - k) / dp;
     const Eigen::VectorXcd rates = factors.solve(-change).eigenvalues();
-    const double rate = rates.real().maxCoeff();
+    double rate = 0;
+    for (const auto& r : rates)
+        if (std::abs(r.imag()) < 1e-6 * std::abs(r)) rate = std::max(rate, r.real());
     return rate * 10 > moved ? 2 / rate : 0.1 / moved;
 }
 
-int negative(const Structure& s, const BranchPoint<Structure>& at) {
+/// Negative eigenvalues; of an unsymmetric K 1 where its determinant is negative, else 0.
+template <class S>
+int negative(const S& s, const BranchPoint<S>& at) {
     const Eigen::MatrixXd k = s.tangent(at.q, at.p);
+    if (!S::symmetric) {
+        const Eigen::PartialPivLU<Eigen::MatrixXd> lu(k);
+        int sign = static_cast<int>(lu.permutationP().determinant());
+        for (const double pivot : lu.matrixLU().diagonal()) sign = pivot < 0 ? -sign : sign;
+        return sign < 0;
+    }
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(k, Eigen::EigenvaluesOnly);
     return static_cast<int>((eigen.eigenvalues().array() < 0).count()) - s.multipliers();
 }
@@ -198,15 +221,16 @@ struct Count {
     int events = 0, crossed = 0, unexplained = 0;
 };
 /// Changes of the number of negative eigenvalues, seen by so many small steps along a branch.
-int seen(const Structure& s, const Branch<Structure>& branch, ContinuationOptions options, int points) {
+template <class S>
+int seen(const S& s, const Branch<S>& branch, ContinuationOptions options, int points) {
     const auto& last = branch.points.back();
     if (branch.points.size() < 2) return 0;  // it leaves the window at once
     options.branch.largest_step = last.arc_length / points;
     options.branch.first_step = std::min(options.branch.first_step, options.branch.largest_step);
     options.branch.smallest_step = 1e-6 * options.branch.first_step;
     options.branch.resolution = std::max(options.branch.resolution, options.branch.smallest_step);
-    BranchStepper<Structure> stepper(s, options.branch);
-    BranchPoint<Structure> at = branch.points.front();
+    BranchStepper<S> stepper(s, options.branch);
+    BranchPoint<S> at = branch.points.front();
     if (!stepper.start(at.q, at.p, at.tangent.p < 0 ? -1 : 1)) return -1;
     at.proposed_step = options.branch.first_step;
     int y = 0, before = negative(s, at);
@@ -230,13 +254,19 @@ int seen(const Structure& s, const Branch<Structure>& branch, ContinuationOption
     return y;
 }
 /// What a branch lists, against what is seen along it.
-void compare(const Structure& s, const Branch<Structure>& branch, const ContinuationOptions& options, int points,
-             Count& count, const std::string& label) {
+template <class S>
+void compare(const S& s, const Branch<S>& branch, const ContinuationOptions& options, int points, Count& count,
+             const std::string& label) {
     const double high = options.range.high;
     int listed = 0, turning = 0;
     for (const auto& event : branch.events) {
         const auto& e = event.point;
-        const int change = e.negative_before && e.negative_after ? *e.negative_after - *e.negative_before : 0;
+        // without an inertia: the determinant's sign at both ends of the step
+        const int flips = branch.points[event.step].determinant_sign !=
+                          branch.points[std::min(event.step + 1, branch.points.size() - 1)].determinant_sign;
+        const int change = !S::symmetric                           ? flips
+                           : e.negative_before && e.negative_after ? *e.negative_after - *e.negative_before
+                                                                   : 0;
         listed += std::abs(change);
         turning += change == 0 ? e.nullity : 0;
     }
@@ -252,7 +282,7 @@ void compare(const Structure& s, const Branch<Structure>& branch, const Continua
         INFO(label << ": " << listed << " listed, " << crossed << " seen");
         CHECK(listed == crossed);
     }
-    const double force = s.parameter_derivative(s.initial(), 0).lpNorm<Eigen::Infinity>() * high;
+    const double force = s.parameter_derivative(s.initial(), 0).cwiseAbs().maxCoeff() * high;
     for (const auto& event : branch.events) {
         INFO(label << ": " << to_string(event.point.kind) << " at " << event.point.p);
         CHECK(event.point.p >= -1e-9 * high);
@@ -262,24 +292,26 @@ void compare(const Structure& s, const Branch<Structure>& branch, const Continua
     }
 }
 
-}  // namespace
-
-TEST_CASE("random structures: what is listed are the eigenvalues' changes of sign") {
+/// Follows structures and compares; draw(number): a structure.
+template <class S>
+void follow_all(const char* kind, const auto& draw) {
     // EQUILIBRIA_STRUCTURES=300 EQUILIBRIA_POINTS=2000 for the long one
     const int structures = environment("EQUILIBRIA_STRUCTURES", 25), points = environment("EQUILIBRIA_POINTS", 200),
               first = environment("EQUILIBRIA_FIRST", 0);
+    // windows of so many times the first critical load, by the stiffness without load
+    const double wide = environment("EQUILIBRIA_WINDOW", 1);
     Count count;
     for (int number = first; number < first + structures; ++number) {
-        const Structure s(Drawer(number).draw(), {.symmetric_images = true});
-        const double high = window_of(s);
+        const S s(draw(number), {.symmetric_images = true});
+        const double high = wide * window_of(s);
         const std::string label =
-            "structure " + std::to_string(number) + " of " + std::to_string(s.size()) + " unknowns";
+            std::string(kind) + " " + std::to_string(number) + " of " + std::to_string(s.size()) + " unknowns";
         ContinuationOptions options;
         options.range = {0, high};
         options.most_steps = 150;
         options.branch.first_step = 0.01;
         options.branch.largest_step = 0.1;
-        BranchStepper<Structure> stepper(s, options.stepping());
+        BranchStepper<S> stepper(s, options.stepping());
         const auto start = stepper.start(s.initial(), 0, 1);
         REQUIRE(start);
         const auto main = follow(stepper, *start, options);
@@ -303,6 +335,16 @@ TEST_CASE("random structures: what is listed are the eigenvalues' changes of sig
     CHECK(count.events > structures);
     CHECK(count.unexplained <= structures / 20);
     if (std::getenv("EQUILIBRIA_STRUCTURES"))
-        std::printf("%d structures: %d changes listed, %d seen, %d steps unexplained\n", structures, count.events,
+        std::printf("%d %ss: %d changes listed, %d seen, %d steps unexplained\n", structures, kind, count.events,
                     count.crossed, count.unexplained);
+}
+
+}  // namespace
+
+TEST_CASE("random structures: what is listed are the eigenvalues' changes of sign") {
+    follow_all<Structure>("structure", [](int number) { return Drawer(number).draw(); });
+}
+
+TEST_CASE("random structures under follower loads: what is listed are the determinant's changes of sign") {
+    follow_all<NonconservativeStructure>("follower", [](int number) { return Drawer(number).draw_with_followers(); });
 }

@@ -168,15 +168,15 @@ private:
     /// larger than that scale cancel.
     bool vanishes(const Vector& q, const Vector& f) const {
         const double residual = largest(f);
-        if (residual < negligible || !(residual < 1e-10)) return residual < negligible;
+        if (residual < negligible || !(residual < 1e-6)) return residual < negligible;
         double noise = 0;
-        for (const double by : {1 + 0x1p-51, 1 - 0x1p-51}) {
+        for (const double by : {1 + 0x1p-51, 1 - 0x1p-51, 1 + 0x1p-50}) {
             Vector next = q, there, j;
             for (auto& x : next) x *= by;
             system_(next, there, j);
             noise = std::max(noise, distance(there, f));
         }
-        return residual < 4 * noise;
+        return residual < 8 * noise;
     }
     static std::complex<double> draw(bool real, Generator& generator) {
         const double re = uniform(generator, -1, 1), im = uniform(generator, -1, 1);

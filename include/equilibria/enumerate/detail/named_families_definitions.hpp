@@ -92,15 +92,20 @@ EQUILIBRIA_INLINE std::optional<std::vector<Root<RuntimeUnknowns>>> witness_poin
     for (const auto& root : found.roots) {
         PolishedEvidence evidence;
         Polisher(homotopy).assess(point_of<RuntimeUnknowns>(root.q, system.sizes()), &evidence, with);
-        if (!(evidence.residual < 1e-6)) continue;
+        // a regular point of the plane's system is known to rounding: others of its points are near to curves by chance
+        const bool regular = root.status == PathStatus::finite && root.condition < 1e8;
+        if (!(evidence.residual < (regular ? 1e-11 : 1e-6))) continue;
         const auto on_family = nearby_solution(system.sizes(), columns, laurent_point(root.q, system.sizes()), 1e-3);
         if (!on_family) continue;
         // a multiple curve meets the plane in multiple points, each known to a root of the rounding
+        const double near = regular ? 1e-6 : 1e-3;
+        const auto end = laurent_point(root.q, system.sizes());
         const bool known = std::ranges::any_of(places, [&](const auto& other) {
             double apart = 0;
             for (std::size_t u = 0; u < other.size(); ++u)
-                apart = std::max(apart, std::abs(other[u] - (*on_family)[u]) / (1 + std::abs(other[u])));
-            return apart < 1e-4;
+                apart = std::max(apart, std::min(std::abs(other[u] - (*on_family)[u]), std::abs(other[u] - end[u])) /
+                                            (1 + std::abs(other[u])));
+            return apart < near;
         });
         if (known) continue;
         places.push_back(*on_family);

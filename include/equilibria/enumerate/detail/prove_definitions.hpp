@@ -181,6 +181,13 @@ private:
         for (int j = 0; j < sizes_.coordinates; ++j)
             set_lane(q.x[j], l, root[static_cast<std::size_t>(sizes_.angles + j)]);
     }
+    /// Whether an enclosure holds another root than the one of before: with more digits Newton's method may lead from a
+    /// singular point to another regular root, and what was compared is the first.
+    bool is_elsewhere(std::size_t k, const Enclosure<double>& enclosure) {
+        const detail::Lock lock(guard_);
+        const auto before = enclosures_.find(k);
+        return before != enclosures_.end() && disjoint(before->second, enclosure);
+    }
     void keep_enclosure(std::size_t k, Enclosure<double> enclosure) {
         const detail::Lock lock(guard_);
         enclosures_.insert_or_assign(k, std::move(enclosure));
@@ -254,9 +261,10 @@ private:
     template <class S>
     void record_alone(std::size_t k, const KrawczykResult<S>& proof, bool real, int digits) {
         if (!proof.proved) return;
-        record(k, proof, 0, real, excludes_real_points(proof), digits);
         const auto enclosure = Enclosure<S>::of(proof, 0);
         auto rounded = enclosure.template to<double>();
+        if (is_elsewhere(k, rounded)) return;
+        record(k, proof, 0, real, excludes_real_points(proof), digits);
         intervals_[k] = form_(rounded);
         if (has_image(k)) {
             auto image = rounded;

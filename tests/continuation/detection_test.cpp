@@ -185,3 +185,49 @@ TEST_CASE("two eigenvalues that cross 0 in opposite directions in one step, hidd
     CHECK(branch.events[1].point.p == Approx(Opposite::rises * Opposite::rises / 2).epsilon(1e-12));
     for (const auto& event : branch.events) CHECK(event.point.kind == CriticalKind::pitchfork);
 }
+
+namespace {
+
+/// y_0^2 / 2 = p and three modes along it, coupled one way, so that K is not symmetric: two fall through 0 at `first`
+/// and `second`, and a weak one stays.
+struct OneWay {
+    static constexpr bool symmetric = false;
+    double first, second, coupling;
+    VectorXd residual(const VectorXd& y, double p) const {
+        VectorXd g(4);
+        g << y(0) * y(0) / 2 - p, (first - y(0)) * y(1) + coupling * y(2) + std::pow(y(1), 3),
+            (second - y(0)) * y(2) + std::pow(y(2), 3) + y(1) * y(1) * y(2), 1e-3 * y(3);
+        return g;
+    }
+    MatrixXd tangent(const VectorXd& y, double) const {
+        MatrixXd k = MatrixXd::Zero(4, 4);
+        k(0, 0) = y(0);
+        k.block<3, 1>(1, 0) << -y(1), -y(2), 0;
+        k(1, 1) = first - y(0) + 3 * y(1) * y(1);
+        k(1, 2) = coupling;
+        k(2, 1) = 2 * y(1) * y(2);
+        k(2, 2) = second - y(0) + 3 * y(2) * y(2) + y(1) * y(1);
+        k(3, 3) = 1e-3;
+        return k;
+    }
+    VectorXd parameter_derivative(const VectorXd&, double) const { return Eigen::Vector4d(-1, 0, 0, 0); }
+};
+
+}  // namespace
+
+TEST_CASE("two real eigenvalues of an unsymmetric K that cross 0 in one step, and at one point") {
+    ContinuationOptions options;
+    options.range = {0, 3};
+    options.branch.largest_step = 0.5;
+    const VectorXd start = Eigen::Vector4d(1, 0, 0, 0);
+    const auto apart = continue_branch(OneWay{1.5, 1.51, 0.4}, start, 0.5, 1, options);
+    CHECK(apart.unexplained.empty());
+    REQUIRE(apart.events.size() == 2);
+    CHECK(apart.events[0].step == apart.events[1].step);
+    CHECK(apart.events[0].point.p == Approx(1.5 * 1.5 / 2).epsilon(1e-12));
+    CHECK(apart.events[1].point.p == Approx(1.51 * 1.51 / 2).epsilon(1e-12));
+    const auto at_once = continue_branch(OneWay{1.5, 1.5, 0}, start, 0.5, 1, options);
+    REQUIRE(at_once.events.size() == 1);
+    CHECK(at_once.events[0].point.nullity == 2);
+    CHECK(at_once.events[0].point.p == Approx(1.5 * 1.5 / 2).epsilon(1e-9));
+}

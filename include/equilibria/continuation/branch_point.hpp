@@ -26,6 +26,8 @@ struct BranchPointEvidence {
     /// Of the weak eigenvalue and the next ones along the branch, once somebody has asked for them: the search for
     /// events does.
     mutable Eigen::VectorXd weak_slopes;
+    /// Negative real eigenvalues of an unsymmetric K, -1 where it has too many unknowns; filled likewise.
+    mutable std::optional<int> negative_real;
     double sigma = 0;              ///< test function: 0 at every singular point, see bordered.hpp
     double mu = 0;                 ///< test function: 0 at bifurcations alone
     Border border;                 ///< where the weak directions are large

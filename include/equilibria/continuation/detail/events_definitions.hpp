@@ -16,6 +16,7 @@
 #include <equilibria/continuation/detail/branch_changes.hpp>
 #include <equilibria/continuation/detail/multiple_point.hpp>
 #include <equilibria/continuation/detail/predicted_zeros.hpp>
+#include <equilibria/continuation/detail/real_eigenvalues.hpp>
 #include <equilibria/continuation/events.hpp>
 
 namespace equilibria {
@@ -86,6 +87,13 @@ private:
             return of.below(-reach) < negative && negative < of.below(reach);
         };
         return within_reach(a.eigenvalues) && within_reach(b.eigenvalues);
+    }
+    /// Of an unsymmetric K the determinant does not show two real eigenvalues that cross 0 within one step. They are
+    /// counted, as far as K is small; a pair that becomes complex changes their number, too.
+    bool pair_may_cross(const Point& a, const Point& b) const {
+        if (symmetric()) return false;
+        const int at_a = negative_real_eigenvalues(*stepper_, a), at_b = negative_real_eigenvalues(*stepper_, b);
+        return at_a >= 0 && at_b >= 0 && at_a != at_b;
     }
     /// Of eigenvalue k along the branch.
     double slope(const Point& from, Eigen::Index k) const {
@@ -193,7 +201,11 @@ private:
                     out.points.push_back(std::move(*point));
                     return;
                 }
-            if (depth < 6 && (!heading.empty() || two_may_cross(a, b))) halve(a, b, depth, out);
+            const bool pair = pair_may_cross(a, b);
+            if (depth < (pair ? 10 : 6) && (pair || !heading.empty() || two_may_cross(a, b)))
+                halve(a, b, depth, out);
+            else if (pair)  // at one point, or it became complex, which is none
+                together(a, b, 2, depth, out);
             return;
         }
         if (count <= 1) {

@@ -46,7 +46,7 @@ struct Tracing {
     std::vector<BranchRow> branches{};
     std::vector<std::string> unexplained{};
     std::vector<std::string> not_switched{};  ///< bifurcations from which no other branch was found
-    std::vector<std::string> families{};      ///< points from which branches leave in all directions: one is followed
+    std::vector<std::string> families{};      ///< points from which branches leave in every direction, not followed
 };
 
 /// Where tracing begins and how far it goes.
@@ -109,8 +109,7 @@ private:
     /// All branches through a bifurcation that are not known.
     void leave(const equilibria::CriticalPoint<P>& point, const equilibria::Direction& tangent, std::size_t number) {
         const auto starts = switch_branch(stepper_, point, tangent, start_.amplitude);
-        // more than the branches of any discrete symmetry: turns of one branch, which K is singular along
-        if (starts.size() > 12) {
+        if (starts.size() > equilibria::most_half_branches) {
             out_.families.push_back("at " + equilibria::to_text(out_.how.value(point.q, point.p)));
             return;
         }

@@ -82,6 +82,7 @@ class BranchDiagram(Printed):
     images: int  #: starts whose mirror image did
     not_followed: int  #: starts beyond most_branches
     not_switched: int  #: bifurcations from which no other branch was found
+    circles: List[int]  #: nodes from which branches leave in every direction, turns of one: none is followed
     complete: bool  #: every branch was followed to its end, and every change of sign is explained
     verification: Dict[str, Any]  #: what slices and checks found: points, slices, deflated, mismatches, verified, summary
 

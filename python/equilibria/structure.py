@@ -107,6 +107,7 @@ class StructureDiagram(Printed):
     images: int  #: starts whose mirror image did
     not_followed: int  #: starts beyond most_branches
     not_switched: int  #: bifurcations from which no other branch was found
+    circles: List[int]  #: nodes from which branches leave in every direction, turns of one: none is followed
     complete: bool  #: every branch was followed to its end, and every change of sign is explained
     verification: Dict[str, Any]  #: what slices and checks found: points, slices, deflated, mismatches, verified, summary
 
@@ -124,6 +125,7 @@ class StructureDiagram(Printed):
             for count, words in (
                 (sum(len(b.unexplained) for b in self.branches), "unexplained steps"),
                 (self.not_switched, "bifurcations not left"),
+                (len(self.circles), "circles of branches not followed"),
                 (self.not_followed, "branches not followed"),
                 (sum(b.end not in ("window", "closed") for b in self.branches), "branches without an end"),
             )
@@ -197,7 +199,8 @@ class Structure(Printed):
         up, _ = self._core.directions
         if direction is None:
             direction = 1 if up else -1
-        found = self._core.follow(direction, *self._window(low, high), most_steps, *self._steps(first_step, largest_step, parameter_weight))
+        steps = self._steps(first_step, largest_step, parameter_weight)
+        found = self._core.follow(direction, *self._window(low, high), most_steps, *steps)
         return self._branch(found)
 
     def critical_points(self, **options: Any) -> List[StructurePoint]:

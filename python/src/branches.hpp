@@ -69,8 +69,8 @@ pybind11::dict columns_of(const B& branch) {
     return y;
 }
 
-/// "branches" (with "parent", "deflated" and "nodes"), "nodes" (with "branches"), "verification", "seen", "images",
-/// "not_followed", "not_switched" and "complete".
+/// "branches" (with "parent", "deflated" and "nodes"), "nodes" (with "branches"), "circles", "verification", "seen",
+/// "images", "not_followed", "not_switched" and "complete".
 template <class Graph>
 pybind11::dict graph_of(const Graph& graph, const auto& branch_of, const auto& point_of) {
     pybind11::list branches, nodes;
@@ -91,9 +91,9 @@ pybind11::dict graph_of(const Graph& graph, const auto& branch_of, const auto& p
         dict("points", found.points, "slices", found.slices, "equilibria", found.equilibria, "deflated", found.deflated,
              "not_checked", found.not_checked, "mismatches", found.mismatches, "verified", found.verified(), "summary",
              found.summary());
-    return dict("branches", branches, "nodes", nodes, "verification", verification, "seen", graph.seen, "images",
-                graph.images, "not_followed", graph.not_followed, "not_switched", graph.not_switched, "complete",
-                graph.complete());
+    return dict("branches", branches, "nodes", nodes, "circles", graph.circles, "verification", verification, "seen",
+                graph.seen, "images", graph.images, "not_followed", graph.not_followed, "not_switched",
+                graph.not_switched, "complete", graph.complete());
 }
 
 }  // namespace equilibria::python

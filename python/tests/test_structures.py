@@ -118,3 +118,18 @@ def test_a_diagram_of_ones_own_problem():
     assert len(found.branches) == 4 and [b.parent for b in found.branches] == [None, None, 0, 0]
     for branch in found.branches[2:]:
         assert branch.q[-1, 0] ** 2 == pytest.approx(branch.p[-1], abs=1e-8)
+
+
+def test_a_round_column_has_a_circle_of_branches():
+    section = {"ea": "rigid", "ga2": "rigid", "ga3": "rigid", "gj": 0.8, "ei2": 1, "ei3": 1}
+    changes = {
+        "nodes": {"A": [0, 0, 0], "B": [0, 0, 1]},
+        "sections": {"s": section},
+        "loads": [{"node": "B", "force": [0, 0, -1]}],
+        "parameter": {"low": 0, "high": 5},
+    }
+    column = eq.Structure(**{**COLUMN, **changes})
+    found = column.diagram()
+    assert found.circles == [0] and found.nodes[0].nullity == 2 and len(found.branches) == 2
+    assert found.nodes[0].p == pytest.approx(np.pi**2 / 4, rel=1e-6)
+    assert not found.complete and "1 circles of branches not followed" in repr(found)

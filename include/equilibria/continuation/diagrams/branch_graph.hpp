@@ -89,17 +89,19 @@ struct BranchGraph {
         std::vector<std::size_t> nodes;     ///< of branch.events, in their order
     };
 
-    std::vector<Node> nodes;             ///< critical points; each once, however many branches meet there
-    std::vector<Edge> branches;          ///< in the order in which they were followed
-    int seen = 0;                        ///< starts that lay on a branch which was followed before
-    int images = 0;                      ///< starts whose mirror image did
-    int not_followed = 0;                ///< starts beyond most_branches
-    int not_switched = 0;                ///< bifurcations from which no other branch was found
+    std::vector<Node> nodes;     ///< critical points; each once, however many branches meet there
+    std::vector<Edge> branches;  ///< in the order in which they were followed
+    int seen = 0;                ///< starts that lay on a branch which was followed before
+    int images = 0;              ///< starts whose mirror image did
+    int not_followed = 0;        ///< starts beyond most_branches
+    int not_switched = 0;        ///< bifurcations from which no other branch was found
+    /// Nodes from which branches leave in every direction (most_half_branches), turns of one: none is followed.
+    std::vector<std::size_t> circles;
     DiagramVerification verification{};  ///< what was done to find faults
 
     /// Every branch was followed to its end, with every change of sign explained.
     bool complete() const {
-        if (not_followed > 0 || not_switched > 0 || branches.empty()) return false;
+        if (not_followed > 0 || not_switched > 0 || !circles.empty() || branches.empty()) return false;
         return std::all_of(branches.begin(), branches.end(), [](const Edge& e) {
             return e.branch.unexplained.empty() &&
                    (e.branch.end == BranchEnd::window || e.branch.end == BranchEnd::closed);
@@ -118,6 +120,7 @@ BranchGraph<P> typed(const BranchGraph<Erased>& graph) {
     y.images = graph.images;
     y.not_followed = graph.not_followed;
     y.not_switched = graph.not_switched;
+    y.circles = graph.circles;
     y.verification = graph.verification;
     return y;
 }

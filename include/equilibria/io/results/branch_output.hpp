@@ -121,7 +121,8 @@ inline Json json_of(const DiagramVerification& found) {
 
 /// "parameter" and "measures" (their names), "nodes": critical points, each with the numbers of its "branches";
 /// "branches": each with "points", "stable", "parent" (a node, or null), "deflated", "nodes", "end";
-/// "unexplained_steps", "seen", "images", "not_followed", "not_switched", "verification", "complete".
+/// "unexplained_steps", "seen", "images", "not_followed", "not_switched", "circles", "verification",
+/// "complete".
 template <class P>
 Json json_of(const BranchGraph<P>& graph, const BranchMeasures<P>& how) {
     Json nodes = Json::array(), branches = Json::array(), unexplained = Json::array();
@@ -149,6 +150,7 @@ Json json_of(const BranchGraph<P>& graph, const BranchMeasures<P>& how) {
             {"images", graph.images},
             {"not_followed", graph.not_followed},
             {"not_switched", graph.not_switched},
+            {"circles", graph.circles},
             {"verification", json_of(graph.verification)},
             {"complete", graph.complete()}};
 }

@@ -2,7 +2,10 @@
 /// A state of a structure as an engineer reads it: displacements, reactions, section forces; as JSON, CSV and VTK.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
+#include <locale>
+#include <map>
 #include <sstream>
 #include <string>
 #include <utility>

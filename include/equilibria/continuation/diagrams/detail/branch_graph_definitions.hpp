@@ -99,6 +99,10 @@ private:
             if (!is_new || !is_bifurcation(point.kind) || point.kind == CriticalKind::isola_center) continue;
             auto starts =
                 switch_branch(stepper_, point, branch.points[branch.events[e].step].tangent, options_.amplitude);
+            if (starts.size() > most_half_branches) {
+                graph_.circles.push_back(*node);
+                continue;
+            }
             if (starts.empty()) ++graph_.not_switched;
             for (Point& at : starts) waiting_.push_back({std::move(at), node, false});
         }

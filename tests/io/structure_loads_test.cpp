@@ -284,6 +284,26 @@ TEST_CASE("springs against the ground hold a column's foot") {
     }
 }
 
+TEST_CASE("a point spring says its force") {
+    const auto input = parse_structure(R"({"nodes": {"A": [0, 0, 0], "B": [0, 0, 2]},
+        "elements": [{"type": "truss", "nodes": ["A", "B"], "ea": 100},
+                     {"type": "point_spring", "node": "B", "stiffness": [3, 4, 5]}],
+        "supports": [{"node": "A", "fix": ["position"]}], "loads": [{"node": "B", "force": [6, 0, 0]}],
+        "parameter": {"low": 0, "high": 0.1}})");
+    const Structure structure(input.model);
+    const auto branch = continue_branch(structure, structure.initial(), 0, 1, continuation_options(input));
+    const auto& end = branch.points.back();
+    const Json results = structure_results(structure, input, end.q, end.p);
+    const Vector3d reaction = vector_of(results.at("reactions").at("A").at("force"));
+    for (const Json& row : results.at("elements"))
+        if (row.contains("F1")) {
+            CHECK(row.at("element") == "elements[1]");
+            const Vector3d spring(row.at("F1").get<double>(), row.at("F2").get<double>(), row.at("F3").get<double>());
+            CHECK((spring + reaction + Vector3d(0.6, 0, 0)).norm() < 1e-9);
+            CHECK(spring(0) < -0.5);
+        }
+}
+
 TEST_CASE("a ring under pressure, and one whose pressure has no energy") {
     // M. Levy, J. Math. Pures Appl. 10 (1884): 3 EI / R^3
     const std::string ring = R"({"nodes": {"W": [-1, 0, 0], "E": [1, 0, 0]},

@@ -133,6 +133,15 @@ struct PointSpring {
     Eigen::Vector3d stiffness;  ///< along each axis
     Eigen::Vector3d origin;     ///< where no spring has a force
 
+    static constexpr std::array force_names{"F1", "F2", "F3"};  ///< see element.hpp
+    /// The force on the node, in fixed axes.
+    std::vector<InternalForce> forces(const std::array<Frame<double>, 1>& at, const ElementQuery&) const {
+        InternalForce y{at[0].x, {0, 0, 0}};
+        for (int c = 0; c < Dimension; ++c)
+            y.values[static_cast<std::size_t>(c)] = -stiffness(c) * (at[0].x(c) - origin(c));
+        return {y};
+    }
+
     /// sum stiffness_c (x_c - origin_c)^2 / 2.
     template <class T>
     T energy(const std::array<Frame<T>, 1>& at, const T&) const {

@@ -49,8 +49,9 @@ public:
             const bool is_linear = linear(point.history);
             if (!bifurcation && switches < 2 && (transversality() < options_.bifurcation_start || is_linear)) {
                 const Step other = bifurcation_step();
-                if (!limit_first || is_linear || !(length(other.d) > 10 * length(step.d)))
-                    step = other, bifurcation = true, ++switches;
+                const bool longer = !is_linear && length(other.d) > 10 * length(step.d);
+                order_matters_ = order_matters_ || longer;
+                if (!limit_first || !longer) step = other, bifurcation = true, ++switches;
             }
             const auto& [d, gamma] = step;
             const double size = length(d);
@@ -81,6 +82,9 @@ public:
         }
         return std::nullopt;
     }
+
+    /// Whether a limit point's system was to be chosen before a bifurcation's, or not, in some step so far.
+    bool order_matters() const { return order_matters_; }
 
 private:
     double length(const Direction& d) const {
@@ -319,7 +323,7 @@ private:
 
     const AnyProblem<Matrix>& problem_;
     CriticalPointOptions options_;
-    bool symmetric_, fold_;
+    bool symmetric_, fold_, order_matters_ = false;
     BorderedSolver<Matrix>& solver_;
     Eigen::VectorXd weights_, g_, g_p_, gp_r_, weak_;
     Matrix dr_;
@@ -342,7 +346,7 @@ std::optional<CriticalPoint<Erased>> critical_point_near(const AnyProblem<Matrix
     detail::CriticalPointNewton<Matrix> newton(problem, options, *solver, fold);
     auto point = newton.solve(q, p, border, weak, fold);
     // a fold whose load does little work looks like a bifurcation
-    return point ? point : newton.solve(q, p, border, weak, !fold);
+    return point || !newton.order_matters() ? point : newton.solve(q, p, border, weak, !fold);
 }
 
 }  // namespace equilibria

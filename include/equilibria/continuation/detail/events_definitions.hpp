@@ -212,8 +212,9 @@ private:
             // from where an interpolation has it, or from the end at which K is closer to singular
             const bool first = std::abs(a.weak_eigenvalue) < std::abs(b.weak_eigenvalue);
             const Point guess = near ? *near : interpolated(a, b, turned);
+            // longer steps do not come back between a and b; next to `near` there are other points
             CriticalPointOptions within = options_;
-            if (near) within.reach = 10 * stepper_->length(stepper_->difference(a, b.q, b.p));  // others are next to it
+            within.reach = (near ? 10 : 100) * stepper_->length(stepper_->difference(a, b.q, b.p));
             struct Start {
                 const Point* from;
                 bool fold;

@@ -26,17 +26,17 @@ class StructurePoint(Printed):
     p: float  #: the load parameter
     nullity: int  #: how many modes there are
     residual: float  #: the largest |force| left
-    curvature: float  #: of folds and pitchforks p = p_c + curvature x^2 / 2 along the mode
+    curvature: float  #: p = p_c + curvature x^2 / 2 along the mode, at folds and pitchforks
     curvature_error: float  #: how far apart two orders of differences have a pitchfork's
     negative_before: Optional[int]  #: negative eigenvalues before it on its branch; None where they are not known
-    negative_after: Optional[int]  #: and behind it
+    negative_after: Optional[int]  #: likewise behind it
     position: Reals  #: (nodes, 3), of each node, in the structure's length
     rotation: Reals  #: (nodes, 3), the shortest rotation vectors, radians
-    multipliers: Reals  #: of joints, prescribed motions and mixed elements
+    multipliers: Reals  #: what joints, prescribed motions and mixed elements have for unknowns
     mode: Reals  #: (nodes, 6): ux, uy, uz, and rotations about the node's axes, radians; the largest entry 1
-    modes: List[Reals]  #: of multiple points: a basis
-    step: Optional[int] = None  #: of the branch that met it: between its points number step and step + 1
-    branches: Optional[List[int]] = None  #: of a diagram: the numbers of those that meet here
+    modes: List[Reals]  #: a basis of them, at multiple points
+    step: Optional[int] = None  #: the branch that met it has it between its points number step and step + 1
+    branches: Optional[List[int]] = None  #: numbers of those that meet here, in a diagram
 
     def results(self) -> Dict[str, Any]:
         """Displacements, reactions and section forces, as of `Structure.results`."""
@@ -56,23 +56,23 @@ class StructureBranch(Printed):
     rotation: Reals  #: (points, nodes, 3), the shortest rotation vectors, radians
     multipliers: Reals  #: (points, multipliers)
     negative: NDArray[np.int64]  #: negative eigenvalues of the stiffness; -1 where they are not known
-    determinant_sign: NDArray[np.int64]  #: of the stiffness
+    determinant_sign: NDArray[np.int64]  #: the sign of the stiffness's determinant
     residual: Reals  #: the largest |force| left
     arc_length: Reals  #: from the start
     events: List[StructurePoint]
     unexplained: List[Tuple[int, str]]  #: steps with changes of sign that the events do not account for, and why
     end: str  #: window (p left its range), steps, closed, or stopped (the smallest step did not converge)
-    parent: Optional[int] = None  #: of a diagram: the critical point that it leaves
-    deflated: bool = False  #: of a diagram: found by deflation, joined to no bifurcation that was met
-    nodes: Optional[List[int]] = None  #: of a diagram: the numbers of its critical points
+    parent: Optional[int] = None  #: the critical point that it leaves, in a diagram
+    deflated: bool = False  #: found by deflation, in a diagram, joined to no bifurcation that was met
+    nodes: Optional[List[int]] = None  #: numbers of its critical points, in a diagram
 
     @property
     def stable(self) -> Optional[NDArray[np.bool_]]:
-        """Of each point, whether no eigenvalue is negative; None where they are not known, as under follower loads."""
+        """Whether no eigenvalue is negative, at each point; None where they are not known, as under follower loads."""
         return None if (self.negative < 0).any() else self.negative == 0
 
     def displacement(self, node: Union[str, int]) -> Reals:
-        """Of a node, by its name or number: (points, 3)."""
+        """The displacement of a node, by its name or number: (points, 3)."""
         k = self.structure.node(node)
         return self.position[:, k] - self.structure.drawn[k]
 
@@ -168,7 +168,7 @@ class Structure(Printed):
         self.nodes: Dict[str, int] = self._core.nodes
         self.notes: List[str] = self._core.notes  #: defaults that are to be known
         self.parameter: str = self._core.parameter  #: its name
-        self.window: Tuple[float, float] = self._core.window  #: of the parameter
+        self.window: Tuple[float, float] = self._core.window  #: the parameter's
         self.conservative: bool = self._core.conservative  #: all loads have an energy
         self.loaded: Dict[str, Any] = self._core.loaded  #: share, passed, unexplained, summary of the first stage
         self.drawn: Reals = self._core.drawn  #: (nodes, 3), where the nodes are without load

@@ -97,7 +97,7 @@ public:
     Strains strain(const Frames& at, int g) const { return geometry_.strain(at, g); }
     /// Forces and moments of the cross-section, in its axes.
     Strains stress(const Frames& at, int g) const { return stiffness_.cwiseProduct(strain(at, g)); }
-    /// At each Gauss point.
+    /// Forces and moments of the cross-section at each Gauss point, in its axes.
     std::vector<InternalForce> forces(const Frames& at, const ElementQuery&) const {
         return section_forces(geometry_, at, [&](int g) { return stress(at, g); });
     }

@@ -298,7 +298,7 @@ void evaluate(const E& element, const Frames<E, double>& at, const ElementQuery&
 /// Elements of one kind, with their nodes: what a structure sees of them.
 class ElementGroup {
 public:
-    explicit ElementGroup(LoadKind kind) : kind_(kind) {}  ///< of elements of this kind
+    explicit ElementGroup(LoadKind kind) : kind_(kind) {}  ///< a group without elements
     virtual ~ElementGroup() = default;
     /// A constant group is evaluated at p = 1, whatever the load parameter.
     LoadKind kind() const { return kind_; }
@@ -333,7 +333,7 @@ class ElementGroupOf final : public ElementGroup {
 public:
     static constexpr std::size_t count = static_cast<std::size_t>(E::n_nodes);  ///< nodes of an element
 
-    /// Without elements, of this kind.
+    /// A group without elements.
     explicit ElementGroupOf(LoadKind kind = LoadKind::proportional) : ElementGroup(kind) {}
     /// Adds an element with its nodes.
     void add(E element, const std::array<int, count>& nodes) {

@@ -17,11 +17,11 @@ namespace equilibria::fem {
 /// The state under all that is constant, at p = 0, and how it was reached.
 struct LoadedState {
     StructureState state;  ///< where the first stage ended: the loaded state, if `share` is 1
-    double share = 1;      ///< of the constant loads at the state
+    double share = 1;      ///< how much of the constant loads acts at the state
     /// Critical points on the way, their kinds and shares of the loads: branches that leave there are not followed.
     std::vector<std::pair<CriticalKind, double>> passed;
     std::vector<std::string> unexplained;  ///< steps whose changes of sign the critical points do not account for
-    BranchEnd end = BranchEnd::window;     ///< of the first stage's branch
+    BranchEnd end = BranchEnd::window;     ///< why the first stage's branch ended
 
     bool reached() const { return share == 1; }  ///< whether all constant loads act
     /// What is to be said: nothing, or what was passed and where the stage ended.

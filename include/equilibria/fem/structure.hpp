@@ -125,14 +125,14 @@ private:
         std::vector<Symmetry> found;
     };
     static std::size_t node_of(const NodalLoad& load) { return static_cast<std::size_t>(load.node); }
-    /// Of loads, and of the elements of a group.
+    /// What p makes of loads, and of the elements of a group.
     double factor(LoadKind kind, double p) const { return grows(kind) ? p : options_.first_stage ? 0 : 1; }
     /// Whether p is in its residual.
     bool changes(const ElementGroup& group) const { return group.depends_on_parameter() && grows(group.kind()); }
     /// Whether p is its factor.
     bool grows(LoadKind kind) const { return (kind == LoadKind::constant) == options_.first_stage; }
 
-    /// Of element e at q.
+    /// What is asked of element e at q.
     ElementQuery query(const GroupAssembly& assembly, std::size_t e, const Configuration& q, double p,
                        Need need) const {
         const ElementGroup& group = assembly.group();

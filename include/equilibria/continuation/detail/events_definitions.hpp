@@ -88,8 +88,8 @@ private:
         };
         return within_reach(a.eigenvalues) && within_reach(b.eigenvalues);
     }
-    /// Of an unsymmetric K the determinant does not show two real eigenvalues that cross 0 within one step. They are
-    /// counted, as far as K is small; a pair that becomes complex changes their number, too.
+    /// Whether two real eigenvalues of an unsymmetric K may cross 0 within one step, which the determinant does not
+    /// show. They are counted, as far as K is small; a pair that becomes complex changes their number, too.
     bool pair_may_cross(const Point& a, const Point& b) const {
         if (symmetric()) return false;
         const int at_a = negative_real_eigenvalues(*stepper_, a), at_b = negative_real_eigenvalues(*stepper_, b);

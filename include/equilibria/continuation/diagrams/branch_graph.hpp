@@ -44,11 +44,11 @@ struct DiagramOptions {
 
 /// What was done to find faults of a diagram, after it was followed.
 struct DiagramVerification {
-    static constexpr int most_unknowns = 1000;  ///< of a K whose eigenvalues are counted
+    static constexpr int most_unknowns = 1000;  ///< the largest K whose eigenvalues are counted
 
     int points = 0;       ///< random points of branches at which the eigenvalues of K were counted
     int slices = 0;       ///< values of p at which deflation looked for equilibria that lie on no branch
-    int equilibria = 0;   ///< of the branches in these slices
+    int equilibria = 0;   ///< how many the branches have in these slices
     int deflated = 0;     ///< equilibria that deflation found beside them; their branches were followed
     int not_checked = 0;  ///< points that were not reached, too near to a critical one, or of a K that is too large
     std::vector<std::string> mismatches;  ///< points whose eigenvalues are not what the branch says, in words

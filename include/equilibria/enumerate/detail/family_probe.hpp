@@ -37,7 +37,7 @@ public:
     static constexpr double null_share = 1e-4;
     static constexpr double negligible = 3e-13;  ///< a residual that counts as zero
 
-    static constexpr double inaccuracy = 1e-3;  ///< of endpoints on multiple families, at most
+    static constexpr double inaccuracy = 1e-3;  ///< the largest, of endpoints on multiple families
 
     struct Finding {
         int nullity = 0, dimension = 0;  ///< dimension 0: isolated, as far as the probe can tell

@@ -27,7 +27,7 @@ using equilibria::detail::JsonPlace;
 /// An element of the text as loads along it see it.
 struct DraftLine {
     std::vector<int> nodes;    ///< in order
-    int nodes_each = 2;        ///< of an element of the model
+    int nodes_each = 2;        ///< how many an element of the model has
     bool planar_beam = false;  ///< a pressure can act on it
     double mass = 0;           ///< per length
 };

@@ -72,7 +72,7 @@ private:
         else
             draft_.model().add(Truss<Dimension>(ea, a, b, strain), ends);
     }
-    /// Where it is not the drawn one.
+    /// A truss's length without force, if that is not the drawn one.
     static std::optional<double> unstressed_length(const JsonPlace& e, double ea, double drawn, Strain strain) {
         const auto length = e.find("unstressed_length"), prestress = e.find("prestress"), kind = e.find("kind");
         if (length && prestress) prestress->refuse("must not be given with an unstressed length: one says the other");

@@ -109,7 +109,7 @@ private:
     /// All branches through a bifurcation that are not known.
     void leave(const equilibria::CriticalPoint<P>& point, const equilibria::Direction& tangent, std::size_t number) {
         const auto starts = switch_branch(stepper_, point, tangent, start_.amplitude);
-        if (starts.size() > equilibria::most_half_branches) {
+        if (equilibria::leave_in_every_direction(point.nullity, starts.size())) {
             out_.families.push_back("at " + equilibria::to_text(out_.how.value(point.q, point.p)));
             return;
         }

@@ -234,10 +234,6 @@ std::optional<Branch<P>> known_image(BranchStepper<P>& stepper, const Branch<P>&
     return typed<P>(*found);
 }
 
-/// More half branches than this through one point are more than those of any discrete symmetry: turns of one branch by
-/// a continuous one, along which K is singular.
-inline constexpr std::size_t most_half_branches = 12;
-
 /// Points of the other branches through a bifurcation, about `amplitude` away from it, with tangents that lead away:
 /// one for each half branch. `incoming`: the tangent of the branch that is left. At a point with two null vectors
 /// directions between them are tried all around, and the branches found are those that they lead to. Throws

@@ -2,6 +2,8 @@
 /// The kinds of critical points of a branch.
 #pragma once
 
+#include <cstddef>
+
 namespace equilibria {
 
 /// What a critical point of a branch is.
@@ -27,5 +29,11 @@ constexpr const char* to_string(CriticalKind kind) {
 }
 /// Whether other branches may leave there: all but folds and cusps.
 constexpr bool is_bifurcation(CriticalKind kind) { return kind != CriticalKind::fold && kind != CriticalKind::cusp; }
+
+/// Whether so many half branches through a point with so many null vectors are turns of one, by a continuous symmetry
+/// along which K is singular: more than a discrete symmetry has, 12 of a hexagon, 26 of a cube.
+constexpr bool leave_in_every_direction(int nullity, std::size_t half_branches) {
+    return half_branches > (nullity <= 2 ? 12U : 20U * static_cast<unsigned>(nullity));
+}
 
 }  // namespace equilibria

@@ -141,6 +141,7 @@ private:
         if (std::abs(incoming_.p) * stepper_.parameter_weight() > 1e-3 * stepper_.length(incoming_))
             slope_ = problem_.tangent_derivative(point_.q, point_.p, incoming_.q / incoming_.p);
         const Eigen::Index k = point_.null_vectors.cols();
+        // all of them first: the factors that they are solved with are the stepper's own
         std::vector<Way> ways;
         // several more than the lines of the symmetries of plates and rings
         const Eigen::Index count = k == 2 ? 24 : 20 * k;
@@ -160,7 +161,11 @@ private:
         for (const double share : {1.0, 0.25, 4.0, 0.06, 2.0, 8.0, 0.015, 0.004}) {
             found_.clear();
             directions_.clear();
-            for (const Way& way : ways) attempt(way, {share});
+            // where there are more than any discrete symmetry has, all others are turns of these
+            for (const Way& way : ways) {
+                if (leave_in_every_direction(static_cast<int>(k), found_.size())) break;
+                attempt(way, {share});
+            }
             if (found_.size() > best.size()) best.swap(found_);
             // of a symmetry of order three, and its mirror images
             if (best.size() >= 6 || (!best.empty() && more-- == 0)) break;

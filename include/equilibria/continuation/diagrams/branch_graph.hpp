@@ -95,7 +95,7 @@ struct BranchGraph {
     int images = 0;              ///< starts whose mirror image did
     int not_followed = 0;        ///< starts beyond most_branches
     int not_switched = 0;        ///< bifurcations from which no other branch was found
-    /// Nodes from which branches leave in every direction (most_half_branches), turns of one: none is followed.
+    /// Nodes from which branches leave in every direction (leave_in_every_direction), turns of one: none is followed.
     std::vector<std::size_t> circles;
     DiagramVerification verification{};  ///< what was done to find faults
 

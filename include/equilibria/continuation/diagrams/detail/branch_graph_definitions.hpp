@@ -99,7 +99,7 @@ private:
             if (!is_new || !is_bifurcation(point.kind) || point.kind == CriticalKind::isola_center) continue;
             auto starts =
                 switch_branch(stepper_, point, branch.points[branch.events[e].step].tangent, options_.amplitude);
-            if (starts.size() > most_half_branches) {
+            if (leave_in_every_direction(point.nullity, starts.size())) {
                 graph_.circles.push_back(*node);
                 continue;
             }

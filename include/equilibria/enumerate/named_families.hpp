@@ -37,7 +37,8 @@ void keep_families(const SparseSystem& system, const std::vector<Root<RuntimeUnk
 
 /// The families that these suspects, singular ends of paths from the total degree, and points on generic planes lie on;
 /// on_one: of the suspects. most_paths: above so many paths the total degree is not tracked. Planes are for systems
-/// without angles alone: of others no degrees are counted, and a curve may not be found that paths meet at infinity.
+/// without angles, and with coefficients within 1e100 of each other: of others no degrees are counted, and a curve may
+/// not be found that paths meet at infinity.
 FoundFamilies name_families(const SparseSystem& system, const std::vector<Root<RuntimeUnknowns>>& suspects,
                             const RunOptions& run, const TrackerOptions& options, std::uint64_t most_paths);
 

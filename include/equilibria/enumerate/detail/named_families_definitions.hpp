@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <limits>
 #include <map>
 #include <optional>
 #include <utility>
@@ -126,7 +127,13 @@ EQUILIBRIA_INLINE FoundFamilies name_families(const SparseSystem& system,
     if (tracked)
         for (const auto& root : solve_total_degree(system, run, options, nullptr).roots)
             if (root.status == PathStatus::singular) all.push_back(root);
-    const bool on_planes = tracked && system.sizes().angles == 0;
+    // coefficients of very different sizes: doubles do not tell a curve from roots as near to each other as these
+    double least = std::numeric_limits<double>::infinity(), most_size = 0;
+    for (const SparseTerm& t : system.terms()) {
+        least = std::min(least, std::abs(t.coefficient));
+        most_size = std::max(most_size, std::abs(t.coefficient));
+    }
+    const bool on_planes = tracked && system.sizes().angles == 0 && least > 1e-100 * most_size;
     if (all.empty() && !on_planes) return {};
     Generator generator(run.seed);
     std::vector<int> degrees = system.degrees();

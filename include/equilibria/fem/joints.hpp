@@ -36,7 +36,7 @@ Vector3<T> turned(const Frame<T>& at, const Eigen::Vector3d& v) {
 
 /// A point of each body is the same: x_A + R_A a = x_B + R_B b.
 struct SphericalJoint {
-    /// As of every element, see element.hpp.
+    /// What every element has, see element.hpp.
     /// \{
     static constexpr int n_nodes = 2, n_constraints = 3;
     static constexpr auto components = spatial;
@@ -55,7 +55,7 @@ struct SphericalJoint {
 
 /// The same in the x-y plane, a hinge about z.
 struct PlanarHinge {
-    /// As of every element, see element.hpp.
+    /// What every element has, see element.hpp.
     /// \{
     static constexpr int n_nodes = 2, n_constraints = 2;
     static constexpr auto components = planar;
@@ -75,7 +75,7 @@ struct PlanarHinge {
 /// A spherical joint whose bodies also share an axis.
 class RevoluteJoint {
 public:
-    /// As of every element, see element.hpp.
+    /// What every element has, see element.hpp.
     /// \{
     static constexpr int n_nodes = 2, n_constraints = 5;
     static constexpr auto components = spatial;
@@ -105,7 +105,7 @@ private:
 /// Node B slides along an axis of node A, and turns as A does.
 class PrismaticJoint {
 public:
-    /// As of every element, see element.hpp.
+    /// What every element has, see element.hpp.
     /// \{
     static constexpr int n_nodes = 2, n_constraints = 5;
     static constexpr auto components = spatial;
@@ -138,7 +138,7 @@ private:
 /// moment, times the cosine of the slope.
 class ForkSupport {
 public:
-    /// As of every element, see element.hpp.
+    /// What every element has, see element.hpp.
     /// \{
     static constexpr int n_nodes = 1, n_constraints = 1;
     static constexpr std::array components{rx, ry, rz};
@@ -170,7 +170,7 @@ private:
 /// The node moves along a fixed direction: direction . (x - origin) = rate p + offset. Its multiplier is minus the
 /// force.
 struct PrescribedDisplacement {
-    /// As of every element, see element.hpp.
+    /// What every element has, see element.hpp.
     /// \{
     static constexpr int n_nodes = 1, n_constraints = 1;
     static constexpr auto components = positions;
@@ -193,7 +193,7 @@ struct PrescribedDisplacement {
 /// minus the moment, in the axes of the node.
 class PrescribedRotation {
 public:
-    /// As of every element, see element.hpp.
+    /// What every element has, see element.hpp.
     /// \{
     static constexpr int n_nodes = 1, n_constraints = 3;
     static constexpr std::array components{rx, ry, rz};
@@ -223,7 +223,7 @@ private:
 /// joint. Its multiplier is minus the moment.
 class RotationDrive {
 public:
-    /// As of every element, see element.hpp.
+    /// What every element has, see element.hpp.
     /// \{
     static constexpr int n_nodes = 2, n_constraints = 1;
     static constexpr std::array components{rx, ry, rz};
@@ -253,7 +253,7 @@ private:
 /// The same in the x-y plane, about z.
 class PlanarRotationDrive {
 public:
-    /// As of every element, see element.hpp.
+    /// What every element has, see element.hpp.
     /// \{
     static constexpr int n_nodes = 2, n_constraints = 1;
     static constexpr std::array components{rz};

@@ -12,7 +12,7 @@ namespace equilibria::fem {
 
 /// p times a force and a moment that turn with their node. They have no energy: NonconservativeStructure.
 struct FollowerLoad {
-    /// As of every element, see element.hpp.
+    /// What every element has, see element.hpp.
     /// \{
     static constexpr int n_nodes = 1;
     static constexpr auto components = spatial;
@@ -34,7 +34,7 @@ struct FollowerLoad {
 /// p force |x - center|.
 template <int Dimension>
 struct CentralLoad {
-    /// As of every element, see element.hpp.
+    /// What every element has, see element.hpp.
     /// \{
     static constexpr int n_nodes = 1;
     static constexpr auto components = position_components<Dimension>();
@@ -56,7 +56,7 @@ struct CentralLoad {
 /// where the line is closed, or its ends are fixed or move towards the origin.
 template <int Nodes>
 struct PlanarPressure {
-    /// As of every element, see element.hpp.
+    /// What every element has, see element.hpp.
     /// \{
     static constexpr int n_nodes = Nodes;
     static constexpr auto components = planar_positions;

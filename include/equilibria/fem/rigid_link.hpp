@@ -17,7 +17,7 @@ namespace equilibria::fem {
 /// rotation of its own: then it is a joint of the body. Its multipliers are minus the force on B.
 template <int Dimension>
 struct RigidLink {
-    /// As of every element, see element.hpp.
+    /// What every element has, see element.hpp.
     /// \{
     static constexpr int n_nodes = 2, n_constraints = Dimension, n_multipliers = Dimension;
     static constexpr auto components = motion_components<Dimension>();

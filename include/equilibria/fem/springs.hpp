@@ -12,7 +12,7 @@ namespace equilibria::fem {
 
 /// Resists the rotation between two nodes: stiffness |Psi|^2 / 2, exp(Psi) = R_A^T R_B, |Psi| below 2 pi.
 struct RotationSpring {
-    /// As of every element, see element.hpp.
+    /// What every element has, see element.hpp.
     /// \{
     static constexpr int n_nodes = 2;
     static constexpr std::array components{rx, ry, rz};
@@ -37,7 +37,7 @@ struct RotationSpring {
 
 /// The same in the plane, about z: the rotation may go through any number of turns of both together.
 struct PlanarRotationSpring {
-    /// As of every element, see element.hpp.
+    /// What every element has, see element.hpp.
     /// \{
     static constexpr int n_nodes = 2;
     static constexpr std::array components{rz};
@@ -66,7 +66,7 @@ struct PlanarRotationSpring {
 /// fixed axis, as it is without load: sum stiffness_c Psi_c^2 / 2, exp(Psi) = R_A^T R_B or R, |Psi| below 2 pi.
 template <int Nodes>
 struct RotationSprings {
-    /// As of every element, see element.hpp.
+    /// What every element has, see element.hpp.
     /// \{
     static constexpr int n_nodes = Nodes;
     static constexpr std::array components{rx, ry, rz};
@@ -98,7 +98,7 @@ struct RotationSprings {
 
 /// A spring against the ground about z, in the plane: stiffness angle^2 / 2, |angle| below 2 pi.
 struct PlanarGroundSpring {
-    /// As of every element, see element.hpp.
+    /// What every element has, see element.hpp.
     /// \{
     static constexpr int n_nodes = 1;
     static constexpr std::array components{rz};
@@ -124,7 +124,7 @@ struct PlanarGroundSpring {
 /// Holds a node at a place by a spring along each fixed axis, in space (Dimension 3) or in the plane (2).
 template <int Dimension>
 struct PointSpring {
-    /// As of every element, see element.hpp.
+    /// What every element has, see element.hpp.
     /// \{
     static constexpr int n_nodes = 1;
     static constexpr auto components = position_components<Dimension>();

@@ -21,7 +21,7 @@ enum class Strain { green, engineering };
 template <int Dimension>
 class Truss {
 public:
-    /// As of every element, see element.hpp.
+    /// What every element has, see element.hpp.
     /// \{
     static constexpr int n_nodes = 2;
     static constexpr auto components = position_components<Dimension>();
@@ -78,7 +78,7 @@ private:
 template <int Dimension>
 class StressedTruss {
 public:
-    /// As of every element, see element.hpp.
+    /// What every element has, see element.hpp.
     /// \{
     static constexpr int n_nodes = 2;
     static constexpr auto components = position_components<Dimension>();

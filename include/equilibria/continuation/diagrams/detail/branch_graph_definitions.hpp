@@ -211,8 +211,8 @@ private:
     int sign_count(const Point& at) const {
         return problem_.properties().symmetric ? at.negative.value_or(-1) : at.determinant_sign;
     }
-    /// That number by eigenvalues, or the sign by another factorisation; nothing where one is 0 to rounding or K too
-    /// large.
+    /// Negative eigenvalues one by one, or the determinant's sign by another factorisation; nothing where one is 0 to
+    /// rounding or K too large.
     std::optional<int> eigenvalues(const AnyConfiguration& q, double p) const {
         const Eigen::MatrixXd k(problem_.linearization(q, p).tangent);
         if (k.rows() > DiagramVerification::most_unknowns) return {};

@@ -239,6 +239,11 @@ TEST_CASE("roots 1e-59 apart are no double root", "[every_root]") {
         " + 8.363732533445374e-58*y;\n-3*x + 4*y + 2;\n");
     CHECK(y.verdict.completeness == Completeness::open);
     CHECK(y.verdict.missing_at_most == 2);
+    // roots 1e-119 apart are no line
+    const auto near =
+        solved("2\ny^4 + 11*y^3 + 18*y^2 + 4.223146227930097e-238*y + 6.910602918431067e-238;\nx + 3*y^2 + 2*y;\n");
+    CHECK(near.families.empty());
+    CHECK(near.verdict.completeness == Completeness::open);
     // and the double root without that term is one
     const auto double_root =
         solved("2\n8*x^3 - 36*x^2*y + 28*x^2 + 54*x*y^2 - 84*x*y - 27*y^3 + 63*y^2;\n-3*x + 4*y + 2;\n");

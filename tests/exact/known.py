@@ -26,6 +26,7 @@ POLYNOMIALS = [
     ("xy", "(2*x-3*y)**3 + 7*(2*x-3*y)**2 - Fraction(1, 2**191)*(2*x-3*y)", "-3*x + 4*y + 2"),
     ("xyz", "-(x-2*y+2*z)**2*(y+z+1)", "(2*x+2*y+z-1)**2", "-(y-z)*(x-2*y+2*z)*(2*x+2*y+z-1)"),
     ("xyz", "(2*y+z)*(2*x-2*y-2*z+1)", "2*(2*y+z)*(x-2*y+z+2)*(2*x-2*y-2*z+1)", "-3*(2*y+z)**2*(2*x-2*y-2*z+1)"),
+    ("xy", "y**4 + 11*y**3 + 18*y**2 + Fraction(11, 2**792)*y + Fraction(18, 2**792)", "x + 3*y**2 + 2*y"),
     ("xy", "8*y**5 - 3*x**3*y**3", "7*x**4 - 9*y**4 + 9*y**2 + 4*y"),
 ]
 # name of the kind, angles, coordinates, formulas: a term is (coefficient, kind, harmonics, exponents)

@@ -162,6 +162,36 @@ TEST_CASE("fold lines parallel to an axis part the window, on the value 0 too") 
         CHECK(region.area == Approx(region.count == 4 ? 4.5 * 3 : 4.5).epsilon(1e-6));
 }
 
+TEST_CASE("wedges above folds that touch the border midway are regions, with their own area") {
+    // b cos t (1 + 2 sin^2 t) = -1 on the folds: from (0, 1) down to cusps at a = +-2/3, and up to a = +-0.7866
+    const auto locus =
+        in_plane(1, 0, {{-2, 1}, {0, 1}}, [](const auto& theta, const auto&, const auto& a, const auto& b) {
+            return -3 * b * sin(2 * theta[0]) - 6 * sin(theta[0]) + 9 * a * cos(theta[0]);
+        });
+    INFO(locus.argument());
+    CHECK(locus.evidence.complete());
+    double inside = 0, area = 0;
+    for (const auto& region : locus.regions) {
+        CHECK((region.count == 2 || region.count == 4));
+        inside += region.count == 4 ? region.area : 0;
+        area += region.area;
+    }
+    CHECK(area == Approx(3).epsilon(1e-6));
+    // twice the integral of (1 - b) da from the outer branch to the inner one, by trapezia in t
+    double wedge = 0;
+    const auto height = [](double t) { return 1 + 1 / (std::cos(t) * (1 + 2 * std::pow(std::sin(t), 2))); };
+    const auto place = [&](double t) {
+        return (std::sin(t) + 2 * (1 - height(t)) * std::sin(2 * t)) / (1.5 * std::cos(t));
+    };
+    const int steps = 3000;
+    const double from = std::numbers::pi - std::asin(std::pow(0.75, 0.25)), step = (std::numbers::pi - from) / steps;
+    for (int k = 0; k < steps; ++k) {
+        const double t = from + k * step;
+        wedge += (height(t) + height(t + step)) / 2 * (place(t) - place(t + step));
+    }
+    CHECK(inside == Approx(2 * wedge).epsilon(1e-4));
+}
+
 TEST_CASE("no curve is traced twice: past an extremal point, and from a cusp on the border") {
     const auto wave =
         in_plane(1, 0, {{-2, 3}, {-2.5, 2}}, [](const auto& theta, const auto&, const auto& a, const auto& b) {

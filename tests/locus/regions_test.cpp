@@ -1,8 +1,12 @@
+#include <algorithm>
 #include <cmath>
-#include <equilibria/locus/regions/regions.hpp>
+#include <cstddef>
 #include <map>
 #include <numbers>
+#include <random>
 #include <vector>
+
+#include <equilibria/locus/regions/regions.hpp>
 
 #include "support/catch.hpp"
 
@@ -22,8 +26,28 @@ Curve circle(double x, double y, double r, int points = 400) {
 
 std::map<int, double> areas(const PlaneDecomposition& plane) {
     std::map<int, double> area;
-    for (const auto& cell : plane.cells()) area[cell.region] += (cell.x.high - cell.x.low) * cell.height;
+    for (const auto& cell : plane.cells()) area[cell.region] += plane.area(cell);
     return area;
+}
+
+/// Whether the segment from a to b comes nearer to a curve than `near`.
+bool meets(const std::vector<Curve>& curves, PlanePoint a, PlanePoint b, double near) {
+    const auto side = [](PlanePoint o, PlanePoint p, PlanePoint q) {
+        return (p.x - o.x) * (q.y - o.y) - (q.x - o.x) * (p.y - o.y);
+    };
+    const auto distance = [](PlanePoint p, PlanePoint from, PlanePoint to) {
+        const double dx = to.x - from.x, dy = to.y - from.y, length2 = dx * dx + dy * dy;
+        const double t = length2 > 0 ? std::clamp(((p.x - from.x) * dx + (p.y - from.y) * dy) / length2, 0.0, 1.0) : 0;
+        return std::hypot(p.x - from.x - t * dx, p.y - from.y - t * dy);
+    };
+    for (const Curve& c : curves)
+        for (std::size_t k = 1; k < c.size(); ++k) {
+            const PlanePoint p = c[k - 1], q = c[k];
+            if (side(a, b, p) * side(a, b, q) < 0 && side(p, q, a) * side(p, q, b) < 0) return true;
+            if (std::min({distance(a, p, q), distance(b, p, q), distance(p, a, b), distance(q, a, b)}) < near)
+                return true;
+        }
+    return false;
 }
 
 }  // namespace
@@ -113,6 +137,47 @@ TEST_CASE("Polygons of the cells have the cells' areas, and borders name regions
     CHECK(parts(left, lens, 1));
     CHECK_FALSE(parts(outside, lens, 0));
     CHECK_FALSE(parts(left, right, 0));
+}
+
+TEST_CASE("Curves that touch each other or the border midway part regions there") {
+    const Curve up{{0, 0.9}, {0.5, 0.5}, {1, 0.9}}, down{{0, 0.1}, {0.5, 0.5}, {1, 0.1}};
+    const PlaneDecomposition two({{0, 1}, {0, 1}}, {up, down});
+    CHECK(two.regions() == 4);
+    CHECK(two.region_of(0.1, 0.5) != two.region_of(0.9, 0.5));
+    // a wedge on each side of the point in the middle of the upper border
+    const Curve w{{0.1, 1}, {0.3, 0.7}, {0.5, 1 - 4e-10}, {0.7, 0.7}, {0.9, 1}};
+    const PlaneDecomposition wedges({{0, 1}, {0, 1}}, {w});
+    CHECK(wedges.regions() == 3);
+    CHECK(wedges.region_of(0.3, 0.9) >= 0);
+    CHECK(wedges.region_of(0.3, 0.9) != wedges.region_of(0.7, 0.9));
+    double total = 0;
+    for (const auto& [region, area] : areas(wedges)) total += area;
+    CHECK(total == Approx(1).epsilon(1e-9));
+}
+
+TEST_CASE("Every point is in a region, and segments that meet no curve stay in one: curves of few places") {
+    // corners on a coarse grid: curves touch, cross in corners, lie over each other and over the border
+    std::mt19937 draw(7);
+    const auto place = [&](int of) { return static_cast<double>(draw() % static_cast<unsigned>(of + 1)) / of; };
+    for (int k = 0; k < 1000; ++k) {
+        std::vector<Curve> curves(1 + draw() % 3);
+        const int grid = 2 + static_cast<int>(draw() % 7);
+        for (Curve& c : curves)
+            for (int corners = 2 + static_cast<int>(draw() % 6); corners > 0; --corners)
+                c.push_back({place(grid), place(grid)});
+        const PlaneDecomposition plane({{0, 1}, {0, 1}}, curves);
+        INFO("system " << k);
+        double total = 0;
+        for (const auto& [region, area] : areas(plane)) total += area;
+        CHECK(total == Approx(1).epsilon(1e-6));
+        for (int m = 0; m < 100; ++m) {
+            const PlanePoint a{place(997), place(991)}, b{place(983), place(977)};
+            if (meets(curves, a, a, 1e-5) || std::min({a.x, a.y, 1 - a.x, 1 - a.y}) < 1e-5) continue;
+            CHECK(plane.region_of(a.x, a.y) >= 0);
+            if (std::min({b.x, b.y, 1 - b.x, 1 - b.y}) < 1e-5 || meets(curves, a, b, 1e-5)) continue;
+            CHECK(plane.region_of(a.x, a.y) == plane.region_of(b.x, b.y));
+        }
+    }
 }
 
 TEST_CASE("An empty, reversed or infinite window is refused with its values") {

@@ -43,7 +43,7 @@ inline void place_points(Locus<RuntimeUnknowns>& locus, const PlaneDecomposition
     };
     for (const auto& cell : plane.cells()) {
         LocusRegion& region = locus.regions[static_cast<std::size_t>(cell.region)];
-        region.area += (cell.x.high - cell.x.low) * cell.height;
+        region.area += plane.area(cell);
         region.polygons.push_back(plane.polygon(cell));
         consider(cell.center.x, cell.center.y, cell.region);
     }

@@ -1,9 +1,10 @@
 /// \file
 /// The regions into which curves cut a window of the plane: a vertical decomposition. Curves are split into pieces that
-/// are monotone in x; between neighbouring critical abscissae (ends and vertical tangents of pieces, crossings) the
-/// pieces are ordered and bound cells; cells that share a vertical segment belong to one region. No raster: a sliver
-/// beside a cusp is found however thin it is, down to the resolution of the curves' points. A vertical line bounds no
-/// cell from below or above; it parts the cells on its two sides.
+/// are monotone in x; between neighbouring critical abscissae (ends and vertical tangents of pieces, crossings, points
+/// where pieces touch each other or the window's border) the pieces are ordered and bound cells; cells that share a
+/// vertical segment belong to one region. No raster: a sliver beside a cusp is found however thin it is, down to the
+/// resolution of the curves' points. A vertical line bounds no cell from below or above; it parts the cells on its two
+/// sides.
 #pragma once
 
 #include <algorithm>
@@ -26,7 +27,7 @@ public:
     /// A cell: bounded left and right by the interval x, below and above by pieces, or the window.
     struct Cell {
         Interval x;         ///< between neighbouring critical abscissae
-        PlanePoint center;  ///< in the middle of the interval, half way up
+        PlanePoint center;  ///< half way up where the cell is high
         double height;      ///< at the centre
         int region;         ///< its number, from 0
         int lower;          ///< piece below; -1: the window's bottom
@@ -76,9 +77,20 @@ public:
         edge(cell.upper, false);
         return y;
     }
-    /// The distance from a point to the boundary of its cell, in units of the window.
+    /// The area of a cell's polygon.
+    double area(const Cell& cell) const {
+        const auto points = polygon(cell);
+        double twice = 0;
+        for (std::size_t k = 2; k < points.size(); ++k) {
+            const PlanePoint &o = points[0], &a = points[k - 1], &b = points[k];
+            twice += (a.x - o.x) * (b.y - o.y) - (b.x - o.x) * (a.y - o.y);
+        }
+        return twice / 2;
+    }
+    /// The distance from a cell's centre to its boundary, in units of the window: the smaller of those along both axes.
     double clearance(const Cell& cell) const {
-        return std::min(0.5 * cell.height / window_.height(), 0.5 * cell.x.width() / window_.width());
+        return std::min(0.5 * cell.height / window_.height(),
+                        std::min(cell.center.x - cell.x.low, cell.x.high - cell.center.x) / window_.width());
     }
 
 private:
@@ -96,7 +108,11 @@ private:
         std::vector<Bounds> cells;
     };
 
+    static constexpr std::array shares{0.5, 0.25, 0.75, 0.1, 0.9};  // of a slab's width: where heights are compared
+
     double same_x() const { return 1e-9 * window_.width(); }
+    double closed() const { return 1e-6 * window_.height(); }  // a gap that joins no cells
+    double thin() const { return 1e-10 * window_.height(); }   // one that is no cell
 
     void split(const std::vector<PlanePoint>& curve, std::size_t number) {
         Piece piece;
@@ -110,7 +126,7 @@ private:
         for (const PlanePoint& p : curve) {
             if (!piece.empty()) {
                 const PlanePoint from = piece.back();
-                if (std::abs(p.x - from.x) <= same_x() && std::abs(p.y - from.y) > 1e-6 * window_.height()) {
+                if (std::abs(p.x - from.x) <= same_x() && std::abs(p.y - from.y) > closed()) {
                     flush();
                     walls_.push_back({from.x, std::min(p.y, from.y), std::max(p.y, from.y), number});
                     piece = {p};
@@ -147,8 +163,10 @@ private:
         abscissae_ = {window_.x.low, window_.x.high};
         for (const Piece& p : pieces_) abscissae_.insert(abscissae_.end(), {p.front().x, p.back().x});
         for (const Wall& wall : walls_) abscissae_.push_back(wall.x);
-        for (std::size_t a = 0; a < pieces_.size(); ++a)
+        for (std::size_t a = 0; a < pieces_.size(); ++a) {
             for (std::size_t b = a + 1; b < pieces_.size(); ++b) crossings(static_cast<int>(a), static_cast<int>(b));
+            border_touches(static_cast<int>(a));
+        }
         std::sort(abscissae_.begin(), abscissae_.end());
         std::vector<double> kept;
         for (const double x : abscissae_)
@@ -157,7 +175,7 @@ private:
         abscissae_ = kept;
     }
 
-    /// Adds the abscissae at which the difference of two pieces changes sign.
+    /// Adds the abscissae at which the difference of two pieces changes sign, or at which they touch.
     void crossings(int a, int b) {
         const Piece &p = pieces_[static_cast<std::size_t>(a)], &q = pieces_[static_cast<std::size_t>(b)];
         const double low = std::max(p.front().x, q.front().x), high = std::min(p.back().x, q.back().x);
@@ -167,13 +185,41 @@ private:
             for (const PlanePoint& point : *piece)
                 if (point.x > low && point.x < high) xs.push_back(point.x);
         std::sort(xs.begin(), xs.end());
-        double before = height_at(a, low) - height_at(b, low);
+        const std::vector<double> gaps = differences(a, b, xs);
+        touches(xs, gaps);
+        double before = gaps[0];
         for (std::size_t k = 1; k < xs.size(); ++k) {
-            const double now = height_at(a, xs[k]) - height_at(b, xs[k]);
+            const double now = gaps[k];
             if ((before < 0 && now > 0) || (before > 0 && now < 0))
                 abscissae_.push_back(xs[k - 1] + (xs[k] - xs[k - 1]) * before / (before - now));
             if (now != 0) before = now;
         }
+    }
+    /// Adds the abscissae at which a piece touches the window's bottom or top.
+    void border_touches(int piece) {
+        std::vector<double> xs;
+        for (const PlanePoint& point : pieces_[static_cast<std::size_t>(piece)]) xs.push_back(point.x);
+        for (const int border : {-1, -2}) touches(xs, differences(piece, border, xs));
+    }
+    std::vector<double> differences(int a, int b, const std::vector<double>& xs) const {
+        std::vector<double> y;
+        for (const double x : xs) y.push_back(height_at(a, x) - height_at(b, x));
+        return y;
+    }
+    /// Adds the ends, among xs, of each part on which pieces are within what counts as closed, and where they are
+    /// nearest to each other. A part that reaches an end of the pieces, as at a cusp, counts only if they lie over each
+    /// other.
+    void touches(const std::vector<double>& xs, const std::vector<double>& gaps) {
+        for (const double most : {closed(), thin()})
+            for (std::size_t k = 0; k < xs.size(); ++k) {
+                if (!(std::abs(gaps[k]) <= most)) continue;
+                const std::size_t begin = k;
+                std::size_t nearest = k;
+                for (; k < xs.size() && std::abs(gaps[k]) <= most; ++k)
+                    if (std::abs(gaps[k]) < std::abs(gaps[nearest])) nearest = k;
+                if ((begin > 0 && k < xs.size()) || most == thin())
+                    abscissae_.insert(abscissae_.end(), {xs[begin], xs[nearest], xs[k - 1]});
+            }
     }
 
     /// The longest part of a vertical segment without a wall.
@@ -206,32 +252,46 @@ private:
                         const double x = slabs_[k].low;
                         const double low = std::max({height_at(a.lower, x), height_at(b.lower, x), wall.low});
                         const double high = std::min({height_at(a.upper, x), height_at(b.upper, x), wall.high});
-                        if (high - low > 1e-6 * window_.height()) add_border(a.cell, b.cell, wall.curve);
+                        if (high - low > closed()) add_border(a.cell, b.cell, wall.curve);
                     }
             }
     }
 
+    /// Its centre is in the middle, unless it is more than twice as high elsewhere.
+    Cell cell_between(const Slab& slab, int lower, int upper, int number) const {
+        Cell y{{slab.low, slab.high}, {}, -1, number, lower, upper};
+        for (const double share : shares) {
+            const double x = slab.low + share * (slab.high - slab.low);
+            const double low = std::max(height_at(lower, x), window_.y.low);
+            const double high = std::min(height_at(upper, x), window_.y.high);
+            if (high - low > 2 * y.height) y.height = high - low, y.center = {x, 0.5 * (low + high)};
+        }
+        return y;
+    }
+
     void build_cells() {
         std::vector<std::pair<int, int>> neighbours;  // cells of one region
-        const double thin = 1e-10 * window_.height();
         for (std::size_t k = 0; k + 1 < abscissae_.size(); ++k) {
             Slab slab{abscissae_[k], abscissae_[k + 1], {}};
             const double middle = 0.5 * (slab.low + slab.high);
-            std::vector<int> order;
-            for (std::size_t p = 0; p < pieces_.size(); ++p)
-                if (pieces_[p].front().x < middle && pieces_[p].back().x > middle) order.push_back(static_cast<int>(p));
-            std::sort(order.begin(), order.end(),
-                      [&](int a, int b) { return height_at(a, middle) < height_at(b, middle); });
-            order.insert(order.begin(), -1);
+            std::vector<std::pair<double, int>> heights;  // pieces that touch in the middle differ elsewhere
+            for (std::size_t p = 0; p < pieces_.size(); ++p) {
+                if (!(pieces_[p].front().x < middle && pieces_[p].back().x > middle)) continue;
+                const int piece = static_cast<int>(p);
+                double sum = 0;
+                for (const double share : shares) sum += height_at(piece, slab.low + share * (slab.high - slab.low));
+                heights.emplace_back(sum, piece);
+            }
+            std::sort(heights.begin(), heights.end());
+            std::vector<int> order{-1};
+            for (const auto& [sum, piece] : heights) order.push_back(piece);
             order.push_back(-2);
             for (std::size_t i = 0; i + 1 < order.size(); ++i) {
-                const double low = std::max(height_at(order[i], middle), window_.y.low);
-                const double high = std::min(height_at(order[i + 1], middle), window_.y.high);
-                if (!(high - low > thin)) continue;
                 const int cell = static_cast<int>(cells_.size());
+                const Cell made = cell_between(slab, order[i], order[i + 1], cell);
+                if (!(made.height > thin())) continue;
                 slab.cells.push_back({order[i], order[i + 1], cell});
-                cells_.push_back(
-                    {{slab.low, slab.high}, {middle, 0.5 * (low + high)}, high - low, cell, order[i], order[i + 1]});
+                cells_.push_back(made);
             }
             if (!slabs_.empty())
                 for (const Bounds& a : slabs_.back().cells)
@@ -239,7 +299,7 @@ private:
                         const double x = slab.low;
                         const double low = std::max(height_at(a.lower, x), height_at(b.lower, x));
                         const double high = std::min(height_at(a.upper, x), height_at(b.upper, x));
-                        if (opening(x, low, high) > 1e-6 * window_.height()) neighbours.push_back({a.cell, b.cell});
+                        if (opening(x, low, high) > closed()) neighbours.push_back({a.cell, b.cell});
                     }
             slabs_.push_back(slab);
         }

@@ -232,6 +232,19 @@ TEST_CASE("a singular point that more digits lead to a proved root is not proved
     CHECK(y.distinct() == y.found.roots.size());
 }
 
+TEST_CASE("a double root is none of a plane's points whose others are far away", "[every_root]") {
+    // L = y + 2 z + 2 and x = L, x - 2 y + z + 1 = 0, (2 x + y + 2 z + 1)^2 = 0; one path ends on L = 0 at |x| = 119
+    for (const std::uint64_t seed : {1, 2, 3}) {
+        const auto y =
+            solved("3\n-(x-2*y+z+1)*(y+2*z+2)^2;\n-2*(y+2*z+2)^2*(2*x+y+2*z+1)^2;\n(y+2*z+2)*(x-y-2*z-2);\n", seed);
+        CHECK(y.distinct() == 1);
+        CHECK(y.verdict.completeness == Completeness::explained);
+        REQUIRE(y.families.size() == 1);
+        CHECK(y.families[0].dimension == 2);
+        CHECK(y.families[0].degree <= 1);  // 0: not counted
+    }
+}
+
 TEST_CASE("roots 1e-59 apart are no double root", "[every_root]") {
     // s^3 + 7 s^2 - 2.8e-58 s with s = 2 x - 3 y
     const auto y = solved(

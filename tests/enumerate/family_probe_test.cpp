@@ -103,6 +103,28 @@ TEST_CASE("a double point near a surface is none of its points") {
     CHECK(found.dimension == 0);
 }
 
+TEST_CASE("a double point very near a plane is none of its points") {
+    for (const double apart : {1e-2, 3e-3, 1e-3, 3e-4}) {
+        INFO(apart);
+        const auto beside = probe(3, [apart](const Vector& q) {
+            const auto f = q[2] - apart;
+            return Vector{q[0] * q[0] * f, q[1] * f, q[2] * f};
+        });
+        auto found = beside.at({0, 0, 0});
+        CHECK(found.dimension == 0);
+        CHECK(!beside.lies_on({0, 0, 0}, 2, found));
+        CHECK(beside.at({0.1, 0.2, apart}).dimension == 2);
+    }
+}
+
+TEST_CASE("a point that is known to few digits lies on its multiple surface") {
+    const auto threefold = probe(3, [](const Vector& q) {
+        const auto f = (q[2] - 0.5) * (q[2] - 0.5) * (q[2] - 0.5);
+        return Vector{q[0] * f, (q[1] - 2.0) * f, f * (q[0] + q[1] + 3.0)};
+    });
+    CHECK(threefold.at({0.7, 0.2, 0.5 + 3e-5}).dimension == 2);
+}
+
 TEST_CASE("a point of a surface where all equations are singular lies on it") {
     // y = 0; next to x^2 = 2 z^2 on it the terms cancel
     const auto embedded = probe(3, [](const Vector& q) {

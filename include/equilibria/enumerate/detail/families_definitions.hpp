@@ -63,17 +63,22 @@ EQUILIBRIA_INLINE FoundFamilies find_families(const PolynomialHomotopy& homotopy
                                               const Executor& executor) {
     const RuntimeSizes sizes = homotopy.sizes();
     const auto n = static_cast<std::size_t>(sizes.unknowns), angles = static_cast<std::size_t>(sizes.angles);
+    // a root is probed in units of its own: in those of far ones families that pass it by would be near
+    std::vector<std::vector<double>> units(roots.size(), std::vector<double>(n, 1.0));
     std::vector<double> unit(n, 1.0);
-    for (const auto& root : roots)
-        for (std::size_t u = angles; u < n; ++u) unit[u] = std::max(unit[u], std::abs(root.q[static_cast<int>(u)]));
-    const FamilyProbe probe(sizes.unknowns, family_system(homotopy, unit));
     std::vector<FamilyProbe::Vector> points(roots.size());
+    for (std::size_t k = 0; k < roots.size(); ++k)
+        for (std::size_t u = 0; u < n; ++u) {
+            const auto& z = roots[k].q[static_cast<int>(u)];
+            if (u >= angles) units[k][u] = std::max(1.0, std::abs(z));
+            unit[u] = std::max(unit[u], units[k][u]);
+            points[k].push_back(z / units[k][u]);
+        }
+    const auto probe_of = [&](std::size_t k) { return FamilyProbe(sizes.unknowns, family_system(homotopy, units[k])); };
     std::vector<FamilyProbe::Finding> found(roots.size());
     executor.for_blocks(roots.size(), 16, [&](std::size_t first, std::size_t last) {
-        for (std::size_t k = first; k < last; ++k) {
-            for (std::size_t u = 0; u < n; ++u) points[k].push_back(roots[k].q[static_cast<int>(u)] / unit[u]);
-            if (!is_regular_in_digits(roots[k], homotopy)) found[k] = probe.at(points[k]);
-        }
+        for (std::size_t k = first; k < last; ++k)
+            if (!is_regular_in_digits(roots[k], homotopy)) found[k] = probe_of(k).at(points[k]);
     });
     // a point where the rank drops, on a surface that others have shown, may pass for one of a curve, or for isolated
     std::vector<int> dimensions;
@@ -83,8 +88,18 @@ EQUILIBRIA_INLINE FoundFamilies find_families(const PolynomialHomotopy& homotopy
     executor.for_blocks(roots.size(), 16, [&](std::size_t first, std::size_t last) {
         for (std::size_t k = first; k < last; ++k)
             for (const int d : dimensions)
-                if (d <= found[k].dimension || probe.lies_on(points[k], d, found[k])) break;
+                if (d <= found[k].dimension || probe_of(k).lies_on(points[k], d, found[k])) break;
     });
+    // all in one set of units, in which walks lead from one to another
+    const FamilyProbe probe(sizes.unknowns, family_system(homotopy, unit));
+    for (std::size_t k = 0; k < roots.size(); ++k) {
+        const auto rescale = [&](FamilyProbe::Vector& v) {
+            for (std::size_t u = 0; u < v.size(); ++u) v[u] *= units[k][u] / unit[u];
+        };
+        rescale(points[k]);
+        rescale(found[k].neighbour);
+        for (auto& t : found[k].tangent) rescale(t);
+    }
     FoundFamilies y{{}, std::vector<std::uint8_t>(roots.size()), 0};
     std::vector<std::size_t> number;
     for (std::size_t k = 0; k < roots.size(); ++k)

@@ -5,7 +5,8 @@
 ///     <a_i, q - q_0> = delta_i,  a_i in N random,  |delta| = h,
 /// by Gauss-Newton steps, for d = k, k - 1, ..., 1. A family of dimension d meets every such set of slices close by, an
 /// isolated root of whatever multiplicity none: there |F| stays at the size of h^m, m the order of its lowest term. A
-/// dimension counts only if solutions are there at the distance, at half and at double of it.
+/// dimension counts only if solutions are there at the distance, at half and at double of it, and if those on nearer
+/// and nearer slices come back to q_0, or lead to a point that |F| does not part from it.
 ///
 /// Where it fails: an isolated root whose lowest term is of order eight or more is flatter than rounding at the largest
 /// distance, and passes for a family; so does a family that bends within the smallest distance for an isolated root.
@@ -13,6 +14,7 @@
 /// the solution set of a system of polynomial equations, SIAM J. Numer. Anal. 47 (2009).
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <complex>
 #include <functional>
@@ -224,17 +226,34 @@ private:
             if (!solved) return false;
         }
         // another family may pass near an isolated root: this one must come back to q
+        constexpr double nearest = 1e-5;
         Vector at = y.neighbour;
-        for (double h = distance / 2; h > 1e-3; h /= 2) {
+        for (double h = distance / 2; h > nearest; h /= 2) {
             for (int i = 0; i < n_; ++i) at[index(i)] = 0.5 * (at[index(i)] + q[index(i)]);
             Slices slices{q, rows, Vector(unit.begin(), unit.begin() + d), h};
             for (auto& x : slices.offsets) x *= h;
             double residual = 0;
             if (!solve_on_slices(at, slices, residual)) return false;
         }
+        if (FamilyProbe::distance(at, q) > 20 * nearest && parted(q, at)) return false;
         y.distance = FamilyProbe::distance(y.neighbour, q);
         y.dimension = d;
         return true;
+    }
+
+    /// Whether |F| rises between two points: then they are on two families, or one of them is an isolated root. The way
+    /// from a point that is known to few digits to its own family leads down.
+    bool parted(const Vector& q, const Vector& other) const {
+        Vector f, j;
+        system_(q, f, j);
+        const double most = 1e3 * std::max(largest(f), negligible);
+        for (const double share : {0.5, 0.25, 0.75}) {
+            Vector between = q;
+            for (int i = 0; i < n_; ++i) between[index(i)] += share * (other[index(i)] - q[index(i)]);
+            system_(between, f, j);
+            if (largest(f) > most && !vanishes(between, f)) return true;
+        }
+        return false;
     }
 
     /// The hyperplanes rows[r] . (q - centre) = offsets[r], as many as there are offsets, some `distance` away.

@@ -18,6 +18,8 @@ using Eigen::MatrixXd, Eigen::Vector3d, Eigen::VectorXd;
 namespace {
 
 const Section section{40, 30, 20, 3, 2, 5};
+const ShearCentre beside{.place = {0.3, -0.2}, .polar_radius = 0.6, .wagner = {0.4, -0.3}};
+const Section channel{40, 30, 20, 3, 2, 5, beside};
 const PlanarSection planar_section{40, 30, 2};
 
 /// Nodes along a helix, with frames along it, twisted.
@@ -135,6 +137,7 @@ struct PlainBeam {
     static constexpr int n_nodes = Nodes;
     static constexpr auto components = spatial;
     std::array<SectionFrame, static_cast<std::size_t>(Nodes)> initial;
+    Section of = section;
 
     template <class T>
     std::array<Eigen::Matrix<T, 6, 1>, static_cast<std::size_t>(Nodes - 1)> strains(
@@ -175,12 +178,17 @@ struct PlainBeam {
         const auto before = strains(without, weights);
         const auto now = strains(at, weights);
         T y(0.0);
-        const auto c = section.stiffness();
-        for (std::size_t g = 0; g < now.size(); ++g)
+        const auto c = of.stiffness();
+        const auto& [s, r, w] = of.shear_centre;
+        for (std::size_t g = 0; g < now.size(); ++g) {
+            const T a = now[g](3) - T(before[g](3));
+            const std::array<T, 6> twist{0.5 * r * r * a * a, -s[1] * a,         s[0] * a, T(0.0),
+                                         0.5 * w[0] * a * a,  0.5 * w[1] * a * a};
             for (int k = 0; k < 6; ++k) {
-                const T e = now[g](k) - T(before[g](k));
+                const T e = now[g](k) - T(before[g](k)) + twist[static_cast<std::size_t>(k)];
                 y = y + 0.5 * weights[g] * c(k) * e * e;
             }
+        }
         return y;
     }
 };
@@ -191,6 +199,9 @@ TEST_CASE("K is the derivative of the residual and symmetric: beams") {
     check("beam of 2 nodes", Beam<2>(section, helix<2>()), places(helix<2>()));
     check("beam of 3 nodes", Beam<3>(section, helix<3>()), places(helix<3>()));
     check("beam of 4 nodes", Beam<4>(section, helix<4>()), places(helix<4>()));
+    check("beam of 3 nodes with a shear centre", Beam<3>(channel, helix<3>()), places(helix<3>()));
+    check("mixed beam with a shear centre", MixedBeam<3>({rigid, rigid, 3, 3, 2, 5, beside}, helix<3>()),
+          places(helix<3>()));
     check("mixed beam of 2 nodes", MixedBeam<2>({rigid, rigid, 3, 3, 2, 5}, helix<2>()), places(helix<2>()));
     check("mixed beam of 3 nodes", MixedBeam<3>({rigid, rigid, 3, rigid, 2, 5}, helix<3>()), places(helix<3>()));
     check("planar beam of 2 nodes", PlanarBeam<2>(planar_section, arc<2>()), places(arc<2>()));
@@ -239,6 +250,7 @@ TEST_CASE("Rigid motions give no strain, no force and no energy") {
     check_rigid_motion("beam of 2 nodes", Beam<2>(section, helix<2>()), places(helix<2>()));
     check_rigid_motion("beam of 3 nodes", Beam<3>(section, helix<3>()), places(helix<3>()));
     check_rigid_motion("beam of 4 nodes", Beam<4>(section, helix<4>()), places(helix<4>()));
+    check_rigid_motion("beam with a shear centre", Beam<3>(channel, helix<3>()), places(helix<3>()));
     check_rigid_motion("mixed beam", MixedBeam<3>({rigid, rigid, 3, 3, 2, 5}, helix<3>()), places(helix<3>()));
     check_rigid_motion("planar beam", PlanarBeam<3>(planar_section, arc<3>()), places(arc<3>()));
     check_rigid_motion("truss", Truss<3>(3, {0, 0, 0}, {1, 0.5, 0.2}), {{0, 0, 0}, {1, 0.5, 0.2}});
@@ -250,9 +262,9 @@ TEST_CASE("Rigid motions give no strain, no force and no energy") {
 
 TEST_CASE("Beams derived by hand agree with dual numbers on their definition") {
     std::mt19937 draw(23);
-    const auto compare = [&]<int Nodes>(std::integral_constant<int, Nodes>) {
-        const Beam<Nodes> beam(section, helix<Nodes>());
-        const PlainBeam<Nodes> plain{helix<Nodes>()};
+    const auto compare = [&]<int Nodes>(std::integral_constant<int, Nodes>, const Section& of) {
+        const Beam<Nodes> beam(of, helix<Nodes>());
+        const PlainBeam<Nodes> plain{helix<Nodes>(), of};
         const auto x = places(helix<Nodes>());
         const auto a = structure_of(beam, x), b = structure_of(plain, x);
         for (int k = 0; k < 5; ++k) {
@@ -264,13 +276,15 @@ TEST_CASE("Beams derived by hand agree with dual numbers on their definition") {
             CHECK((tangent - b.tangent(at, 0)).norm() < 1e-13 * tangent.norm());
         }
     };
-    compare(std::integral_constant<int, 2>());
-    compare(std::integral_constant<int, 3>());
+    for (const Section& of : {section, channel}) {
+        compare(std::integral_constant<int, 2>(), of);
+        compare(std::integral_constant<int, 3>(), of);
+    }
 }
 
 TEST_CASE("Strains are objective: a rotation of the whole changes none") {
     std::mt19937 draw(29);
-    const Beam<3> beam(section, helix<3>());
+    const Beam<3> beam(channel, helix<3>());
     for (int k = 0; k < 20; ++k) {
         auto at = as_array<3>(states::random_frames(draw, places(helix<3>()), false, 0.1, 0.8));
         const auto before = beam.strain(at, 1);
@@ -282,9 +296,9 @@ TEST_CASE("Strains are objective: a rotation of the whole changes none") {
 
 TEST_CASE("The mixed beam's equilibrium forces are those of the beam") {
     std::mt19937 draw(31);
-    const Beam<3> beam(section, helix<3>());
+    const Beam<3> beam(channel, helix<3>());
     const auto x = places(helix<3>());
-    const auto plain = structure_of(beam, x), mixed = structure_of(MixedBeam<3>(section, helix<3>()), x);
+    const auto plain = structure_of(beam, x), mixed = structure_of(MixedBeam<3>(channel, helix<3>()), x);
     for (int k = 0; k < 5; ++k) {
         StructureState at{states::random_frames(draw, x, false, 0.1, 0.5), {}};
         const VectorXd residual = plain.residual(at, 0);
@@ -308,6 +322,8 @@ TEST_CASE("The mixed beam's equilibrium forces are those of the beam") {
 
 TEST_CASE("Bad sections and elements are refused by name") {
     CHECK_THROWS_WITH(Beam<2>({0, 1, 1, 1, 1, 1}, helix<2>()), Catch::Contains("ea = 0"));
+    CHECK_THROWS_WITH(Beam<2>({1, 1, 1, 1, 1, 1, {.place = {3, 4}, .polar_radius = 4}}, helix<2>()),
+                      Catch::Contains("polar_radius = 4") && Catch::Contains("from the centroid, 5"));
     CHECK_THROWS_WITH(Beam<2>({rigid, 1, 1, 1, 1, 1}, helix<2>()), Catch::Contains("MixedBeam"));
     CHECK_THROWS_WITH(MixedBeam<2>({1, 1, 1, rigid, rigid, rigid}, helix<2>()), Catch::Contains("gj, ei2, ei3 = inf"));
     CHECK_THROWS_WITH(Truss<3>(1, {0, 0, 0}, {0, 0, 0}), Catch::Contains("length = 0"));

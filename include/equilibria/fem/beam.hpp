@@ -4,7 +4,8 @@
 ///     energy = integral of strain^T C strain / 2
 ///
 /// with one Gauss point less than nodes: 2 nodes make an element of order 2, 3 of order 4 and 4 of order 6 in critical
-/// loads and in displacements of nodes, and none locks. Beams may be curved and twisted without load.
+/// loads and in displacements of nodes, and none locks. Beams may be curved and twisted without load, and have a shear
+/// centre beside their nodes' line.
 ///
 /// MixedBeam has the forces and moments n = C strain at its Gauss points as unknowns of their own, multipliers:
 ///
@@ -49,6 +50,17 @@ void add_material(const typename Geometry::Point& y, const typename Geometry::St
     tangent += b.lazyProduct(cb);
 }
 
+/// The geometry of nodes, with the section's shear centre where it has one.
+template <class Geometry, class S>
+Geometry geometry_of(const std::array<typename Geometry::InitialFrame, Geometry::gauss_points + 1>& at,
+                     const S& section) {
+    section.validate();
+    if constexpr (requires { section.shear_centre; })
+        return Geometry(at, section.shear_centre);
+    else
+        return Geometry(at);
+}
+
 /// Names of the forces and moments of a cross-section: of a planar beam 3, in space 6.
 template <int Strains>
 constexpr auto section_force_names() {
@@ -87,8 +99,8 @@ public:
 
     /// at: the nodes from one end to the other, equally spaced along the beam. Throws InvalidArgument for a section out
     /// of range and for nodes at one place.
-    BeamElement(const S& section, const InitialFrames& at) : geometry_(at), stiffness_(section.stiffness()) {
-        section.validate();
+    BeamElement(const S& section, const InitialFrames& at)
+        : geometry_(geometry_of<Geometry>(at, section)), stiffness_(section.stiffness()) {
         require(stiffness_.allFinite(), "section", "infinite", "MixedBeam takes infinite stiffnesses");
     }
 
@@ -146,8 +158,7 @@ public:
     using Strains = typename Geometry::Strains;
     using InitialFrames = typename BeamElement<Geometry, S>::InitialFrames;
 
-    MixedBeamElement(const S& section, const InitialFrames& at) : geometry_(at) {
-        section.validate();
+    MixedBeamElement(const S& section, const InitialFrames& at) : geometry_(geometry_of<Geometry>(at, section)) {
         const Strains stiffness = section.stiffness();
         flexibility_ = stiffness.cwiseInverse();
         // as stiff as the softest bending over the element, and half of the stiffness at most: then n keeps its part

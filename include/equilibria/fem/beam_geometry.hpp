@@ -10,7 +10,8 @@
 ///
 ///     A^T x' = Im(Q^* x' Q) / |Q|^2,     kappa = 2 Im(Q^* Q') / |Q|^2
 ///
-/// Nodes may turn by up to 2 pi against each other.
+/// Nodes may turn by up to 2 pi against each other. With a shear centre the strains are those of section.hpp, functions
+/// of these.
 /// Sources: Simo, A finite strain beam formulation, Comput. Methods Appl. Mech. Engrg. 49 (1985); Simo and Vu-Quoc, A
 /// three-dimensional finite-strain rod model. Part II, ibid. 58 (1986); for the interpolation, Zupan, Saje and Zupan,
 /// The quaternion-based three-dimensional beam theory, ibid. 198 (2009), and Grohs, Hardering, Sander and Sprecher,
@@ -28,6 +29,7 @@
 #include <equilibria/core/streamed_text.hpp>
 #include <equilibria/fem/frame.hpp>
 #include <equilibria/fem/interpolation.hpp>
+#include <equilibria/fem/section.hpp>
 
 namespace equilibria::fem {
 
@@ -93,7 +95,8 @@ public:
 
     /// at: the nodes from one end to the other, equally spaced along the beam. Throws InvalidArgument for nodes at one
     /// place.
-    explicit BeamGeometry(const std::array<SectionFrame, count>& at) : line_(initial_places(at)) {
+    explicit BeamGeometry(const std::array<SectionFrame, count>& at, const ShearCentre& shear_centre = {})
+        : line_(initial_places(at)), shear_centre_(shear_centre), centred_(shear_centre.none()) {
         Frames initial;
         for (std::size_t k = 0; k < count; ++k) {
             section_[k] = at[k].orientation.normalized();
@@ -111,7 +114,7 @@ public:
     Strains strain(const Frames& at, int g) const {
         Point y;
         interpolate(nodes(at), g, y);
-        return y.total - initial_strain_[place(g)];
+        return about_shear_centre(y.total - initial_strain_[place(g)]);
     }
     const GaussLine<Nodes>& line() const { return line_; }  ///< the nodes' places without load, and the Gauss points
 
@@ -147,12 +150,49 @@ public:
             y.b[k].template bottomLeftCorner<3, 3>().setZero();
             y.b[k].template rightCols<3>() = (y.n[k] * y.by_q + y.d[k] * y.by_dq) * at.turn[k];
         }
+        if (!centred_) {
+            const Strains by_twist = by_twist_of(y.strain(3));
+            for (StrainDerivative& b : y.b) b += by_twist * Eigen::RowVector<double, 6>(b.row(3));
+            y.strain = about_shear_centre(y.strain);
+        }
         return y;
     }
 
     /// Adds the second derivatives of weight stress . strain to a tangent by the nodes' unknowns.
     void add_geometric(const MovedNodes& nodes, const Point& y, const Strains& stress,
                        Eigen::Matrix<double, 6 * Nodes, 6 * Nodes>& tangent) const {
+        if (centred_) return add_centred(nodes, y, stress, tangent);
+        Strains centred = stress;
+        centred(3) += by_twist_of(y.strain(3)).dot(stress);
+        add_centred(nodes, y, centred, tangent);
+        Eigen::Vector<double, 6 * Nodes> twist;
+        for (std::size_t k = 0; k < count; ++k)
+            twist.template segment<6>(static_cast<Eigen::Index>(6 * k)) = y.b[k].row(3).transpose();
+        tangent += (y.weight * squares().dot(stress)) * twist * twist.transpose();
+    }
+
+private:
+    static Eigen::Quaterniond pure(const Eigen::Vector3d& v) { return {0, v(0), v(1), v(2)}; }
+    static Eigen::Quaterniond of(const Four& v) { return Eigen::Quaterniond(v); }
+
+    /// What half of the twist's square adds to each strain.
+    Strains squares() const {
+        const auto& [at, r, w] = shear_centre_;
+        return {r * r, 0, 0, 0, w[0], w[1]};
+    }
+    /// What the twist adds to the derivatives of the other strains by it.
+    Strains by_twist_of(double twist) const {
+        const auto& [at, r, w] = shear_centre_;
+        return Strains{0, -at[1], at[0], 0, 0, 0} + twist * squares();
+    }
+    Strains about_shear_centre(const Strains& y) const {
+        const auto& [at, r, w] = shear_centre_;
+        return y + y(3) * Strains{0, -at[1], at[0], 0, 0, 0} + 0.5 * y(3) * y(3) * squares();
+    }
+
+    /// As add_geometric, where the shear centre is the centroid.
+    void add_centred(const MovedNodes& nodes, const Point& y, const Strains& stress,
+                     Eigen::Matrix<double, 6 * Nodes, 6 * Nodes>& tangent) const {
         // f = n . Gamma + m . kappa with f |Q|^2 = <x' Q, Q n> + 2 <Q m, Q'>, quadratic in (Q, Q')
         const Eigen::Vector3d n = stress.template head<3>(), m = stress.template tail<3>();
         const double f = stress.dot(y.total), s = y.q.squaredNorm();
@@ -196,10 +236,6 @@ public:
         }
     }
 
-private:
-    static Eigen::Quaterniond pure(const Eigen::Vector3d& v) { return {0, v(0), v(1), v(2)}; }
-    static Eigen::Quaterniond of(const Four& v) { return Eigen::Quaterniond(v); }
-
     /// Q, Q', x' and the strains with their initial values.
     void interpolate(const MovedNodes& at, int g, Point& y) const {
         const ShapeFunctions<Nodes> shape = line_.shape(g);
@@ -218,6 +254,8 @@ private:
     std::array<Eigen::Quaterniond, count> section_;  // of each node's cross-section
     GaussLine<Nodes> line_;
     std::array<Strains, count - 1> initial_strain_;
+    ShearCentre shear_centre_;
+    bool centred_;  // whether it is the centroid
 };
 
 }  // namespace equilibria::fem

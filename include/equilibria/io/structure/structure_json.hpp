@@ -5,7 +5,7 @@
 ///       "name": "frame",                                                                    optional
 ///       "nodes": {"A": [0, 0, 0], "B": [240, 0, 0], "C": [240, -240, 0]},
 ///       "sections": {"blade": {"ea": 1.28e6, "ga2": 4.9e5, "ga3": "rigid", "gj": 6e4, "ei2": 38470, "ei3": 9.6e7,
-///                              "mass": 2.1},
+///                              "mass": 2.1, "shear_centre": [0.3, 0], "polar_radius": 0.6, "wagner": [0, 0]},
 ///                    "strip": {"ea": "rigid", "ga": "rigid", "ei": 1}},
 ///       "elements": [
 ///         {"type": "beam", "nodes": ["A", "B"], "section": "blade", "second": [0, 1, 0], "elements": 8,
@@ -40,7 +40,9 @@
 ///
 /// nodes: in the order of the text they are numbered from 0; each must be one of an element's or a joint's.
 /// sections: of beams in space, or of planar ones, as their keys say. Stiffnesses are positive, or "rigid" except one
-///     of gj, ei2 and ei3, and a planar section's ei.
+///     of gj, ei2 and ei3, and a planar section's ei. In space "shear_centre" is its place in axes 2 and 3 from the
+///     nodes' line, "polar_radius" the mean distance of the section from it (root of the mean square; by default its
+///     own distance, the least that there can be), "wagner" the two coefficients of bending: fem::ShearCentre.
 /// beam, arc: straight, or circular through a third point; 8 "elements" unless given, of order "linear", "quadratic"
 ///     (default) or "cubic", with 2, 3 or 4 nodes each. With a planar section all lies in the plane z = 0. Else
 ///     "second" is where axis 2 of the cross-section points to, as nearly as it can; by default z, or y for a straight

@@ -38,6 +38,27 @@ inline double read_stiffness(const JsonPlace& value) {
     return value.number();
 }
 
+/// polar_radius: unless it is given, the shear centre's distance from the centroid, the least that it can be.
+inline ShearCentre read_shear_centre(const JsonPlace& section) {
+    ShearCentre y;
+    const auto pair = [&](const char* key, std::array<double, 2>& numbers) {
+        const auto given = section.find(key);
+        if (!given) return;
+        if (!given->json().is_array() || given->size() != 2) given->refuse("must be two numbers, along axes 2 and 3");
+        for (std::size_t k = 0; k < 2; ++k) numbers[k] = (*given)[k].number();
+    };
+    pair("shear_centre", y.place);
+    pair("wagner", y.wagner);
+    const double distance = std::hypot(y.place[0], y.place[1]);
+    y.polar_radius = distance;
+    if (const auto given = section.find("polar_radius")) {
+        y.polar_radius = given->number();
+        if (!(y.polar_radius >= distance))
+            given->refuse("must be at least the shear centre's distance from the centroid, " + to_text(distance));
+    }
+    return y;
+}
+
 inline SectionTable read_sections(const std::optional<JsonPlace>& sections) {
     SectionTable y;
     if (!sections) return y;
@@ -49,9 +70,10 @@ inline SectionTable read_sections(const std::optional<JsonPlace>& sections) {
             s.keys("a planar section", {"ea", "ga", "ei"}, {"mass"});
             y.planar[name] = {stiffness("ea"), stiffness("ga"), s.at("ei").positive()};
         } else {
-            s.keys("a section", {"ea", "ga2", "ga3", "gj", "ei2", "ei3"}, {"mass"});
-            const Section section{stiffness("ea"), stiffness("ga2"), stiffness("ga3"),
-                                  stiffness("gj"), stiffness("ei2"), stiffness("ei3")};
+            s.keys("a section", {"ea", "ga2", "ga3", "gj", "ei2", "ei3"},
+                   {"mass", "shear_centre", "polar_radius", "wagner"});
+            const Section section{stiffness("ea"),  stiffness("ga2"), stiffness("ga3"),    stiffness("gj"),
+                                  stiffness("ei2"), stiffness("ei3"), read_shear_centre(s)};
             if (std::isinf(std::min({section.gj, section.ei2, section.ei3})))
                 s.refuse("must not have gj, ei2 and ei3 all rigid");
             y.spatial[name] = section;

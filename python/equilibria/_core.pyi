@@ -210,6 +210,28 @@ def bifurcation_diagram(
     checks: int,
     amplitude: float,
 ) -> Dict[str, Any]: ...
+def critical_curve(
+    residual: Callable[[Reals, float, float], Reals],
+    jacobian: Callable[[Reals, float, float], Any],
+    parameter_derivative: Optional[Callable[[Reals, float, float], Reals]],
+    folds: bool,
+    q: Reals,
+    p: float,
+    null_vector: Reals,
+    left_null_vector: Reals,
+    r: float,
+    low: float,
+    high: float,
+    p_low: float,
+    p_high: float,
+    direction: int,
+    symmetric: bool,
+    sparse: bool,
+    most_steps: int,
+    first_step: float,
+    largest_step: float,
+    parameter_weight: float,
+) -> Dict[str, Any]: ...
 
 class BoundStructure:
     def __init__(self, text: str, images: bool) -> None: ...

@@ -3,6 +3,7 @@ the way."""
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from typing import Any, Callable, Dict, List, Optional, Tuple
 
@@ -10,6 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ._core import InvalidArgument, bifurcation_diagram, continue_branch
+from ._core import critical_curve as trace_critical_curve
 from .tables import Printed, number
 
 Reals = NDArray[np.float64]
@@ -23,6 +25,7 @@ class CriticalPoint(Printed):
     p: float
     q: Reals
     null_vector: Reals  #: its largest entry 1
+    left_null_vector: Reals  #: of the transposed Jacobian, its largest entry 1
     residual: float  #: the largest |entry|
     curvature: float  #: of folds and pitchforks p = p_c + curvature x^2 / 2 along the null vector
     curvature_error: float  #: how far apart two orders of differences have a pitchfork's
@@ -190,6 +193,113 @@ def diagram(
     return BranchDiagram(**found)
 
 
+@dataclass(repr=False, eq=False)
+class CurvePoint(Printed):
+    """A special point of a curve of critical points."""
+
+    kind: str  #: of folds: cusp, hilltop, or the bifurcation in which r turns back; of bifurcations: hilltop, or theirs
+    r: float
+    p: float
+    gamma: float  #: 0 on curves of folds
+    q: Reals
+    residual: float  #: of the curve's equations, the largest |entry|
+    step: int  #: between the curve's points number step and step + 1
+
+    def _line(self) -> str:
+        return f"{self.kind} at r={number(self.r, 10)}, p={number(self.p, 10)}"
+
+
+@dataclass(repr=False, eq=False)
+class CriticalCurve(Printed):
+    """Folds, or bifurcations, in the plane of two parameters r and p."""
+
+    r: Reals  #: (points,)
+    p: Reals  #: (points,)
+    gamma: Reals  #: (points,) 0 where the problem bifurcates: what is added to one equation so that a bifurcation stays
+    q: Reals  #: (points, unknowns)
+    residual: Reals  #: of the curve's equations, the largest |entry|
+    special: List[CurvePoint]
+    unexplained: List[Tuple[int, str]]  #: steps with changes of sign that special points do not account for, and why
+    end: str  #: window (r or p left its range: the last point is on its border), steps, closed, or stopped (no step converged)
+
+    def __len__(self) -> int:
+        return len(self.r)
+
+    def _line(self) -> str:
+        return f"{len(self)} points and {len(self.special)} special points, end: {self.end}"
+
+    def _columns(self) -> List[str]:
+        return ["kind", "r", "p", "residual"]
+
+    def _rows(self) -> List[List[str]]:
+        return [[s.kind, number(s.r, 12), number(s.p, 12), f"{s.residual:.1e}"] for s in self.special]
+
+
+def critical_curve(
+    residual: Callable[[Reals, float, float], ArrayLike],
+    jacobian: Callable[[Reals, float, float], Any],
+    point: CriticalPoint,
+    r0: float,
+    low: float,
+    high: float,
+    p_low: float = -math.inf,
+    p_high: float = math.inf,
+    parameter_derivative: Optional[Callable[[Reals, float, float], ArrayLike]] = None,
+    symmetric: bool = True,
+    direction: int = 1,
+    most_steps: int = 1000,
+    first_step: float = 0.05,
+    largest_step: float = 0.2,
+    parameter_weight: float = 0.0,
+) -> CriticalCurve:
+    """The critical points of residual(q, p, r) = 0 in two parameters, from one of them on: `point`, which `follow` or
+    `diagram` found for r = r0. Towards larger r (direction 1) or smaller r (-1), through cusps, until r leaves low ..
+    high, or p leaves p_low .. p_high.
+
+    point: of kind fold, pitchfork, transcritical or isola centre. A curve of folds has cusps, points where r turns back
+    in a bifurcation, and points with a second null vector as special points. A curve of bifurcations goes through the
+    problems residual + gamma e_j: gamma stays 0 where a symmetry keeps the bifurcation; elsewhere the problem itself
+    bifurcates where gamma passes 0, a special point. All else is as for `follow`, r in the place of p in
+    parameter_weight.
+
+    Raises InvalidArgument for another kind of point, and as `follow` does.
+    """
+    if point.kind not in ("fold", "pitchfork", "transcritical", "isola centre"):
+        raise InvalidArgument(
+            f"point.kind = {point.kind!r}: must be fold, pitchfork, transcritical or isola centre; for a hilltop or a "
+            "multiple point begin at a simple one at another r0"
+        )
+    if not low <= r0 <= high:
+        raise InvalidArgument(f"r0 = {r0!r}: must be from low = {low!r} to high = {high!r}")
+    if not p_low <= point.p <= p_high:
+        raise InvalidArgument(f"point.p = {point.p!r}: must be from p_low = {p_low!r} to p_high = {p_high!r}")
+    r0 = float(r0)
+    q = np.asarray(point.q, dtype=float)
+    functions, sparse = _functions(residual, jacobian, parameter_derivative, (q, point.p, r0))
+    found = trace_critical_curve(
+        *functions,
+        point.kind == "fold",
+        q,
+        point.p,
+        point.null_vector,
+        point.left_null_vector,
+        r0,
+        float(low),
+        float(high),
+        float(p_low),
+        float(p_high),
+        direction,
+        bool(symmetric),
+        sparse,
+        most_steps,
+        float(first_step),
+        float(largest_step),
+        float(parameter_weight),
+    )
+    found["special"] = [CurvePoint(**special) for special in found["special"]]
+    return CriticalCurve(**found)
+
+
 def _branch(found: Any, symmetric: bool) -> Branch:
     found["events"] = [CriticalPoint(**event) for event in found["events"]]
     if not symmetric:
@@ -212,20 +322,30 @@ def _problem(
         raise InvalidArgument(f"q0 = {q0!r}: must be a vector of finite numbers")
     if not low <= p0 <= high:
         raise InvalidArgument(f"p0 = {p0!r}: must be from low = {low!r} to high = {high!r}")
-    first = jacobian(q, float(p0))
-    sparse = hasattr(first, "tocsc")
+    functions, sparse = _functions(residual, jacobian, parameter_derivative, (q, float(p0)))
+    return functions, q, sparse
+
+
+def _functions(
+    residual: Callable[..., ArrayLike],
+    jacobian: Callable[..., Any],
+    parameter_derivative: Optional[Callable[..., ArrayLike]],
+    start: Tuple[Any, ...],
+) -> Tuple[Tuple[Any, Any, Any], bool]:
+    """The functions as the compiled part takes them, and whether the Jacobian is sparse: as at the start."""
+    sparse = hasattr(jacobian(*start), "tocsc")
     if sparse:
 
-        def given(at: Reals, p: float) -> Any:
-            return jacobian(at, p).tocsc()
+        def given(*at: Any) -> Any:
+            return jacobian(*at).tocsc()
 
     else:
 
-        def given(at: Reals, p: float) -> Any:
-            return np.atleast_2d(np.asarray(jacobian(at, p), dtype=float))
+        def given(*at: Any) -> Any:
+            return np.atleast_2d(np.asarray(jacobian(*at), dtype=float))
 
-    def vector(function: Callable[[Reals, float], ArrayLike]) -> Callable[[Reals, float], Reals]:
-        return lambda at, p: np.atleast_1d(np.asarray(function(at, p), dtype=np.float64))
+    def vector(function: Callable[..., ArrayLike]) -> Callable[..., Reals]:
+        return lambda *at: np.atleast_1d(np.asarray(function(*at), dtype=np.float64))
 
     by_parameter = None if parameter_derivative is None else vector(parameter_derivative)
-    return (vector(residual), given, by_parameter), q, sparse
+    return (vector(residual), given, by_parameter), sparse

@@ -51,6 +51,14 @@ inline pybind11::dict evidence_of(const CriticalPointEvidence& point) {
     return y;
 }
 
+/// (step, reason) of each step that its events do not account for.
+template <class B>
+pybind11::list unexplained_of(const B& branch) {
+    pybind11::list y;
+    for (const UnexplainedStep& step : branch.unexplained) y.append(pybind11::make_tuple(step.step, step.reason));
+    return y;
+}
+
 /// All of a branch but its configurations and its critical points: "p", "negative" (-1: not known),
 /// "determinant_sign", "residual", "arc_length", "unexplained", "end".
 template <class B>
@@ -61,10 +69,7 @@ pybind11::dict columns_of(const B& branch) {
     y["determinant_sign"] = column<std::int64_t>(branch.points, [](const auto& at) { return at.determinant_sign; });
     y["residual"] = column<double>(branch.points, [](const auto& at) { return at.residual; });
     y["arc_length"] = column<double>(branch.points, [](const auto& at) { return at.arc_length; });
-    pybind11::list unexplained;
-    for (const UnexplainedStep& step : branch.unexplained)
-        unexplained.append(pybind11::make_tuple(step.step, step.reason));
-    y["unexplained"] = std::move(unexplained);
+    y["unexplained"] = unexplained_of(branch);
     y["end"] = to_string(branch.end);
     return y;
 }

@@ -257,6 +257,12 @@ TEST_CASE("roots 1e-59 apart are no double root", "[every_root]") {
         solved("2\ny^4 + 11*y^3 + 18*y^2 + 4.223146227930097e-238*y + 6.910602918431067e-238;\nx + 3*y^2 + 2*y;\n");
     CHECK(near.families.empty());
     CHECK(near.verdict.completeness == Completeness::open);
+    for (const std::string apart : {"5e-110", "5.053968264940244e-175", "3e-290"}) {
+        INFO(apart);
+        const auto two = solved("2\ny^4 - 2*y^3 - 8*y^2 - " + apart + "*y;\nx - 3*y^2 + y;\n");
+        CHECK(two.families.empty());
+        CHECK(two.verdict.completeness == Completeness::open);
+    }
     // and the double root without that term is one
     const auto double_root =
         solved("2\n8*x^3 - 36*x^2*y + 28*x^2 + 54*x*y^2 - 84*x*y - 27*y^3 + 63*y^2;\n-3*x + 4*y + 2;\n");

@@ -31,14 +31,18 @@ namespace equilibria::detail {
     return z;
 }
 
+/// Whether coefficients of an equation are within 1e24 of each other: of others 31 digits do not see every term, and do
+/// not tell a curve from roots that are near to each other.
+bool digits_tell_families(const SparseSystem& system);
+
 /// Families of which a second point is a solution to 31 digits, as a near miss is not; the others are dropped, and
-/// on_one says so. roots: those that `found` is of.
+/// on_one says so. All are, where digits do not tell. roots: those that `found` is of.
 void keep_families(const SparseSystem& system, const std::vector<Root<RuntimeUnknowns>>& roots, FoundFamilies& found);
 
 /// The families that these suspects, singular ends of paths from the total degree, and points on generic planes lie on;
-/// on_one: of the suspects. most_paths: above so many paths the total degree is not tracked. Planes are for systems
-/// without angles, and with coefficients within 1e100 of each other: of others no degrees are counted, and a curve may
-/// not be found that paths meet at infinity.
+/// on_one: of the suspects. None where digits do not tell. most_paths: above so many paths the total degree is not
+/// tracked. Planes are for systems without angles: of others no degrees are counted, and a curve may not be found that
+/// paths meet at infinity.
 FoundFamilies name_families(const SparseSystem& system, const std::vector<Root<RuntimeUnknowns>>& suspects,
                             const RunOptions& run, const TrackerOptions& options, std::uint64_t most_paths);
 

@@ -33,17 +33,33 @@ EQUILIBRIA_INLINE std::vector<LaurentColumn> columns_at_rest(const SparseSystem&
             y.push_back({static_cast<int>(i), t.exponents, t.coefficient, t.coefficient});
     return y;
 }
+EQUILIBRIA_INLINE bool digits_tell_families(const SparseSystem& system) {
+    const auto n = static_cast<std::size_t>(system.sizes().unknowns);
+    std::vector<double> least(n, std::numeric_limits<double>::infinity()), most(n);
+    for (const SparseTerm& t : system.terms()) {
+        if (t.coefficient == 0) continue;
+        const auto i = static_cast<std::size_t>(t.equation);
+        least[i] = std::min(least[i], std::abs(t.coefficient));
+        most[i] = std::max(most[i], std::abs(t.coefficient));
+    }
+    for (std::size_t i = 0; i < n; ++i)
+        if (least[i] < 1e-24 * most[i]) return false;
+    return true;
+}
 EQUILIBRIA_INLINE void keep_families(const SparseSystem& system, const std::vector<Root<RuntimeUnknowns>>& roots,
                                      FoundFamilies& found) {
     if (found.families.empty()) return;
     const auto columns = columns_at_rest(system);
+    const bool told = digits_tell_families(system);
     std::erase_if(found.families, [&](const Family<RuntimeUnknowns>& family) {
-        for (const auto& point : family.points)
+        for (std::size_t k = 0; told && k < family.points.size(); ++k) {
+            const auto& point = family.points[k];
             // a coordinate that is 0 on a multiple curve is known to a root of the rounding
             for (const double small : {1e-6, 1e-3})
                 if (nearby_solution(system.sizes(), columns, laurent_point(point.neighbour, system.sizes()), 1e-3,
                                     small))
                     return false;
+        }
         for (const auto& point : family.points)
             for (std::size_t k = 0; k < roots.size(); ++k)
                 if (roots[k].path == point.path) found.on_one[k] = 0;
@@ -120,6 +136,7 @@ EQUILIBRIA_INLINE std::optional<std::vector<Root<RuntimeUnknowns>>> witness_poin
 EQUILIBRIA_INLINE FoundFamilies name_families(const SparseSystem& system,
                                               const std::vector<Root<RuntimeUnknowns>>& suspects, const RunOptions& run,
                                               const TrackerOptions& options, std::uint64_t most_paths) {
+    if (!digits_tell_families(system)) return {{}, std::vector<std::uint8_t>(suspects.size()), 0};
     const PathCount degree = total_degree_count(system);
     std::vector<Root<RuntimeUnknowns>> all = suspects;
     const bool tracked = std::ranges::all_of(system.degrees(), [](int d) { return d > 0; }) && !degree.saturated &&
@@ -127,13 +144,7 @@ EQUILIBRIA_INLINE FoundFamilies name_families(const SparseSystem& system,
     if (tracked)
         for (const auto& root : solve_total_degree(system, run, options, nullptr).roots)
             if (root.status == PathStatus::singular) all.push_back(root);
-    // coefficients of very different sizes: doubles do not tell a curve from roots as near to each other as these
-    double least = std::numeric_limits<double>::infinity(), most_size = 0;
-    for (const SparseTerm& t : system.terms()) {
-        least = std::min(least, std::abs(t.coefficient));
-        most_size = std::max(most_size, std::abs(t.coefficient));
-    }
-    const bool on_planes = tracked && system.sizes().angles == 0 && least > 1e-100 * most_size;
+    const bool on_planes = tracked && system.sizes().angles == 0;
     if (all.empty() && !on_planes) return {};
     Generator generator(run.seed);
     std::vector<int> degrees = system.degrees();

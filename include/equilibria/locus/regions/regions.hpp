@@ -257,7 +257,7 @@ private:
             }
     }
 
-    /// Its centre is in the middle, unless it is more than twice as high elsewhere.
+    /// A cell of a slab; its centre is in the middle, unless it is more than twice as high elsewhere.
     Cell cell_between(const Slab& slab, int lower, int upper, int number) const {
         Cell y{{slab.low, slab.high}, {}, -1, number, lower, upper};
         for (const double share : shares) {

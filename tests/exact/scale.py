@@ -153,7 +153,8 @@ def all_systems(o):
 
     def put_polynomials(name, equations, base):
         def make(r):
-            system = in_units(equations, r, base)
+            while not (system := in_units(equations, r, base)):
+                pass  # numbers beyond 1e250: drawn again
             return system.text(), "txt", 0, system.coordinates, False
 
         y[name] = make

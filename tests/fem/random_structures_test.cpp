@@ -220,37 +220,47 @@ int environment(const char* name, int otherwise) {
 struct Count {
     int events = 0, crossed = 0, unexplained = 0;
 };
-/// Changes of the number of negative eigenvalues, seen by so many small steps along a branch.
+/// Changes of the number of negative eigenvalues, seen by so many small steps along a branch: from each of its points
+/// to the next one, so that no step passes to another branch near by.
 template <class S>
 int seen(const S& s, const Branch<S>& branch, ContinuationOptions options, int points) {
     const auto& last = branch.points.back();
     if (branch.points.size() < 2) return 0;  // it leaves the window at once
-    options.branch.largest_step = last.arc_length / points;
-    options.branch.first_step = std::min(options.branch.first_step, options.branch.largest_step);
+    const double step = last.arc_length / points;
+    options.branch.largest_step = step;
+    options.branch.first_step = std::min(options.branch.first_step, step);
     options.branch.smallest_step = 1e-6 * options.branch.first_step;
     options.branch.resolution = std::max(options.branch.resolution, options.branch.smallest_step);
     BranchStepper<S> stepper(s, options.branch);
-    BranchPoint<S> at = branch.points.front();
-    if (!stepper.start(at.q, at.p, at.tangent.p < 0 ? -1 : 1)) return -1;
-    at.proposed_step = options.branch.first_step;
-    int y = 0, before = negative(s, at);
-    for (int k = 0; k < 4 * points && at.arc_length < last.arc_length; ++k) {
-        const auto next = stepper.advance(at);
-        if (!next) break;
-        // beyond the last point of the branch
-        const bool beyond = stepper.dot(stepper.difference(last, next->q, next->p), last.tangent) > 0 &&
-                            stepper.length(stepper.difference(last, next->q, next->p)) <= 2 * next->step;
-        const auto& point = beyond ? last : *next;
-        // the factors' inertia, each eighth time against the eigenvalues themselves
-        const int now = k % 8 == 0 || !point.negative ? negative(s, point) : *point.negative;
-        if (k % 8 == 0 && point.negative) CHECK(now == *point.negative);
-        y += std::abs(now - before);
-        if (beyond) return y;
-        before = now;
-        at = *next;
+    const auto& first = branch.points.front();
+    if (!stepper.start(first.q, first.p, first.tangent.p < 0 ? -1 : 1)) return -1;
+    int y = 0, before = negative(s, first), steps = 0;
+    for (std::size_t k = 0; k + 1 < branch.points.size(); ++k) {
+        const auto& target = branch.points[k + 1];
+        BranchPoint<S> at = branch.points[k];
+        at.proposed_step = std::min(step, target.arc_length - at.arc_length);
+        bool reached = at.proposed_step <= options.branch.smallest_step;  // the window's border, at the point
+        if (reached) {
+            y += std::abs(negative(s, target) - before);
+            before = negative(s, target);
+        }
+        for (int m = 0; m < 40 * points && !reached; ++m, ++steps) {
+            const auto next = stepper.advance(at);
+            if (!next) break;
+            reached = stepper.dot(stepper.difference(target, next->q, next->p), target.tangent) > -1e-9 * step &&
+                      stepper.length(stepper.difference(target, next->q, next->p)) <= 2 * next->step;
+            const auto& point = reached ? target : *next;
+            // the factors' inertia, each eighth time against the eigenvalues themselves
+            const int now = steps % 8 == 0 || !point.negative ? negative(s, point) : *point.negative;
+            if (steps % 8 == 0 && point.negative) CHECK(now == *point.negative);
+            y += std::abs(now - before);
+            before = now;
+            at = *next;
+        }
+        INFO("seen from p = " << branch.points[k].p << " up to " << at.p << ", not to " << target.p);
+        CHECK(reached);
+        if (!reached) return y;
     }
-    INFO("seen up to p = " << at.p << ", " << at.arc_length << " of " << last.arc_length << " along");
-    CHECK(at.arc_length >= 0.99 * last.arc_length);
     return y;
 }
 /// What a branch lists, against what is seen along it.

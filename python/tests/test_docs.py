@@ -34,6 +34,16 @@ def test_example_of_a_motion(tmp_path, monkeypatch, capsys):
     assert (tmp_path / "motion.png").stat().st_size > 10000
 
 
+def test_example_of_a_curve(capsys):
+    code = re.search(r"<!-- curve -->\n```python\n(.*?)```", page.read_text(), re.S).group(1)
+    names = {}
+    exec(compile(code, str(page), "exec"), names)
+    curve = names["curve"]
+    assert curve.end == "window" and curve.r[-1] == pytest.approx(2)
+    assert curve.p == pytest.approx(4 * curve.r**3 / 27**0.5, rel=1e-8)
+    assert capsys.readouterr().out.startswith("2.0 6.158402")
+
+
 def test_example_of_a_structure(tmp_path, monkeypatch, capsys):
     pytest.importorskip("matplotlib").use("Agg")
     text = page.with_name("structures.md").read_text()
